@@ -28,13 +28,13 @@ constexpr StatusItems kLong{StatusItems::Position | StatusItems::Identity};
 /// A PIC-SERVO that has been moving for as long as it is known.
 [[nodiscard]] Trust trustInAMotion() {
     Trust trust({ModuleType::Servo, 4});
-    EXPECT_FALSE(trust.confirm(report(kShort, kMoves))) << "the first of all";
+    EXPECT_FALSE(trust.confirm(report(kShort, kMoves))) << "it is the first report";
     EXPECT_EQ(trust.confirm(report(kLong, kMoves))->status, kMoves);
     return trust;
 }
 
-/// A servo that is on. Each question of a stop for its status, and each poll, is answered by what `says`
-/// next.
+/// Stops a servo that is on. Each query of its status, by the stop or a poll, is answered with what `says`
+/// returns next.
 [[nodiscard]] std::optional<StopFinished> stopOf(const std::function<std::uint8_t(unsigned question)>& says) {
     ScriptedBus bus(1);
     if (!bus.connect())
@@ -57,8 +57,8 @@ constexpr StatusItems kLong{StatusItems::Position | StatusItems::Identity};
 TEST(AsymmetricTrust, OneLookDoesNotMakeAStop) {
     const auto stop = stopOf([](unsigned question) { return question % 2 == 0 ? kStands : kMoves; });
     ASSERT_TRUE(stop);
-    EXPECT_TRUE(stop->stopped.empty()) << "never twice in a row";
-    EXPECT_EQ(stop->unconfirmed.size(), 1U) << "it answers, so it was told";
+    EXPECT_TRUE(stop->stopped.empty()) << "it is never seen at rest twice in a row";
+    EXPECT_EQ(stop->unconfirmed.size(), 1U) << "it answers, so it was reached";
 }
 
 TEST(AsymmetricTrust, TwoLooksMakeAStop) {
@@ -71,7 +71,7 @@ TEST(AsymmetricTrust, TwoLooksMakeAStop) {
 TEST(AsymmetricTrust, TwoRepliesOfOneLengthDoNotPermit) {
     Trust trust = trustInAMotion();
     EXPECT_EQ(trust.confirm(report(kShort, kStands))->status, 0x18) << "move_done is withheld";
-    EXPECT_EQ(trust.confirm(report(kShort, kStands))->status, 0x18) << "it may be the same one again";
+    EXPECT_EQ(trust.confirm(report(kShort, kStands))->status, 0x18) << "it may be the same reply again";
     EXPECT_EQ(trust.confirm(report(kLong, kStands))->status, kStands);
 }
 
@@ -80,7 +80,7 @@ TEST(AsymmetricTrust, OneReplyWithdraws) {
     EXPECT_EQ(trust.confirm(report(kShort, kStands))->status, 0x18);
     EXPECT_EQ(trust.confirm(report(kLong, kStands))->status, kStands);
     EXPECT_EQ(trust.confirm(report(kShort, kMoves))->status, kMoves);
-    EXPECT_EQ(trust.confirm(report(kLong, kStands))->status, 0x18) << "to be shown anew";
+    EXPECT_EQ(trust.confirm(report(kLong, kStands))->status, 0x18) << "it has to be shown again";
 }
 
 }  // namespace

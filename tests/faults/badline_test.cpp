@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// F-17, F-21, F-22, F-45, F-47: bytes on the line that nobody meant.
+// F-17, F-21, F-22, F-45, F-47: unintended bytes on the line.
 #include <gtest/gtest.h>
 
 #include "sim/random.h"
@@ -13,7 +13,7 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-/// Three servos at different places, and what is said about them.
+/// Three servos at different positions.
 class OnTheLine : public testing::Test {
 protected:
     void SetUp() override {
@@ -94,7 +94,7 @@ TEST_F(F21_OverrunInAModule, OfAnOperationIsMadeGood) {
 
 using F22_OverrunInTheHost = OnTheLine;
 
-/// What a kernel hands over after an overrun: a flood, and holes in it. Nothing that the engine keeps grows.
+/// What a kernel delivers after an overrun: a flood with holes in it. No queue of the engine grows.
 TEST_F(F22_OverrunInTheHost, OfAMegabyteFillsNoQueue) {
     const std::vector<std::uint8_t> flood(16 * 1024, 0xA5);
     for (int i = 0; i < 64; ++i) {
@@ -131,7 +131,7 @@ TEST_F(F45_ForeignHost, MakesNoSampleWrongAndIsNoticed) {
     bus.runFor(20s);
     EXPECT_GT(bus.struck(), 100U);
     EXPECT_GT(bus.engine.statistics().surplusBytes, 0U);
-    EXPECT_GT(bus.count<HealthChanged>(), 0U) << "someone else is sending";
+    EXPECT_GT(bus.count<HealthChanged>(), 0U) << "another host is sending";
     truth.expectAllTrue();
 }
 
@@ -151,7 +151,8 @@ TEST_F(F45_ForeignHost, ThatDefinesOtherItemsMakesNoSampleWrong) {
 
 // ---- F-47 ----
 
-/// Cut short and filled up with nulls, one Load Trajectory in some three hundred still has a right sum.
+/// Of the Load Trajectory commands that are cut short and filled up with nulls, about one in three hundred
+/// still has a right checksum.
 TEST(F47_CommandCutShortAndFilledWithZeros, MovesNothingWithoutAStart) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         SCOPED_TRACE(seed);

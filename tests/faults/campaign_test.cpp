@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each deterministic fault at one per cent, for a hundred thousand exchanges with motors that move; ten
-// million with NMC_CAMPAIGN_EXCHANGES=10000000 (scripts/test nightly). What is never to happen is counted by
-// oracles.
+// Each deterministic fault at one per cent, for a hundred thousand exchanges with moving motors; ten million
+// with NMC_CAMPAIGN_EXCHANGES=10000000 (scripts/test nightly). Oracles count what must never happen.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -26,21 +25,22 @@ constexpr std::size_t kCodes = 16;
 struct Fault {
     const char* name;
     const char* line;
-    /// A short one that comes again and again, instead of one that lasts.
+    /// A short fault that recurs, instead of one that lasts.
     bool again = false;
-    /// What the fault itself does to a chain, whoever the host is.
+    /// Violations that the fault itself causes on a chain, whatever the host does.
     std::set<ViolationKind> itsOwn{};
-    /// Commands are carried out that the host did not send.
+    /// Modules carry out commands that the host did not send.
     bool sendsCommands = false;
 
     friend void PrintTo(const Fault& fault, std::ostream* stream) { *stream << fault.line; }
 };
 
-/// What the host takes for the end of an answer while the answer is still coming: the next command leaves.
+/// The host takes something for the end of an answer that is still arriving, and sends the next command.
 const std::set<ViolationKind> kFalseEnd{ViolationKind::CommandInFlight};
 
-/// Delays are 1.05 to 5 time-outs of a poll: 16.3 ms with this adapter's latency and this machine's margin.
-/// An exchange takes some 1.5 ms, so that what comes every 150 ms comes with one exchange in a hundred.
+/// Delays are 1.05 to 5 times the time-out of a poll, which is 16.3 ms with this adapter's latency and this
+/// machine's margin. An exchange takes about 1.5 ms, so a fault that comes every 150 ms strikes one exchange
+/// in a hundred.
 const std::array kFaults{
     Fault{"None", "bus drop p=0"},
     Fault{"DropCommand", "bus drop cmd p=.01"},
@@ -77,7 +77,7 @@ protected:
     void act();
     void stopEverything();
     void noteSent();
-    /// Polling has ended: by what was said since events were forgotten.
+    /// True if polling has ended, according to the events since they were last forgotten.
     [[nodiscard]] bool isLost() const {
         return bus.health() == LinkHealth::Lost || bus.count<LinkLost>() > 0;
     }
@@ -94,10 +94,10 @@ protected:
     std::uint64_t exchanges = 0;
     std::uint64_t struck = 0;
     unsigned stops = 0, unreached = 0, lost = 0, restarts = 0, claims = 0;
-    std::size_t traffic = 0, motions = 0;  ///< that were put down to another host
+    std::size_t traffic = 0, motions = 0;  ///< attributed to another host
 };
 
-/// What an operator might do next.
+/// Does what an operator might do next.
 void Campaign::act() {
     const auto module = static_cast<std::uint8_t>(random.below(kServos));
     const auto way = static_cast<std::int32_t>(random.below(4'000)) - 2'000;
@@ -129,12 +129,12 @@ void Campaign::act() {
     }
 }
 
-/// Confirmed or reported, each time.
+/// Each module has to be confirmed or reported, each time.
 void Campaign::stopEverything() {
     const std::size_t before = bus.count<StopFinished>();
     const auto stop = bus.stopAll();
     ++stops;
-    ASSERT_TRUE(stop) << "a stop has no end";
+    ASSERT_TRUE(stop) << "every stop must end";
     EXPECT_EQ(bus.count<StopFinished>(), before + 1);
     EXPECT_EQ(stop->stopped.size() + stop->unreached.size(), std::size_t{kServos});
     unreached += static_cast<unsigned>(stop->unreached.size());
@@ -156,7 +156,8 @@ void Campaign::noteSent() {
     bus.sent.clear();
 }
 
-/// As an operator would after "link lost"; and motors back to where each is told from the others.
+/// Connects again as an operator would after "link lost", and moves the motors back to where they can be told
+/// apart.
 void Campaign::recover() {
     const bool connect = isLost();
     bool astray = false;
@@ -237,12 +238,12 @@ TEST_P(Campaign, HasNoWrongSampleNoWrongPermissionAndNoLostStop) {
     EXPECT_GT(bus.executed(0, CommandCode::StartMotion), 50U) << "they really move";
     EXPECT_EQ(restarts, 0U) << "no module has restarted";
     if (fault.line == std::string("bus drop p=0")) {
-        EXPECT_EQ(lost, 0U) << "on a perfect line";
+        EXPECT_EQ(lost, 0U) << "the line is perfect";
         EXPECT_EQ(bus.engine.statistics().errors() + bus.engine.statistics().rejected, 0U);
     }
-    EXPECT_EQ(claims, 0U) << "said to have stopped, and moved";
-    EXPECT_TRUE(traffic == 0 || fault.sendsCommands) << "nobody else is on the line";
-    EXPECT_EQ(motions, 0U) << "nobody else moves a motor";
+    EXPECT_EQ(claims, 0U) << "no module was reported as stopped while it moved";
+    EXPECT_TRUE(traffic == 0 || fault.sendsCommands) << "no other host is on the line";
+    EXPECT_EQ(motions, 0U) << "no other host moves a motor";
     expectOnlySentCommands();
     expectNoViolationsOfOurs();
 }

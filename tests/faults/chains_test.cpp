@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// F-23, F-24, F-26, F-41, F-42: chains that are not as expected when they are looked for.
+// F-23, F-24, F-26, F-41, F-42: chains that are not as expected when they are searched for.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 // ---- F-23 ----
 
-/// The chain as a program at another rate left it.
+/// Leaves the chain as a program at another rate would.
 [[nodiscard]] bool leaveAt(FaultyBus& bus, std::uint32_t baud) {
     EngineConfig config;
     config.baud = baud;
@@ -59,7 +59,7 @@ TEST(F23_WrongRateAtConnect, LeavesAMotionAlone) {
     EXPECT_EQ(bus.sentTo(0, CommandCode::StopMotor, from), 0U);
     const auto stop = bus.stopAll();
     ASSERT_TRUE(stop);
-    EXPECT_TRUE(FaultyBus::stopped(*stop, 0)) << "and can be stopped";
+    EXPECT_TRUE(FaultyBus::stopped(*stop, 0)) << "it can be stopped";
     EXPECT_TRUE(bus.stands(0));
 }
 
@@ -123,7 +123,7 @@ TEST(F26_RateChangeWithALeader, IsNeverSent) {
 
 TEST(F26_RateChangeWithALeader, IsNotSentToAChainThatHasOne) {
     FaultyBus bus(servos(2), kFast);
-    // Another program's group FF with a leader: bit 7 of the group byte is clear.
+    // Group FF of another program, with a leader: bit 7 of the group byte is clear.
     for (const char* packet : {"AA 00 21 01 7F A1 ", "AA 00 21 02 FF 22 "}) {
         bus.chain.hostSends(fromHex(packet), bus.now);
         bus.runFor(20ms);
@@ -132,7 +132,7 @@ TEST(F26_RateChangeWithALeader, IsNotSentToAChainThatHasOne) {
     static_cast<void>(bus.connect());
     bus.runFor(1s);
     EXPECT_EQ(bus.chain.statistics().modules[0].executions(CommandCode::SetBaud), 0U)
-        << "unless a reset has made the leader a member again";
+        << "only a reset would make the leader a member again";
 }
 
 // ---- F-41, F-42 ----
@@ -163,8 +163,8 @@ TEST(F41_UnknownModuleType, IsOnlyLookedAt) {
     }
 }
 
-/// Whatever the version says: items that it is not known for are never asked for, and it is sent nothing but
-/// what its version is known to take. I/O Control means something else from version 10 on.
+/// Whatever the version is: items that are not known for it are never requested, and it is sent only what it
+/// is known to accept. I/O Control has another meaning from version 10 on.
 TEST(F42_UnknownFirmwareVersion, IsToldNothingThatItIsNotKnownFor) {
     for (unsigned version = 0; version <= 255; ++version) {
         SCOPED_TRACE(version);

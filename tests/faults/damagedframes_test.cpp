@@ -12,8 +12,8 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-/// Two servos that move to and fro for as long as told, while frames are damaged; what they do is not the
-/// point, but that what is said about them is true.
+/// Moves two servos to and fro for this time while frames are damaged. It does not matter what they do, but
+/// that what is reported about them is true.
 void moveAbout(FaultyBus& bus, Duration time) {
     const TimePoint end = bus.now + time;
     for (std::int32_t way = 1'000; bus.now < end; way = -way)
@@ -23,7 +23,7 @@ void moveAbout(FaultyBus& bus, Duration time) {
         }
 }
 
-/// Bytes of the answer to what was sent last.
+/// Number of bytes in the answer to the last command.
 [[nodiscard]] std::size_t expectedReply(const FaultyBus& bus) {
     StatusItems items;
     for (const auto& sent : bus.sent)
@@ -45,7 +45,7 @@ protected:
 
 // ---- F-01 ----
 
-/// Whatever packet a byte is lost from, the stop that follows right behind is carried out.
+/// Whichever packet loses a byte, the stop that follows immediately is carried out.
 TEST(F01_ByteLostInACommand, LeavesEveryLaterStopCarriedOut) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         SCOPED_TRACE(seed);
@@ -78,7 +78,7 @@ TEST(F01_ByteLostInACommand, OfTheStopItselfIsMadeGood) {
     }
 }
 
-/// Once the time-out has shown that a byte may be missing, nulls go out before a stop.
+/// Once the time-out has shown that a byte may be missing, nulls are sent before a stop.
 TEST(F01_ByteLostInACommand, IsFlushedBeforeAStop) {
     FaultyBus bus(servos(1), kFast);
     ASSERT_TRUE(bus.connectAndEnable());
@@ -125,7 +125,7 @@ TEST_F(F04_ByteDoubledInAReply, MakesNoSampleWrong) {
     truth.expectAllTrue();
 }
 
-/// One byte too many behind a frame whose sum is right.
+/// There is one byte too many after a frame whose checksum is right.
 TEST_F(F04_ByteDoubledInAReply, RejectsTheWholeFrame) {
     bus.runFor(200ms);
     std::size_t at = 0;
@@ -137,7 +137,7 @@ TEST_F(F04_ByteDoubledInAReply, RejectsTheWholeFrame) {
     };
     const std::size_t samples = bus.count<Sample>();
     bus.runFor(300ms);
-    EXPECT_LE(bus.count<Sample>(), samples + 1) << "the one that was under way";
+    EXPECT_LE(bus.count<Sample>(), samples + 1) << "only the one that was under way";
     EXPECT_GT(bus.engine.statistics().rejections[static_cast<std::size_t>(Rejection::Surplus)], 0U);
 }
 
@@ -163,7 +163,7 @@ TEST_F(F03_ByteDoubledInACommand, CarriesOutNothingThatWasNotSent) {
     truth.expectAllTrue();
     bus.clearFaults();
     bus.runFor(2s);
-    EXPECT_EQ(bus.perform({loadMove(0, 0)}), Outcome::Done) << "and it works again afterwards";
+    EXPECT_EQ(bus.perform({loadMove(0, 0)}), Outcome::Done) << "it works again afterwards";
 }
 
 using F05_ByteWrongInACommand = DamagedFrames;
@@ -187,8 +187,8 @@ TEST_F(F05_ByteWrongInACommand, OfAnOperationIsMadeGood) {
 
 // ---- F-06 ----
 
-/// A load may be changed into another one under way. Either the motor still stays within its corridor, or it
-/// is stopped: within three polls of its leaving it.
+/// A load may be changed into another one on its way. The motor then either stays within its corridor, or is
+/// stopped within three polls of leaving it.
 TEST(F06_CommandChangedWithTheRightSum, EndsInAStopOnceTheMotorLeavesItsCorridor) {
     constexpr std::int32_t kGoal = 4'000;
     constexpr std::int32_t kFarOut = 1'000;  // beyond any overshoot of these gains
@@ -232,13 +232,13 @@ TEST(F08_CommandRefusedByTheModule, IsSentAgainAndCounted) {
     EXPECT_EQ(bus.last<CommandRefused>()->module, ModuleIndex(0));
 }
 
-/// A status in such a reply is good for one thing: the module lives.
+/// The status in such a reply shows only one thing: the module is alive.
 TEST(F08_CommandRefusedByTheModule, IsNoSample) {
     FaultyBus bus(servos(1));
     ASSERT_TRUE(bus.connectAndEnable());
     bus.runFor(500ms);
     bus.fault("module 1 cksum");
-    bus.runFor(200ms);  // what is under way when it begins is answered
+    bus.runFor(200ms);  // an exchange that is already under way is answered
     const std::size_t samples = bus.samplesOf(0);
     bus.runFor(2s);
     EXPECT_EQ(bus.samplesOf(0), samples);
@@ -255,12 +255,12 @@ TEST(F09_StatusBitOneWrong, NeverStartsTwice) {
     bus.expectNoViolations();
 }
 
-/// The same with the sum made to fit: a started move that looks refused.
+/// A move was started, but its answer looks like a refusal and has a matching checksum.
 TEST(F09_StatusBitOneWrong, NeverStartsTwiceWhenTheSumFits) {
     FaultyBus bus(servos(1));
     ASSERT_TRUE(bus.connectAndEnable());
     ASSERT_EQ(bus.perform({loadMove(0, 3'000)}), Outcome::Done);
-    // Of the first answer to a Start Motion, bit 1 and with it the sum.
+    // Bit 1 of the first answer to a Start Motion is changed, and the checksum with it.
     std::size_t at = 0;
     bool struck = false;
     bus.onHostByte = [&](std::uint8_t& byte) {

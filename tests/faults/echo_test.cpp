@@ -85,7 +85,7 @@ TEST_P(F46_EchoingAdapter, ChangesTheRate) {
     bus.expectNoViolations();
 }
 
-/// At every byte of an exchange and of the command behind it.
+/// At every byte of an exchange and of the command after it.
 TEST_P(F46_EchoingAdapter, StopsAtAnyByte) {
     ASSERT_TRUE(bus.connectAndEnable());
     for (int byte = 0; byte < 50; ++byte) {
@@ -108,7 +108,7 @@ TEST_P(F46_EchoingAdapter, TellsSilenceFromItsEcho) {
     EXPECT_EQ(bus.last<ModuleUnresponsive>()->module, ModuleIndex(1));
     EXPECT_EQ(bus.count<LinkLost>(), 0U);
     bus.fault("bus silent");
-    ASSERT_TRUE(bus.runUntil([&] { return bus.count<LinkLost>() == 1; }, 10s)) << "the modules are gone";
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<LinkLost>() == 1; }, 10s)) << "no module answers";
 }
 
 TEST_P(F46_EchoingAdapter, IsTheReasonWhenNobodyAnswersBehindIt) {
@@ -116,7 +116,7 @@ TEST_P(F46_EchoingAdapter, IsTheReasonWhenNobodyAnswersBehindIt) {
     EXPECT_FALSE(bus.connect());
     ASSERT_EQ(bus.count<ConnectFailed>(), 1U);
     EXPECT_EQ(bus.last<ConnectFailed>()->reason, ConnectFailure::Echo);
-    EXPECT_EQ(bus.count<EchoNoticed>(), 0U) << "that it is ignored helps nobody";
+    EXPECT_EQ(bus.count<EchoNoticed>(), 0U) << "knowing that it is ignored would not help";
 }
 
 TEST_P(F46_EchoingAdapter, CostsNoPollShare) {
@@ -157,7 +157,7 @@ TEST_P(F46_EchoAndMore, MakesNoSampleWrong) {
     EXPECT_GT(truth.samples(), 1'000U);
 }
 
-/// Now and then a byte of what comes back is lost, wrong or double, whether the adapter sent it or a module.
+/// Now and then a byte that comes back is lost, wrong or doubled, whether the adapter or a module sent it.
 TEST(F46_DamagedEcho, MakesNoSampleWrongAndIsOutlived) {
     for (const int damage : {0, 1, 2}) {
         SCOPED_TRACE(damage);
@@ -201,7 +201,7 @@ TEST_P(F46_EchoThatChanges, IsNeverTakenForAnAnswerAndOutlived) {
         for (const Duration time : {Duration(1s), Duration(2s), Duration(1s)}) {
             const auto answered = bus.engine.statistics().answered;
             bus.runFor(time);
-            EXPECT_GT(bus.engine.statistics().answered, answered + 50) << "it goes on";
+            EXPECT_GT(bus.engine.statistics().answered, answered + 50) << "the modules still answer";
         }
         EXPECT_EQ(bus.perform({loadMove(1, Truth::placeOf(1) + 500 * (i % 2)), start(1)}), Outcome::Done);
         bus.runFor(7s + std::chrono::milliseconds(7 * i));
@@ -217,7 +217,7 @@ TEST_P(F46_EchoThatChanges, DelaysNoStop) {
     for (const char* line : {"bus echo for=1s", "bus echo for=1500ms"}) {
         ASSERT_EQ(bus.perform({loadVelocity(0, 65'536, true)}), Outcome::Done);
         bus.fault(line);
-        bus.runFor(1s);  // it has just ended, or goes on
+        bus.runFor(1s);  // the echo has just ended, or continues
         const auto stop = bus.stopAll();
         ASSERT_TRUE(stop);
         EXPECT_EQ(stop->stopped.size(), 3U);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Thirty-two modules, and one fault at one byte while they are given their addresses: unique addresses and
-// the right count, or a refusal. Every byte of every packet and of every reply with NMC_ENUMERATION_STRIDE=1
-// (scripts/test nightly), every so many in the other tiers.
+// Thirty-two modules, and one fault at one byte while they are given their addresses: either the addresses
+// are unique and the count is right, or the chain is refused. Every byte of every packet and of every reply
+// is tried with NMC_ENUMERATION_STRIDE=1 (scripts/test nightly), only some of them in the other tiers.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -38,7 +38,7 @@ struct Case {
     return text != nullptr ? std::strtoull(text, nullptr, 10) : 3;
 }
 
-/// A chain that is looked for, with the damage done to the byte of that number; none beyond the last.
+/// A search during which the byte with this number is damaged; beyond the last byte, none is.
 class Attempt {
 public:
     Attempt(const Case& c, std::size_t strikeAt) : m_strikeAt(strikeAt) {
@@ -78,7 +78,8 @@ void expectUniqueAddresses(Attempt& attempt) {
         addresses.insert(attempt.bus.chain.snapshot(ModuleIndex(i), attempt.bus.now).address);
     EXPECT_EQ(addresses.size(), std::size_t{kModules});
     EXPECT_GE(*addresses.begin(), 1);
-    EXPECT_LE(*addresses.rbegin(), kModules + 1) << "a number that nobody is heard to take is not sent again";
+    EXPECT_LE(*addresses.rbegin(), kModules + 1)
+        << "a number that was not heard to be taken is not sent again";
     const auto found = attempt.bus.last<ChainFound>();
     ASSERT_EQ(found->modules.size(), std::size_t{kModules});
     for (const ModuleInfo& info : found->modules) {
@@ -102,7 +103,7 @@ TEST_P(Enumeration, GivesUniqueAddressesOrRefuses) {
             expectUniqueAddresses(attempt);
         } else {
             ++refused;
-            EXPECT_EQ(attempt.bus.count<ConnectFailed>(), 1U) << "neither found nor refused";
+            EXPECT_EQ(attempt.bus.count<ConnectFailed>(), 1U) << "the chain must be found or refused";
         }
     }
     std::printf("%zu bytes, %u tried, %u refused\n", bytes, tried, refused);

@@ -110,7 +110,7 @@ void FaultyBus::expectOnlyExecutedWhatWasSent() const {
 void FaultyBus::expectOnlyQuestions(std::size_t from) const {
     for (std::size_t i = from; i < sent.size(); ++i)
         if (const auto code = codeOf(sent[i].bytes); code && changesSomething(*code))
-            ADD_FAILURE() << sent[i].hex() << " went out at " << toSeconds(sent[i].time.time_since_epoch())
+            ADD_FAILURE() << sent[i].hex() << " was sent at " << toSeconds(sent[i].time.time_since_epoch())
                           << " s";
 }
 

@@ -10,8 +10,8 @@
 #include "tests/bus/steps.h"
 #include "tests/support/virtualbus.h"
 
-/// The engine on a chain on which faults are injected by the words of simulator.md, and the chain's own count
-/// of what it did.
+/// The engine on a chain in which faults are injected in the notation of simulator.md, and the chain's own
+/// count of what it carried out.
 namespace nmc::test {
 
 /// The rate of most of the chains on which faults are injected.
@@ -22,17 +22,17 @@ public:
     explicit FaultyBus(const std::vector<ModuleIdentity>& modules, bus::EngineConfig config = {},
                        std::uint64_t seed = 1);
     FaultyBus(const std::vector<ModuleIdentity>& modules, std::uint32_t baud, std::uint64_t seed = 1);
-    /// As `options` say; faults are enabled whatever they say of them.
+    /// As `options` require, except that faults are always enabled.
     FaultyBus(const std::vector<ModuleIdentity>& modules, bus::EngineConfig config,
               sim::ChainOptions options);
 
-    /// A line such as "bus drop cmd p=.01"; a test failure when the simulator refuses it.
+    /// Injects a fault such as "bus drop cmd p=.01"; fails the test if the simulator refuses the line.
     void fault(const std::string& line);
     void clearFaults() { chain.clearFaults(now); }
     /// How often the faults since the last clearFaults() have struck.
     [[nodiscard]] std::uint64_t struck() const;
 
-    /// Gives addresses whatever the chain has been through: a reset first.
+    /// Assigns addresses after a reset, whatever the chain has been through.
     [[nodiscard]] bool restart();
 
     /// Connects, gives the simulator's gains to every servo and switches it on.
@@ -41,31 +41,32 @@ public:
     [[nodiscard]] std::uint64_t executed(std::uint8_t module, CommandCode code) const {
         return chain.statistics().modules[module].executions(code);
     }
-    /// How often the code went out to the module, by its address or to all.
+    /// How often the code was sent to the module: by its address, to address 0, or to a group.
     [[nodiscard]] std::uint64_t sentTo(std::uint8_t module, CommandCode code, std::size_t from = 0) const;
-    /// Every command was executed no more often than it was sent since the chain was powered up.
+    /// Expects that no command was executed more often than it was sent since the chain was powered up.
     void expectOnlyExecutedWhatWasSent() const;
-    /// Nothing went out from the given entry of `sent` on that moves, enables or tunes a motor, or that
-    /// gives addresses, rates or a reset.
+    /// Expects that nothing was sent, from the given entry of `sent` on, that moves, enables or tunes a
+    /// motor, or that assigns addresses, changes the rate or resets.
     void expectOnlyQuestions(std::size_t from = 0) const;
 
-    /// Packets from the given entry on: nulls do not count.
+    /// Number of packets from the given entry on; nulls do not count.
     [[nodiscard]] std::size_t packets(std::size_t from = 0) const;
-    /// The latest health of the bus that was told, Good before; Lost also when only one module is the cause.
+    /// The last reported health of the bus, at first Good; also Lost if only one module is the cause.
     [[nodiscard]] bus::LinkHealth health() const;
     [[nodiscard]] std::size_t motionSuspects(std::uint8_t module) const;
-    /// Its command velocity is 0, and it moves by less than the velocity item can tell: one count per tick.
+    /// True if its command velocity is 0 and it moves by less than the velocity item can show: one count per
+    /// tick.
     [[nodiscard]] bool stands(std::uint8_t module);
-    /// Listed as stopped.
+    /// True if the module is listed as stopped.
     [[nodiscard]] static bool stopped(const bus::StopFinished& event, std::uint8_t module);
 };
 
-/// The code of a packet; nothing for nulls.
+/// The code of a packet; empty for nulls.
 [[nodiscard]] std::optional<CommandCode> codeOf(ByteSpan packet);
-/// What changes a motor, its tuning or the chain, Stop Motor apart.
+/// True for whatever changes a motor, its tuning or the chain, except Stop Motor.
 [[nodiscard]] bool changesSomething(CommandCode code);
 
-/// Not the link to one module only, where the engine tells these apart.
+/// True unless the event concerns the link to one module only, if the engine makes that distinction.
 template <typename HealthChanged>
 [[nodiscard]] bool ofWholeBus(const HealthChanged& event) {
     if constexpr (requires { event.module.has_value(); })
@@ -74,7 +75,7 @@ template <typename HealthChanged>
         return true;
 }
 
-/// The engine with restart(), and the one whose connect() is that.
+/// Calls restart(), or connect() of an engine that has no restart().
 template <typename Engine>
 void restartNetwork(Engine& engine, TimePoint now) {
     if constexpr (requires { engine.restart(now); })

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// F-45: another host on the line. Modules answer on a line of their own, so it is never heard itself; what
-// its commands bring about is.
+// F-45: another host on the line. Modules answer on a line of their own, so the other host itself is never
+// heard, but the effects of its commands are.
 #include <gtest/gtest.h>
 
 #include "tests/faults/faultybus.h"
@@ -51,10 +51,10 @@ TEST_F(F45_ForeignMotion, IsToldAndNotStopped) {
     ASSERT_TRUE(bus.runUntil([&] { return motions(1) == 1; }, 500ms));
     EXPECT_EQ(motions(0) + motions(2), 0U);
     bus.runFor(3s);
-    EXPECT_EQ(motions(1), 1U) << "once";
+    EXPECT_EQ(motions(1), 1U) << "it is reported once";
     EXPECT_LE(std::abs(bus.servo(1).position - 4'000), 3) << "it was left alone";
     EXPECT_EQ(bus.count<OwedStopConfirmed>(), 0U);
-    // The next one is another one.
+    // The next motion is another one.
     sends(loadMove(1, 0));
     sends(start(1));
     bus.runFor(500ms);
@@ -91,7 +91,7 @@ TEST_F(F45_ForeignMotion, OfAStepperIsTold) {
 TEST_F(F45_ForeignMotion, EndsByAStopOfAll) {
     while (bus.servo(1).commandVelocity == 0)  // a poll may have come between
         sends(loadVelocity(1, 2 * 65'536, true));
-    // It may have come to speed while the line was in doubt: 16 384 counts take 4.2 s then.
+    // It may have reached its speed while the line was in doubt: 16 384 counts then take 4.2 s.
     ASSERT_TRUE(bus.runUntil([&] { return motions(1) == 1; }, 6s));
     const auto stop = bus.stopAll();
     ASSERT_TRUE(stop);
@@ -99,7 +99,7 @@ TEST_F(F45_ForeignMotion, EndsByAStopOfAll) {
     EXPECT_TRUE(bus.stands(1));
 }
 
-/// By hand, by a load, by our own commands, and after ours have ended.
+/// Motions by hand, by a load or by our own commands are not foreign, nor is anything after ours have ended.
 TEST_F(F45_ForeignMotion, IsNoneOfOurs) {
     EXPECT_EQ(bus.perform({loadMove(0, 3'000), start(0)}), Outcome::Done);
     bus.runFor(3s);
@@ -130,14 +130,14 @@ TEST_F(F45_ForeignMotion, IsNotWhatAnAttachedChainWasDoing) {
     ASSERT_TRUE(bus.connect());
     bus.runFor(2s);
     EXPECT_EQ(bus.count<ForeignMotion>(), 0U);
-    // But what holds, and is set in motion then, is.
+    // But a motor that holds, and is then set in motion, is reported.
     sends(loadMove(1, 4'000));
     sends(start(1));
     bus.runFor(500ms);
     EXPECT_EQ(motions(1), 1U);
 }
 
-// ---- what it asks ----
+// ---- what it queries ----
 
 using F45_ForeignTraffic = OtherHost;
 
@@ -169,7 +169,7 @@ TEST_F(F45_ForeignTraffic, EndsAHoldUntilTheButtonIsPressedAnew) {
 }
 
 TEST_F(F45_ForeignTraffic, CancelsAnOperation) {
-    // So long that it cannot have ended: each step waits for its answers on a disturbed line.
+    // So many steps that it cannot have ended: each waits for its answer on a disturbed line.
     bus.fault("bus foreign on=nop t=10ms..30ms");
     std::vector<Order> steps;
     for (int i = 0; i < 2'000; ++i)
@@ -188,7 +188,7 @@ TEST_F(F45_ForeignTraffic, LeavesMotorsAloneThatWereNotSetInMotionHere) {
     EXPECT_FALSE(bus.stands(1));
 }
 
-// ---- what is none ----
+// ---- what is not another host ----
 
 class F45_NoForeignHost : public testing::TestWithParam<const char*> {};
 

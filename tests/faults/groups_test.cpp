@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// M-26, M-27: the start of a group when something goes wrong at that moment. Whatever it is, the command goes
-// out once, and what is said of a member is so.
+// M-26, M-27: the start of a group when something goes wrong at that moment. Whatever it is, the command is
+// sent once, and what is reported about a member is true.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,7 +21,7 @@ class FaultyGroup : public WithGroups<FaultyBus> {
 public:
     using WithGroups<FaultyBus>::WithGroups;
 
-    /// Three servos of a group, with loads that take seconds; the second leads it, if somebody does.
+    /// Sets up three servos in a group, with loads that take seconds; the second one leads it if `leader`.
     [[nodiscard]] bool isLoaded(bool leader) {
         if (!connectAndEnable())
             return false;
@@ -34,7 +34,7 @@ public:
         return executed(module, CommandCode::StartMotion);
     }
     void expectTrue(const GroupFinished& finished) {
-        EXPECT_EQ(sends("AA 81 05"), 1U) << "never again";
+        EXPECT_EQ(sends("AA 81 05"), 1U) << "the start is never repeated";
         ASSERT_EQ(finished.members.size(), 3U);
         bool all = true;
         for (const auto& [module, outcome] : finished.members) {
@@ -105,14 +105,14 @@ TEST(M27_GroupStartPartlyHeard, ByNobodyLeavesTheLoads) {
         EXPECT_EQ(member.outcome, MemberOutcome::NotDone);
     EXPECT_FALSE(finished.stopped);
     bus.runFor(1s);
-    EXPECT_EQ(bus.sends("AA 81 05"), 1U) << "the operator decides";
+    EXPECT_EQ(bus.sends("AA 81 05"), 1U) << "the operator decides what to do next";
     for (std::uint8_t i = 0; i < 3; ++i)
         EXPECT_TRUE(bus.stands(i));
     EXPECT_EQ(bus.start(kGroup).outcome, Outcome::Done);
     bus.expectNoViolations();
 }
 
-/// Each of these strikes once, at the packet to the group or at what is said right after it.
+/// Each of these strikes once, the last one twice, at the packet to the group or right after it.
 constexpr std::array kSingleFaults{
     "bus drop cmd on=start_motion n=1",
     "bus flip cmd on=start_motion n=1",
@@ -208,7 +208,7 @@ TEST(M27_SingleFaultAtAChangeOfGroup, NeverMakesTwoLeaders) {
         }
 }
 
-/// Everything about the chain as a whole, in any order and with any of the faults above.
+/// Everything that concerns the chain as a whole, in any order and with any of the faults above.
 TEST(M27_GroupsAndRates, InRandomSessionsNeverMakeTwoLeadersAndAlwaysStop) {
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
         SCOPED_TRACE(seed);
@@ -263,7 +263,7 @@ TEST(M27_GroupsAndRates, InRandomSessionsNeverMakeTwoLeadersAndAlwaysStop) {
         EXPECT_FALSE(twoLeaders);
         const auto samples = bus.samplesOf(0);
         bus.runFor(1s);
-        EXPECT_GT(bus.samplesOf(0), samples + 3) << "the chain goes on, at " << bus.hostBaud;
+        EXPECT_GT(bus.samplesOf(0), samples + 3) << "the chain still answers, at " << bus.hostBaud;
     }
 }
 

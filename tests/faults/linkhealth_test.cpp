@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// link.md 2.5: 10 into the bucket for each wrong answer, 1 out of it for each right one; lost from 100 on.
+// link.md 2.5: each wrong answer puts 10 into the bucket, each right one takes 1 out of it; from 100 on, the
+// link is lost.
 #include <gtest/gtest.h>
 
 #include "tests/bus/scriptedbus.h"
@@ -11,7 +12,7 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-/// Two servos that are on. Every fourth answer of the second one has a wrong sum.
+/// Two servos that are on; every fourth answer of the second one has a wrong checksum.
 class LinkHealthOfOneModule : public testing::Test {
 protected:
     void SetUp() override {
@@ -27,7 +28,7 @@ protected:
             return bytes;
         };
     }
-    /// The levels of the second module in their order.
+    /// The levels of the second module, in order.
     [[nodiscard]] std::vector<LinkHealth> levels() const {
         std::vector<LinkHealth> all;
         for (const HealthChanged& event : bus.all<HealthChanged>())
@@ -46,7 +47,7 @@ private:
     unsigned m_answers = 0;
 };
 
-// Each round of four puts 10 in and takes 3 out: 10, 17, 24, 31; and 94, 101 at the 13th and 14th.
+// Each round of four answers puts 10 in and takes 3 out: 10, 17, 24, 31; and 94, 101 at the 13th and 14th.
 TEST_F(LinkHealthOfOneModule, IsDoubtfulFromThirtyAndLostFromAHundred) {
     ASSERT_TRUE(reaches(LinkHealth::Doubtful));
     EXPECT_EQ(wrong, 4U);
@@ -67,9 +68,9 @@ TEST_F(LinkHealthOfOneModule, StopsItOnceLostAndThenOnlyAsksWhetherItIsWellAgain
         toIt += bus.sent[i].hex.starts_with("AA 02") && bus.sent[i].hex != whoIsThere ? 1U : 0U;
         toTheOther += bus.sent[i].hex.starts_with("AA 01") ? 1U : 0U;
     }
-    // Two looks at it: it is told of as stopped only then.
+    // It is looked at twice, and only then reported as stopped.
     EXPECT_EQ(bus.count<OwedStopConfirmed>(), 1U);
-    EXPECT_LE(toIt, bus.sends("AA 02 17 05 1E", from) + 4) << "nothing but its stop and the looks at it";
+    EXPECT_LE(toIt, bus.sends("AA 02 17 05 1E", from) + 4) << "only its stop and the looks at it are sent";
     const std::size_t later = bus.sent.size();
     bus.runFor(5s);
     for (std::size_t i = later; i < bus.sent.size(); ++i)
@@ -78,7 +79,7 @@ TEST_F(LinkHealthOfOneModule, StopsItOnceLostAndThenOnlyAsksWhetherItIsWellAgain
     EXPECT_GT(toTheOther, 100U);
 }
 
-// What it answers to a stop of all takes more than the one out again that was above the hundred.
+// Its answers to a stop of all take out more than the 1 by which it was above the hundred.
 TEST_F(LinkHealthOfOneModule, StaysLost) {
     ASSERT_TRUE(reaches(LinkHealth::Lost));
     bus.runFor(1s);

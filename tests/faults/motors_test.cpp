@@ -36,8 +36,8 @@ TEST(M13_ServoOverrun, IsShownAndChangesNothing) {
 
 // ---- M-15 ----
 
-/// The switch closes while nobody hears the module. What is said about home afterwards is the truth, and the
-/// doubt about the link was told before.
+/// The switch closes while the module is not heard. What is reported about home afterwards is true, and the
+/// doubt about the link was reported before.
 TEST(M15_HomeCapturedWhileRepliesWereLost, IsToldAsItIs) {
     FaultyBus bus(servos(2), kFast);
     ASSERT_TRUE(bus.connectAndEnable());
@@ -51,7 +51,7 @@ TEST(M15_HomeCapturedWhileRepliesWereLost, IsToldAsItIs) {
     bus.runFor(40ms);
     bus.chain.set(ModuleIndex(0), sim::Input::Limit1, 1.0, bus.now);
     bus.runFor(3s);
-    EXPECT_GT(bus.engine.statistics().resyncs, resyncs) << "whoever homes can see that the link was in doubt";
+    EXPECT_GT(bus.engine.statistics().resyncs, resyncs) << "a home search can see that the link was in doubt";
     const std::int32_t home = bus.servo(0).home;
     EXPECT_NE(home, 0);
     for (const Sample& sample : bus.all<Sample>())
@@ -72,7 +72,7 @@ TEST(M17_MotorRunsAway, IsStoppedWithinThreePolls) {
         SCOPED_TRACE(byVelocity);
         FaultyBus bus(servos(1), kFast);
         ASSERT_TRUE(bus.connect());
-        // A position error limit that does not end it first.
+        // The position error limit is so high that it does not end the motion first.
         ASSERT_EQ(
             bus.perform({toServo(0, servo::SetGain{200, 2000, 20, 200, 255, 0, 0x3FFF, 1, std::uint8_t{0}}),
                          enable(0)}),
@@ -90,7 +90,8 @@ TEST(M17_MotorRunsAway, IsStoppedWithinThreePolls) {
         EXPECT_EQ(bus.last<MotionSuspect>()->reason, MotionSuspect::Reason::WrongWay);
         const std::size_t from = bus.sent.size();
         bus.runFor(50ms);
-        EXPECT_GE(bus.sentTo(0, CommandCode::StopMotor) - 1, 1U) << "beyond the one that switched it on";
+        EXPECT_GE(bus.sentTo(0, CommandCode::StopMotor) - 1, 1U)
+            << "in addition to the one that switched it on";
         bus.runFor(1s);
         bus.expectOnlyQuestions(from);
     }
@@ -156,7 +157,7 @@ TEST_P(M19_PositionResetWhileMoving, IsNeverSent) {
 }
 INSTANTIATE_TEST_SUITE_P(Modes, M19_PositionResetWhileMoving, testing::Bool());
 
-/// Also when every answer about the motion is lost or late: in doubt it counts as moving.
+/// Not even when answers about the motion are lost: in doubt, the motor counts as moving.
 TEST(M20_TrapezoidChangedWhileMoving, IsNeverSent) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         SCOPED_TRACE(seed);
@@ -179,7 +180,8 @@ TEST(M20_TrapezoidChangedWhileMoving, IsForbidden) {
     // The load alone changes nothing (DS-V 5.1, note 1).
     EXPECT_EQ(bus.perform({loadMove(0, 0), start(0)}), Outcome::Forbidden);
     EXPECT_EQ(bus.sentTo(0, CommandCode::StartMotion), starts);
-    EXPECT_EQ(bus.perform({loadVelocity(0, kOnePerTick, true)}), Outcome::Done) << "velocity mode may";
+    EXPECT_EQ(bus.perform({loadVelocity(0, kOnePerTick, true)}), Outcome::Done)
+        << "velocity mode may be entered while it moves";
     bus.expectNoViolations();
 }
 

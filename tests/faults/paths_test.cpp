@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The line's faults while points of a path are added: none is added twice or left out, or the path ends for
-// all its axes, says why, and nothing of it is sent any more. The procedure's own ends are in
-// tests/procedures/pathends_test.cpp.
+// Faults of the line while points of a path are added: either no point is added twice or left out, or the
+// path ends for all its axes, gives the reason, and nothing of it is sent any more. The ends of the procedure
+// itself are in tests/procedures/pathends_test.cpp.
 #include <sstream>
 #include <string>
 
@@ -26,7 +26,7 @@ protected:
         table = bench.swings(PathRate::Hz60, kPoints);
         table.columns.resize(axes);
     }
-    /// In the words of simulator.md.
+    /// Injects a fault in the notation of simulator.md.
     void fault(const std::string& line) {
         std::vector<std::string> words;
         std::istringstream stream(line);
@@ -36,7 +36,7 @@ protected:
         ASSERT_TRUE(spec.has_value()) << spec.error();
         ASSERT_TRUE(bench.bus.chain.inject(*spec, bench.bus.now).has_value());
     }
-    /// It was done and on each point, or it ended for a reason and is over.
+    /// Expects that the path was done and on each point, or that it has ended for a reason.
     void expectWholeOrOver(const ProcedureReport& report) {
         std::uint64_t struck = 0;
         for (const sim::FaultReport& strikes : bench.bus.chain.faults())
@@ -53,7 +53,7 @@ protected:
         ASSERT_TRUE(last.has_value());
         EXPECT_TRUE(last->end.has_value());
         bench.bus.chain.clearFaults(bench.bus.now);
-        bench.bus.runFor(5s);  // what is owed is made good
+        bench.bus.runFor(5s);  // owed stops are sent
         const std::size_t since = bench.bus.sent.size();
         for (std::uint8_t i = 0; i < bench.modules.size(); ++i) {
             EXPECT_TRUE(bench.stands(i)) << int{i};

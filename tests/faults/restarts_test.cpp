@@ -93,7 +93,7 @@ TEST(F16_PowerCycledAtTheHigherRate, IsRecognisedAndTheBusGoesQuiet) {
     bus.fault("module 2 powercycle");
     ASSERT_TRUE(bus.runUntil([&] { return restarted(bus, 1); }, 10s));
     bus.expectOnlyQuestions(from);
-    // What it hears at the wrong rate is noise, which could become a command: nothing goes to it any more.
+    // At the wrong rate it hears noise, which could become a command: nothing is sent to it any more.
     const std::size_t later = bus.sent.size();
     bus.runFor(2s);
     std::size_t toIt = 0;
@@ -101,7 +101,7 @@ TEST(F16_PowerCycledAtTheHigherRate, IsRecognisedAndTheBusGoesQuiet) {
         toIt += codeOf(bus.sent[i].bytes) && bus.sent[i].bytes[1] != 1 ? 1U : 0U;
     EXPECT_LT(toIt, 10U);
     EXPECT_FALSE(bus.servo(1).servoOn);
-    EXPECT_EQ(bus.executed(1, CommandCode::SetGain), 1U) << "not again";
+    EXPECT_EQ(bus.executed(1, CommandCode::SetGain), 1U) << "the gains are not sent again";
 }
 
 TEST(F16_PowerCycledAtTheHigherRate, IsLeftInPeace) {
@@ -109,13 +109,13 @@ TEST(F16_PowerCycledAtTheHigherRate, IsLeftInPeace) {
     ASSERT_TRUE(bus.connectAndEnable());
     bus.fault("module 2 powercycle");
     ASSERT_TRUE(bus.runUntil([&] { return restarted(bus, 1); }, 10s));
-    bus.runFor(3s);  // the stop of the others takes 2 s at most
+    bus.runFor(3s);  // the stop of the others takes at most 2 s
     const std::size_t from = bus.sent.size();
     bus.runFor(5s);
     EXPECT_EQ(bus.packets(from), 0U);
 }
 
-/// At their own rate, though the question to the restarted module went out at 19 200 Bd.
+/// At their own rate, although the query to the restarted module was sent at 19 200 Bd.
 TEST(F16_PowerCycledAtTheHigherRate, StopsTheOthers) {
     FaultyBus bus(servos(2), kFast);
     ASSERT_TRUE(bus.connectAndEnable());
@@ -125,7 +125,7 @@ TEST(F16_PowerCycledAtTheHigherRate, StopsTheOthers) {
     ASSERT_TRUE(bus.runUntil([&] { return restarted(bus, 1); }, 10s));
     const std::size_t from = bus.sent.size();
     bus.runFor(3s);
-    EXPECT_LT(bus.packets(from), 10U) << "the stop and the looks at it";
+    EXPECT_LT(bus.packets(from), 10U) << "only the stop and the looks at the motor";
     EXPECT_TRUE(bus.stands(0));
     ASSERT_EQ(bus.count<StopFinished>(), 1U);
     EXPECT_TRUE(FaultyBus::stopped(*bus.last<StopFinished>(), 0));
@@ -133,7 +133,7 @@ TEST(F16_PowerCycledAtTheHigherRate, StopsTheOthers) {
 
 // ---- F-37: two at one address ----
 
-/// Different positions give them away; their status bytes are alike.
+/// Their different positions give them away; their status bytes are the same.
 TEST(F37_TwoModulesAtOneAddress, AreFoundWhenConnecting) {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         SCOPED_TRACE(seed);
@@ -196,7 +196,7 @@ TEST(F43_StatusItemsChangedByOthers, AreDefinedAnew) {
 
 // ---- F-44, F-48: groups ----
 
-/// What another program left: addresses and groups given by hand.
+/// What another program may have left: addresses and groups that were given by hand.
 void leaveGroups(FaultyBus& bus, const std::vector<std::uint8_t>& groupBytes) {
     for (std::uint8_t i = 0; i < groupBytes.size(); ++i) {
         const auto address = static_cast<std::uint8_t>(i + 1);
@@ -224,7 +224,7 @@ TEST(F44_TwoLeadersOfAGroup, LeftByAnotherHostNeverAnswerAtOnce) {
     ASSERT_TRUE(bus.chain.snapshot(ModuleIndex(0), bus.now).leader);
     ASSERT_TRUE(bus.chain.snapshot(ModuleIndex(1), bus.now).leader);
     ASSERT_TRUE(bus.connect());
-    // Both take the same stop, which might go to both at once.
+    // Both modules accept the same stop, which might be sent to both at once.
     ASSERT_EQ(bus.perform({gains(0), enable(0), gains(1), enable(1)}), Outcome::Done);
     bus.runFor(500ms);
     const auto stop = bus.stopAll();

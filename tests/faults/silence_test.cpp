@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// F-10 to F-14, F-18 to F-20: nobody answers, or not in time, or always the same.
+// F-10 to F-14, F-18 to F-20: there is no answer, or a late one, or always the same one.
 #include <gtest/gtest.h>
 
 #include "tests/faults/faultybus.h"
@@ -12,7 +12,7 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-/// Packets to stop something since the given entry: a stop may go to one module or to all.
+/// Number of stops since the given entry: a stop may be sent to one module or to all.
 [[nodiscard]] std::size_t stops(const FaultyBus& bus, std::size_t from) {
     std::size_t n = 0;
     for (std::size_t i = from; i < bus.sent.size(); ++i)
@@ -74,7 +74,7 @@ TEST(F10_ModuleSilent, IsOfferedAStopAndNamedByIt) {
     const auto stop = bus.stopAll();
     ASSERT_TRUE(stop);
     EXPECT_EQ(stop->unreached, std::vector{ModuleIndex(1)});
-    EXPECT_TRUE(bus.stands(1)) << "it hears, and does not answer";
+    EXPECT_TRUE(bus.stands(1)) << "it hears although it does not answer";
 }
 
 // ---- F-11, F-19, F-20: all of them ----
@@ -92,7 +92,7 @@ TEST(F11_BusSilent, IsToldOnceAndAskedRarely) {
     EXPECT_LE(bus.packets(from), 21U);
     EXPECT_EQ(bus.count<Sample>(), samples);
     EXPECT_EQ(bus.count<LinkLost>(), 1U);
-    // That they answer again moves nothing.
+    // When they answer again, nothing moves.
     bus.clearFaults();
     bus.runFor(5s);
     bus.expectOnlyQuestions(from);
@@ -115,10 +115,10 @@ TEST(F11_BusSilent, GoesOnStoppingAsLongAsThePortIsOpen) {
     const std::size_t asked = bus.sent.size();
     bus.engine.stopAll(bus.now);
     bus.runFor(20ms);
-    EXPECT_GT(stops(bus, asked), 0U) << "on demand it is sent at once";
+    EXPECT_GT(stops(bus, asked), 0U) << "a stop that is requested is sent at once";
 }
 
-/// Time-outs alone, without a single answer: F-19's motors must not go on.
+/// There are only time-outs, without a single answer: the motors of F-19 must not run on.
 TEST(F19_ReceiveLineCut, StopsTheMotorsAllTheSame) {
     FaultyBus bus(servos(3), kFast);
     ASSERT_TRUE(turns(bus, 1));
@@ -139,7 +139,7 @@ TEST(F19_ReceiveLineCut, LetsAStopThroughThatReportsNobody) {
     EXPECT_TRUE(bus.stands(0));
 }
 
-/// Here nothing helps but the hardware stop, and nothing may say otherwise.
+/// Nothing helps here except the hardware stop, and nothing may claim otherwise.
 TEST(F20_TransmitLineCut, NeverClaimsAStop) {
     FaultyBus bus(servos(2), kFast);
     ASSERT_TRUE(turns(bus, 0));
@@ -163,7 +163,7 @@ TEST(F12_SameFrameForEver, WhileMovingStopsTheModule) {
     const std::size_t samples = bus.samplesOf(0);
     bus.fault("module 1 stuck");
     ASSERT_TRUE(bus.runUntil([&] { return bus.motionSuspects(0) > 0; }, 2s));
-    // One frame of each layout is the one that is repeated; then more than five alike.
+    // The first frame of each layout is the one that is repeated; then there are more than five alike.
     EXPECT_LE(bus.samplesOf(0), samples + 9);
     EXPECT_EQ(bus.last<MotionSuspect>()->reason, MotionSuspect::Reason::Frozen);
     bus.runFor(500ms);
@@ -182,7 +182,7 @@ TEST(F12_SameFrameForEver, IsNoConcernAtStandstill) {
 
 // ---- F-13, F-14 ----
 
-/// Two servos on the move, at different places: a reply that is taken for another's is seen at once.
+/// Moves two servos at different positions, where a reply that is taken for another's is noticed at once.
 void askWhileRepliesAreLate(Truth& truth, FaultyBus& bus, Duration time) {
     const TimePoint end = bus.now + time;
     for (std::int32_t way = 1'500; bus.now < end; way = -way) {
@@ -198,11 +198,11 @@ TEST(F13_LateReply, IsNeverTakenForTheAnswerToTheNextCommand) {
     ASSERT_TRUE(bus.connectAndEnable());
     ASSERT_TRUE(Truth::spreadOut(bus));
     Truth truth(bus);
-    // 1.05 to 5 times the time-out of a poll: 16 ms with this adapter's latency and margin.
+    // 1.05 to 5 times the time-out of a poll, which is 16 ms with this adapter's latency and margin.
     bus.fault("bus delay status p=.01 t=17ms..80ms");
     askWhileRepliesAreLate(truth, bus, 60s);
     EXPECT_GT(bus.struck(), 100U);
-    EXPECT_GT(bus.engine.statistics().staleBytes, 500U) << "they are counted as what they are";
+    EXPECT_GT(bus.engine.statistics().staleBytes, 500U) << "late bytes are counted as such";
     truth.expectAllTrue();
 }
 
@@ -225,12 +225,12 @@ TEST(F18_LineHeldLow, MakesNoSample) {
     ASSERT_TRUE(bus.connect());
     bus.runFor(500ms);
     bus.fault("bus break status for=2s");
-    bus.runFor(20ms);  // what was under way
+    bus.runFor(20ms);  // for what was under way
     const std::size_t samples = bus.count<Sample>();
     bus.runFor(1900ms);
     EXPECT_EQ(bus.count<Sample>(), samples);
     EXPECT_GT(bus.engine.statistics().rejections[static_cast<std::size_t>(Rejection::Uniform)], 0U)
-        << "the sum of zeros is zero";
+        << "the checksum of zeros is zero";
 }
 
 TEST(F18_LineHeldLow, IsNamedWhenConnecting) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// M-19, M-21 to M-23: what a PIC-STEP does not forgive while it moves.
+// M-19, M-21 to M-23: what a PIC-STEP does not tolerate while it moves.
 #include <gtest/gtest.h>
 
 #include "tests/faults/faultybus.h"
@@ -20,7 +20,7 @@ enum class From : std::uint8_t { Stopped, Trapezoidal, Velocity, UnprofiledWithS
 constexpr std::array kFrom{From::Stopped, From::Trapezoidal, From::Velocity, From::UnprofiledWithStop,
                            From::Unprofiled};
 
-/// Slow enough to be under way for all of a test: 25 x 5 steps per second in speed mode 1x.
+/// Slow enough to be under way for all of a test: 25 x 30 steps per second in speed mode 1x.
 [[nodiscard]] stepper::LoadTrajectory run(bool position, bool speed, bool acceleration, bool timer,
                                           bool reverse = false) {
     stepper::LoadTrajectory whole{Counts(20'000), std::uint8_t{30}, std::uint8_t{4},
@@ -100,7 +100,7 @@ TEST(M21_DirectionReversedWithoutAStop, IsNeverSent) {
     }
 }
 
-/// Every starting mode, every choice of what is loaded, loaded first and started then, or at once.
+/// Every starting mode with every choice of what is loaded, started after the load or at once.
 TEST(M22_ForbiddenModeTransition, IsNeverSent) {
     for (const From from : kFrom)
         for (unsigned loaded = 0; loaded < 16; ++loaded)
@@ -113,14 +113,15 @@ TEST(M22_ForbiddenModeTransition, IsNeverSent) {
                 const auto outcome = atOnce ? stepper.bus.perform({toStep(load)}) : stepper.start(load);
                 EXPECT_TRUE(outcome == Outcome::Done || outcome == Outcome::Forbidden);
                 for (const sim::Violation& v : stepper.bus.chain.violations().entries())
-                    // No mode, but a velocity that is missing: what the panel loads has one.
+                    // This is not a forbidden mode but a missing velocity: what the panel loads has one.
                     if (v.kind != sim::ViolationKind::VelocityNotLoaded)
                         ADD_FAILURE() << sim::toText(v.kind) << " from mode " << static_cast<int>(from)
                                       << ": " << toHex(v.bytes);
             }
 }
 
-/// The cells of Table 4 that are open stay open: a gate that forbids everything would be safe and useless.
+/// The cells of Table 4 that are allowed stay allowed: a gate that forbids everything would be safe and
+/// useless.
 TEST(M22_ForbiddenModeTransition, LeavesTheOpenCellsOpen) {
     struct Cell {
         From from;
@@ -139,7 +140,7 @@ TEST(M22_ForbiddenModeTransition, LeavesTheOpenCellsOpen) {
     }
 }
 
-/// The chip ignores another speed mode while it moves: the host would believe what is not so.
+/// The chip ignores another speed mode while it moves: the host would believe something untrue.
 TEST(M23_SpeedModeSetWhileMoving, IsNeverSent) {
     for (const From from : kFrom) {
         SCOPED_TRACE(static_cast<int>(from));

@@ -13,11 +13,11 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Samples of replies that come later than this are late beyond any quarantine.
+/// Time for which moments are remembered: replies that are later than this are beyond any quarantine.
 constexpr Duration kRemembered = 2s;
-/// A sample's time is known to within half a tick (types.h); the chip's counter is one tick old at most.
+/// The time of a sample is known to within half a tick (types.h); the chip's counter is at most one tick old.
 constexpr Duration kUncertain = 2 * kServoTick;
-/// Moments are kept this far apart: a tick is 512 us.
+/// Minimum time between two moments: a tick is 512 us.
 constexpr Duration kApart = 200us;
 constexpr int kCount = 1;
 

@@ -10,8 +10,9 @@
 
 namespace nmc::test {
 
-/// What the simulated servos really did, and what the engine said about them. Modules are told apart by where
-/// they are: spreadOut() before. Looks at every Sample of the bus as it comes; takes the place of bus.onTime.
+/// What the simulated servos really did, compared with what the engine reports about them. Modules are told
+/// apart by their positions: call spreadOut() before. Checks every Sample of the bus as it arrives; replaces
+/// bus.onTime.
 class Truth {
 public:
     explicit Truth(VirtualBus& bus);
@@ -19,22 +20,22 @@ public:
     Truth& operator=(const Truth&) = delete;
     ~Truth();
 
-    /// Moves the servos, which are on, to 0, 20 000, -20 000, 40 000 ...: none is taken for another.
+    /// Moves the servos, which are on, to 0, 20 000, -20 000, 40 000 ..., so that none is taken for another.
     [[nodiscard]] static bool spreadOut(VirtualBus& bus);
     [[nodiscard]] static std::int32_t placeOf(std::uint8_t module);
 
-    /// Checks the samples that have come since.
+    /// Checks the samples that have arrived since the last look.
     void look();
-    /// The same, and then the bus forgets its events: for millions of exchanges.
+    /// Does what look() does, and then makes the bus forget its events: for millions of exchanges.
     void lookAndForget();
 
     [[nodiscard]] std::uint64_t samples() const { return m_samples; }
-    /// Samples that do not say where their module was at their time.
+    /// Number of samples that do not show where their module was at their time.
     [[nodiscard]] std::uint64_t wrong() const { return m_wrong; }
-    /// Samples that permit what was not so: "stands still" while it moved, "limit released" while it was
-    /// closed, "power is there" while there was none, throughout their time.
+    /// Number of samples that permit what was not so: "stands still" while it moved, "limit released" while
+    /// it was closed, "power is there" while there was none, throughout their time.
     [[nodiscard]] std::uint64_t wrongPermissions() const { return m_wrongPermissions; }
-    /// The first of them in words.
+    /// The first wrong sample or permission, in words.
     [[nodiscard]] const std::string& first() const { return m_first; }
     void expectAllTrue();
 
@@ -42,7 +43,7 @@ private:
     struct Moment {
         TimePoint time;
         std::int32_t position = 0;
-        double speed = 0;  ///< commanded or measured, the lower one
+        double speed = 0;  ///< commanded or measured, whichever is lower
         bool limit1 = false;
         bool power = true;
     };
