@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps that tell of no motor: each a reason, and no model.
+// Steps from which no motor can be found: each gives a reason, and no model.
 #include <gtest/gtest.h>
 
 #include "model/tuning/identify.h"
@@ -81,10 +81,10 @@ TEST_F(BadSteps, ThatEndAtAHardStop) {
     }
 }
 
-/// Friction that holds 40 counts short of the goal lets the motor run down first.
+/// Where friction holds the shaft 40 counts short of its goal, the motor slows down first.
 TEST_F(BadSteps, ThatFrictionEndsAreNoObstacle) {
     sim::MotorParameters motor;
-    motor.coulombNm = 0.04;  // 12.3 PWM counts; Kp e / 256 is no more at 31 counts
+    motor.coulombNm = 0.04;  // 12.3 PWM counts; Kp e / 256 is no more than that at 31 counts
     TunedServo servo(motor, limitedGains(100, 1'000), 5);
     servo.wait(0.2);
     const auto found = identify(std::vector{servo.step(100, 0.5)});
@@ -92,7 +92,7 @@ TEST_F(BadSteps, ThatFrictionEndsAreNoObstacle) {
 }
 
 TEST_F(BadSteps, ThatOscillate) {
-    // Ki far beyond what Kp 100 and little damping bear.
+    // Ki is far beyond what Kp 100 and little damping permit.
     servo::SetGain gains{100, 100, 3'000, 2'000, 255, 0, 4'000, 1, std::uint8_t{0}};
     TunedServo servo({}, gains, 6);
     servo.wait(0.2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a frequency response comes to, against closed forms.
+// Frequency responses and their figures, compared with closed forms.
 #include "model/frequency/frequencyresponse.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 using Complex = std::complex<double>;
 using testing_support::kTick;
 
-/// Twelve a decade from 0.01 Hz on, of L(s).
+/// The closed loop of L(s) at twelve frequencies per decade, from 0.01 Hz on.
 template <typename Loop>
 [[nodiscard]] std::vector<FrequencyPoint> responseOf(Loop loop, double to) {
     std::vector<FrequencyPoint> points;
@@ -38,11 +38,11 @@ TEST(FrequencyFigures, OfAnIntegratorAreItsCorner) {
     EXPECT_NEAR(*figures.bandwidth, corner, 0.02 * corner);
     EXPECT_NEAR(*figures.crossover, corner, 0.02 * corner);
     EXPECT_NEAR(*figures.phaseMargin, 90.0, 0.1);
-    EXPECT_FALSE(figures.gainMargin) << "its phase never comes to -180 degrees";
+    EXPECT_FALSE(figures.gainMargin) << "its phase never reaches -180 degrees";
     EXPECT_NEAR(figures.resonance, 0.0, 0.01);
 }
 
-/// L = k / (s (s + 1)^2), critical at k = 2 where w = 1: at k = 0.5 it could be four times higher.
+/// L = k / (s (s + 1)^2) is critical at k = 2, where w = 1: with k = 0.5, it could be four times higher.
 TEST(FrequencyFigures, TellTheGainMargin) {
     const auto points = responseOf([](Complex s) { return 0.5 / (s * (s + 1.0) * (s + 1.0)); }, 2.0);
     const FrequencyFigures figures = figuresOf(points);
@@ -79,7 +79,8 @@ TEST(FrequencyFigures, PhasesGoOnBeyondHalfATurn) {
         EXPECT_NEAR(turned[i], -60.0 * static_cast<double>(i), 1e-9);
 }
 
-/// A command once in 6 ms, told exactly; positions of a motor that is known, twice in between.
+/// A command every 6 ms at an exactly known time, and positions of a known motor: one with each command, two
+/// in between.
 class MeasuredSine : public testing::Test {
 protected:
     void swing(double hertz, Complex answer, double seconds) {
@@ -87,7 +88,7 @@ protected:
         for (double t = 0; t < seconds; t += 0.006) {
             record.commands.push_back({at(t), rounded(1'000 * std::sin(omega * t))});
             for (const double later : {0.0, 0.002, 0.004}) {
-                // The fundamental of the staircase: later by half a step and a tick, and a little smaller.
+                // The fundamental of the staircase is later by half a step and a tick, and a little smaller.
                 const double half = omega * 0.003;
                 const double size = 1'000 * std::sin(half) / half * std::abs(answer);
                 const double phase = omega * (t + later - kTick) - half + std::arg(answer);
@@ -175,7 +176,7 @@ TEST(EdgeFold, LaysEdgesWithTheSameGainsOverOneAnother) {
     EXPECT_GE(folded.size(), 120U) << "one edge has 100 samples";
     EXPECT_EQ(forward->run.taken.from, -50);
     ASSERT_TRUE(forward->run.metrics.rise);
-    // ln 9 time constants.
+    // The rise takes ln 9 time constants.
     EXPECT_NEAR(forward->run.metrics.rise->value, 0.02 * std::log(9.0), 0.001);
     const auto back = foldEdges(edges, false);
     ASSERT_TRUE(back);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motors found from steps of the simulator's motor; what is true comes from its physical constants.
+// Motors identified from steps of the simulator's motor; the truth follows from its physical constants.
 #include "model/tuning/identify.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace testing_support;
 
-/// Within `part` of the truth, or within two of the stated standard deviations.
+/// True if within `part` of the truth, or within two of the stated standard deviations.
 [[nodiscard]] bool isNear(const Measured& found, double truth, double part) {
     const double off = std::abs(found.value - truth);
     return off <= part * std::abs(truth) || off <= 2 * found.doubt;
@@ -141,8 +141,8 @@ TEST(Identify, FindsAPlayOfAFewCounts) {
     }
 }
 
-/// 0.4 counts rms, rounded to whole counts: farther than half a count, which is 1.25 times that, are 21.1 %
-/// of all, and hardly any beyond one and a half: sqrt(0.211) = 0.46.
+/// 0.4 counts rms, rounded to whole counts: 21.1 % of all are off by more than half a count, which is 1.25
+/// times that, and hardly any by more than one and a half: sqrt(0.211) = 0.46.
 TEST(Identify, SeesTheEncodersNoiseWhereTheShaftStands) {
     sim::MotorParameters motor;
     motor.encoderNoiseCounts = 0.4;
@@ -153,7 +153,7 @@ TEST(Identify, SeesTheEncodersNoiseWhereTheShaftStands) {
     EXPECT_EQ(without->motor.noise, 0);
 }
 
-/// What is 60 times as heavy, with a fifth of the counts, shows less.
+/// A motor that is 60 times as heavy, with a fifth of the counts, shows less.
 TEST(Identify, SaysUpToWhereAResonanceWouldHaveShown) {
     const auto fine = identify(stepsOf({}, 15));
     sim::MotorParameters heavy;
@@ -167,7 +167,7 @@ TEST(Identify, SaysUpToWhereAResonanceWouldHaveShown) {
 
 class UnknownMotors : public testing::TestWithParam<std::uint64_t> {};
 
-/// Ten motors each; the figures of three hundred are scripts/bench tune's.
+/// Ten motors each; scripts/bench tune gives the figures of three hundred.
 TEST_P(UnknownMotors, AreFound) {
     sim::Random random(GetParam());
     for (int i = 0; i < 10; ++i) {
@@ -187,8 +187,8 @@ TEST_P(UnknownMotors, AreFound) {
     }
 }
 
-/// With play, deadband, encoder noise and springs: it is a rare machine of which nothing is found. The
-/// figures of three hundred are tune_bench's.
+/// With play, deadband, encoder noise and springs, machines for which nothing is found are rare. tune_bench
+/// gives the figures of three hundred.
 TEST(UnknownMachines, AreFound) {
     sim::Random random(1'004);
     int found = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The motor's equation and the filter, against closed forms and sums by hand.
+// The motor's equation and the filter, compared with closed forms and with sums calculated by hand.
 #include "model/tuning/loopmodel.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace nmc {
 namespace {
 
-/// 1000 counts/s by a PWM count, 0.1 s, 2 PWM counts of friction.
+/// 1000 counts/s per PWM count, 0.1 s, 2 PWM counts of friction.
 constexpr MotorConstants kMotor{1'000, 0.1, 2, 0, 0};
 const double kE = std::exp(1.0);
 
@@ -42,7 +42,7 @@ TEST(MotorMotion, EndsAtTheSpeedThatPwmLoadAndFrictionLeave) {
 TEST(MotorMotion, StandsAsLongAsFrictionHoldsIt) {
     MotorConstants motor = kMotor;
     motor.load = 1.5;
-    EXPECT_EQ(moved(motor, {7, 0}, 0.5, 1).position, 7) << "0.5 + 1.5 is all that friction takes";
+    EXPECT_EQ(moved(motor, {7, 0}, 0.5, 1).position, 7) << "0.5 + 1.5 is the most that friction can hold";
     EXPECT_EQ(moved(motor, {7, 0}, -3.5, 1).position, 7);
     EXPECT_GT(moved(motor, {7, 0}, 0.51, 1).position, 7);
     EXPECT_LT(moved(motor, {7, 0}, -3.51, 1).position, 7);
@@ -57,8 +57,8 @@ TEST(MotorMotion, StopsWithinATickAndStays) {
 }
 
 TEST(MotorMotion, TurnsRoundWithinATickWithFrictionOnTheOtherSide) {
-    // Towards -12 000 from 12 000 (e - 1): at 0 after tau, 1200 (e - 2) on; then towards -8000 for another
-    // tau.
+    // Towards -12 000 from 12 000 (e - 1): at 0 after tau, 1200 (e - 2) farther on; then towards -8000 for
+    // another tau.
     const MotorMotion motion = moved(kMotor, {0, 12'000 * (kE - 1)}, -10, 0.2);
     EXPECT_NEAR(motion.velocity, -8'000 * (1 - 1 / kE), 1e-6);
     EXPECT_NEAR(motion.position, 1'200 * (kE - 2) - 800 / kE, 1e-6);
@@ -81,10 +81,10 @@ TEST(ControlFilterModel, LimitsTheOutputAndAddsTheDeadbandToWhatIsNotZero) {
     EXPECT_EQ(filter.output(-90), -27);
     EXPECT_EQ(filter.output(0), 0);
     gains.ol = 252;
-    EXPECT_EQ(ControlFilter(gains, Rounding::Chip, 0, 0).output(1'000), 255) << "there is no more";
+    EXPECT_EQ(ControlFilter(gains, Rounding::Chip, 0, 0).output(1'000), 255) << "255 is the largest output";
 }
 
-/// 7 is added to 5, and 4 of that come to nothing.
+/// 7 is added to 5, and 4 of that have no effect.
 TEST(ControlFilterModel, KnowsWhatTheAmplifierMakesOfIt) {
     servo::SetGain gains = bareGains(256, 0);
     ControlFilter bare(gains, Rounding::Chip, 0, 0, 4);
@@ -95,7 +95,7 @@ TEST(ControlFilterModel, KnowsWhatTheAmplifierMakesOfIt) {
     EXPECT_EQ(ControlFilter(gains, Rounding::Chip, 0, 0, 4).output(5), 8);
 }
 
-/// Friction of 2 against a load of 3 takes -5 to -1; beyond a deadband of 4 these are -9 and -5.
+/// Against a load of 3, friction of 2 holds from -5 to -1; beyond a deadband of 4, these are -9 and -5.
 TEST(HoldingRangeOfAMotor, ReachesAcrossTheDeadband) {
     MotorConstants motor = kMotor;
     motor.deadband = 4;
@@ -113,7 +113,7 @@ TEST(ControlFilterModel, BoundsTheRunningSumBeforeItIsUsed) {
     gains.il = 2;
     ControlFilter filter(gains, Rounding::Chip, 0, 0);
     EXPECT_EQ(filter.output(300), 10) << "300 / 256 is 1";
-    EXPECT_EQ(filter.output(290), 20) << "590, held at 2 x 256";
+    EXPECT_EQ(filter.output(290), 20) << "590, limited to 2 x 256";
     EXPECT_EQ(filter.output(-600), 0) << "512 - 600 = -88, less than one 256th";
     EXPECT_EQ(ControlFilter(gains, Rounding::Chip, -2, 0).standing(), -20);
 }
@@ -138,15 +138,15 @@ TEST(LoopModel, TicksAtTheServoRate) {
     EXPECT_DOUBLE_EQ(servoTickOf(gains), 4 * 512e-6);
     MotorConstants fast{1e5, 1e-3, 0, 0, 0};
     Loop loop(fast, gains, {0, 0, 0}, 5, Rounding::Chip);
-    // 5 PWM counts all through the first servo tick: 5e5 (t - tau (1 - exp(-t / tau))) counts.
+    // 5 PWM counts during all of the first servo tick: 5e5 (t - tau (1 - exp(-t / tau))) counts.
     const double t = 2.04e-3;
     EXPECT_NEAR(loop.at(t).position, 5e5 * (t - 1e-3 * (1 - std::exp(-t / 1e-3))), 1e-6);
 }
 
-/// 10 PWM counts all the time, which are 10 000 counts/s^2 of both masses together. The shaft is ahead of
-/// them by the second's part of the twist: half of 1e4 / w^2 (1 - cos w t), which at half a period of 50 Hz
-/// and a damping of 0.02 is 0.5 x 1e4 / 314.2^2 x (1 + exp(-0.02 pi)) = 0.0982, and after a whole one 0.5 x
-/// 1e4 / 314.2^2 x (1 - exp(-0.04 pi)) = 0.0060.
+/// There are 10 PWM counts all the time, which accelerate both masses together by 10 000 counts/s^2. The
+/// shaft is ahead of them by the second mass's share of the twist: half of 1e4 / w^2 (1 - cos w t). After
+/// half a period of 50 Hz, with a damping of 0.02, this is 0.5 x 1e4 / 314.2^2 x (1 + exp(-0.02 pi)) =
+/// 0.0982, and after a whole period 0.5 x 1e4 / 314.2^2 x (1 - exp(-0.04 pi)) = 0.0060.
 TEST(LoopModel, ASecondMassSwingsAtTheResonance) {
     MotorConstants motor{1e6, 1'000, 0, 0, 0};
     motor.second = 0.5;
@@ -158,9 +158,9 @@ TEST(LoopModel, ASecondMassSwingsAtTheResonance) {
     EXPECT_NEAR(loop.at(0.02).position, 1e4 * 0.02 * 0.02 / 2 + 0.0060, 0.002);
 }
 
-/// It has come from below. From the first tick that sees the new goal on there are -100 PWM counts, 1e7
-/// counts/s in the end, with tau 0.1 ms: 30 us take it 1e7 x (30 us - tau (1 - exp(-0.3))) = 40.8 counts
-/// back.
+/// The shaft has come from below. From the first tick that sees the new goal on, there are -100 PWM counts,
+/// which give 1e7 counts/s in the end, with tau 0.1 ms: within 30 us it moves back by 1e7 x (30 us - tau (1 -
+/// exp(-0.3))) = 40.8 counts.
 TEST(LoopModel, LosesThePlayWhereItTurnsRound) {
     MotorConstants motor{1e5, 1e-4, 0, 0, 0};
     servo::SetGain gains = bareGains(256, 0);
@@ -172,11 +172,11 @@ TEST(LoopModel, LosesThePlayWhereItTurnsRound) {
     };
     EXPECT_NEAR(back(0), -40.8, 0.1);
     EXPECT_NEAR(back(30), -10.8, 0.1);
-    EXPECT_EQ(back(50), 0) << "more than it has turned";
+    EXPECT_EQ(back(50), 0) << "the play is more than it has turned";
 }
 
-/// Without inductance the simulator's plant is this model: the same step to within what the unknown moment of
-/// the command and the part of a count leave.
+/// Without inductance, the simulator's plant is this model: the step is the same, apart from what the unknown
+/// time of the command and the fraction of a count leave open.
 TEST(LoopModel, MovesLikeTheSimulatorsMotor) {
     sim::MotorParameters plain;
     plain.inductanceHenry = 1e-6;
@@ -212,7 +212,8 @@ TEST(LoopModel, MovesLikeTheSimulatorsMotor) {
         for (const ResponsePoint& point : run.points) {
             const double model = loop.at(point.seconds - gains.sr * 512e-6).position;
             const double speed = loop.at(point.seconds - gains.sr * 512e-6).velocity;
-            // Half a tick of the command, half a tick of the sample, 0.1 ms of each, the rest of a long tick.
+            // Half a tick for the command, half a tick for the sample, 0.1 ms for each, and the rest of a
+            // long tick.
             const double allowed = 4 + std::abs(speed) * (gains.sr * 512e-6 + 0.2e-3);
             worst = std::max(worst, std::abs(point.position - model) / allowed);
         }

@@ -13,7 +13,7 @@ TEST(StepsToFindAMotorFrom, GoBothWaysInTwoSizesAndEndWhereTheyBegan) {
     EXPECT_EQ(stepSeries(-100), (Distances{-100, 100, -200, 200}));
 }
 
-/// 2000 is the longest step there is.
+/// The longest step is 2000 counts.
 TEST(StepsToFindAMotorFrom, AreNeverTooLong) {
     EXPECT_EQ(stepSeries(1'000), (Distances{1'000, -1'000, 2'000, -2'000}));
     EXPECT_EQ(stepSeries(1'500), (Distances{1'000, -1'000, 2'000, -2'000}));
@@ -23,10 +23,10 @@ TEST(StepsToFindAMotorFrom, AreNeverTooLong) {
 TEST(StepsToFindAMotorFrom, TellMuchBothWaysInTwoSizes) {
     EXPECT_FALSE(informative({}));
     EXPECT_FALSE(informative(Distances{100}));
-    EXPECT_FALSE(informative(Distances{100, 200})) << "one way";
+    EXPECT_FALSE(informative(Distances{100, 200})) << "both go one way";
     EXPECT_FALSE(informative(Distances{-100, -200}));
-    EXPECT_FALSE(informative(Distances{100, -100})) << "one size";
-    EXPECT_FALSE(informative(Distances{100, -110})) << "hardly two";
+    EXPECT_FALSE(informative(Distances{100, -100})) << "they have the same size";
+    EXPECT_FALSE(informative(Distances{100, -110})) << "these are hardly two sizes";
     EXPECT_TRUE(informative(Distances{100, -200}));
     EXPECT_TRUE(informative(stepSeries(7)));
 }
@@ -38,7 +38,8 @@ TEST(StepsToFindAMotorFrom, GoOnBackAndThenByTheOtherSize) {
         made.push_back(next);
         made.erase(made.begin());
     }
-    EXPECT_EQ(nextStep(Distances{-50, 50, -100, 100}), -50) << "on the side that they began with";
+    EXPECT_EQ(nextStep(Distances{-50, 50, -100, 100}), -50)
+        << "it continues in the direction in which the series began";
 }
 
 }  // namespace

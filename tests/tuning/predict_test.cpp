@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Margins against closed forms, predicted steps against the simulator's motor.
+// Margins compared with closed forms, and predicted steps with the simulator's motor.
 #include "model/tuning/predict.h"
 
 #include <gtest/gtest.h>
@@ -30,8 +30,8 @@ namespace {
 
 TEST(LoopMargins, AreThoseOfTheContinuousLoopFarBelowTheServoRate) {
     // L = K Kp / 256 / (s (tau s + 1)) is 1 at w = 10 rad/s if K Kp / 256 = 10 sqrt(1 + (10 tau)^2): 11.18
-    // with tau 0.05 s. There the phase is -90 - atan(0.5) = -116.57 degrees, and half a tick of holding -0.15
-    // more.
+    // with tau 0.05 s. There the phase is -90 - atan(0.5) = -116.57 degrees, and holding for half a tick
+    // makes it another 0.15 lower.
     const MotorConstants motor{256 * 11.180'34 / 100, 0.05, 3, 1, 0};
     const LoopMargins margins = marginsOf(motor, gainsOf(100, 0));
     EXPECT_TRUE(margins.stable);
@@ -40,13 +40,14 @@ TEST(LoopMargins, AreThoseOfTheContinuousLoopFarBelowTheServoRate) {
 }
 
 TEST(LoopMargins, CountTheDelay) {
-    // As above; 1 ms at 10 rad/s is 0.57 degrees.
+    // The motor of the continuous loop with a delay; 1 ms at 10 rad/s is 0.57 degrees.
     const MotorConstants motor{256 * 11.180'34 / 100, 0.05, 3, 1, 1e-3};
     EXPECT_NEAR(marginsOf(motor, gainsOf(100, 0)).phaseDegrees, 63.43 - 0.15 - 0.57, 0.1);
 }
 
 TEST(LoopMargins, EndWhereAMotorWithoutInertiaIsSteppedTooFar) {
-    // x is x - K T Kp / 256 x a tick later: stable up to 2, which is Kp = 512 / (1000 x 0.512 ms) = 1000.
+    // x becomes x - K T Kp / 256 x a tick later: this is stable up to a factor of 2, which is Kp = 512 /
+    // (1000 x 0.512 ms) = 1000.
     const MotorConstants motor{1'000, 1e-7, 0, 0, 0};
     EXPECT_TRUE(marginsOf(motor, gainsOf(990, 0)).stable);
     EXPECT_FALSE(marginsOf(motor, gainsOf(1'010, 0)).stable);
@@ -74,8 +75,8 @@ TEST(LoopMargins, SayHowMuchHigherAllGainsCouldBe) {
     }
 }
 
-/// At the resonance the two masses move (-0.3 + 0.04 j) / 0.04 j times as far as one would, whose size is
-/// sqrt(1 + 7.5^2); far below it as far as one.
+/// At the resonance, the two masses move (-0.3 + 0.04 j) / 0.04 j times as far as one mass would; the
+/// magnitude of that is sqrt(1 + 7.5^2). Far below the resonance, they move as far as one.
 TEST(LoopMargins, CountASecondMassOnASpring) {
     MotorConstants motor{788, 0.013, 2, 0, 0.55e-3};
     const auto sizeAt = [&](double hertz) { return std::abs(openLoopAt(motor, gainsOf(200, 2'000), hertz)); };
@@ -90,8 +91,8 @@ TEST(LoopMargins, CountASecondMassOnASpring) {
 }
 
 TEST(Predict, LeavesWhatFrictionHoldsAtRest) {
-    // Without an integral, friction of 4 PWM counts and one that is cut off hold Kp e / 256 up to 5: 12.8
-    // counts with Kp 100.
+    // Without an integral, friction of 4 PWM counts and one that is cut off hold Kp e / 256 up to 5, which
+    // is 12.8 counts with Kp 100.
     const MotorModel motor = MotorModel::exactly({788, 0.013, 4, 0, 0.5e-3});
     const Prediction prediction = predict(motor, gainsOf(100, 1'000), 1'000, 1'200, 1, 2);
     EXPECT_EQ(prediction.run.taken.from, 1'000);
@@ -120,8 +121,8 @@ TEST(Predict, SeesTheSimulatorsMotorOvershootAndSettle) {
     }
 }
 
-/// The margins' motor above, at 10 rad/s, where a lag of 1 ms +- 0.25 ms turns the phase by 0.573 +- 0.143
-/// degrees. The spread of sixty draws is a fifth off in 1 of 40 cases.
+/// The motor of LoopMargins at 10 rad/s, where a delay of 1 ms +- 0.25 ms turns the phase by 0.573 +- 0.143
+/// degrees. The spread of sixty draws is off by a fifth in 1 of 40 cases.
 TEST(PredictDoubt, OfThePhaseIsThatOfTheDelay) {
     MotorModel motor = MotorModel::exactly({256 * 11.180'34 / 100, 0.05, 3, 1, 1e-3});
     motor.delay.doubt = 0.25e-3;
@@ -131,9 +132,9 @@ TEST(PredictDoubt, OfThePhaseIsThatOfTheDelay) {
 }
 
 /// w sqrt(1 + (w tau)^2) = K Kp / 256 = 49.25 /s at tau 0.5 s: w = 9.82 rad/s, w tau = 4.91, and the phase is
-/// -90 degrees - atan(w tau). 10 % more of K moves w by 5.1 %, the phase by 0.051 x 4.91 / (1 + 4.91^2) =
-/// 0.572 degrees; 10 % more of tau moves w tau, and so the phase, as much: 0.81 degrees where they vary by
-/// themselves, and 1.14 where they go together.
+/// -90 degrees - atan(w tau). 10 % more of K moves w by 5.1 %, and the phase by 0.051 x 4.91 / (1 + 4.91^2) =
+/// 0.572 degrees; 10 % more of tau moves w tau, and so the phase, by as much. That is 0.81 degrees if they
+/// vary independently, and 1.14 if they vary together.
 TEST(PredictDoubt, KnowsThatGainAndTimeConstantGoTogether) {
     MotorModel motor = MotorModel::exactly({788, 0.5, 1, 0, 0});
     motor.gain.doubt = 78.8;
@@ -143,7 +144,7 @@ TEST(PredictDoubt, KnowsThatGainAndTimeConstantGoTogether) {
     EXPECT_NEAR(predict(motor, gainsOf(16, 0), 0, 300, 0.5, 2).phaseMargin.doubt, 1.14, 0.23);
 }
 
-/// What may resonate makes margins and the step doubtful, the more the lower it may do so.
+/// A possible resonance makes the margins and the step doubtful, the more so the lower it may be.
 TEST(PredictDoubt, CountsWhatMayResonate) {
     MotorModel motor = MotorModel::exactly({788, 0.013, 2, 0, 0.55e-3});
     const auto upTo = [&](std::optional<double> hertz) {
@@ -162,8 +163,8 @@ TEST(PredictDoubt, CountsWhatMayResonate) {
     EXPECT_GT(low.settling.doubt, rigid.settling.doubt);
 }
 
-/// Motors that are known but for a spring that the steps did not show, against the simulator's shaft: every
-/// third has one. One figure in twenty may be farther off than two standard deviations.
+/// Motors that are known, except for a spring that the steps did not show, compared with the simulator's
+/// shaft: every third one has a spring. One figure in twenty may be off by more than two standard deviations.
 TEST(PredictDoubt, OfTheStepCoversASpring) {
     using namespace testing_support;
     sim::Random random(29);
@@ -191,8 +192,8 @@ TEST(PredictDoubt, OfTheStepCoversASpring) {
     EXPECT_GE(covered, of * 0.95) << covered << " of " << of;
 }
 
-/// Without an integral a shaft stops where friction holds it: 4 +- 4 PWM counts at Kp 100 are up to 10 counts
-/// off, and the band has 4. Where it may stay outside, settling may be as late as the record is long.
+/// Without an integral, a shaft stops where friction holds it: 4 +- 4 PWM counts at Kp 100 are up to 10
+/// counts off, and the band has 4. Where the shaft may stay outside, settling may take as long as the record.
 TEST(PredictDoubt, OfSettlingCountsWhatMayNotSettle) {
     MotorModel motor = MotorModel::exactly({788, 0.013, 0.5, 0, 0.55e-3});
     const Prediction sure = predict(motor, gainsOf(100, 1'000), 0, 200, 0.5, 2);
@@ -204,7 +205,8 @@ TEST(PredictDoubt, OfSettlingCountsWhatMayNotSettle) {
     EXPECT_GT(wary.settling.doubt, 0.1);
 }
 
-/// Friction found 11 +- 9 that is 15.4: no integral, so up to (15.4 + 1) x 256 / Kp = 5.2 counts stay.
+/// The friction is found to be 11 +- 9, but is really 15.4: without an integral, up to (15.4 + 1) x 256 / Kp
+/// = 5.2 counts remain.
 TEST(PredictDoubt, SaysThatAStickyMotorMayStayOffItsGoal) {
     MotorModel motor = MotorModel::exactly({788, 0.013, 11, 0, 0.55e-3});
     motor.friction.doubt = 9;
@@ -217,8 +219,8 @@ TEST(PredictDoubt, SaysThatAStickyMotorMayStayOffItsGoal) {
         EXPECT_LE(prediction.low[i].position, prediction.high[i].position);
 }
 
-/// Twelve motors that are found from three steps, five figures each, of which one in twenty may be farther
-/// off than two standard deviations. The 300 of tune_bench are this with more motors.
+/// Twelve motors are identified from three steps, with five figures each, of which one in twenty may be off
+/// by more than two standard deviations. tune_bench does the same with 300 motors.
 TEST(PredictDoubt, CoversTheTruthOfMotorsThatWereFound) {
     using namespace testing_support;
     sim::Random random(28);

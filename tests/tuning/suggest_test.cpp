@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Suggested gains against their formulas, and on the simulator's motor.
+// Suggested gains compared with their formulas, and tried on the simulator's motor.
 #include "model/tuning/suggest.h"
 
 #include <gtest/gtest.h>
@@ -84,14 +84,14 @@ TEST(Suggest, IsStifferTheMoreItIsWished) {
 }
 
 TEST(Suggest, HasAnIntegralOnlyForAnErrorThatItRemovesAndNoMoreThanCarriesIt) {
-    // Kp is some hundreds: half a PWM count and no friction leave less than a count.
+    // Kp is some hundreds: half a PWM count without friction leaves less than a count.
     MotorConstants motor = kSmallMotor;
     motor.friction = 0;
     auto gains = suggest(MotorModel::exactly(motor), {}, kNow, 200);
     ASSERT_TRUE(gains);
     EXPECT_EQ(gains->ki, 0);
     EXPECT_EQ(gains->il, 0);
-    // Friction 6 and load 8 are 14 PWM counts: more than ten counts of error.
+    // Friction 6 and load 8 are 14 PWM counts, which is an error of more than ten counts.
     motor.friction = 6;
     motor.load = -8;
     gains = suggest(MotorModel::exactly(motor), {}, kNow, 200);
@@ -117,7 +117,7 @@ TEST(Suggest, HasNothingForAMotorThatNoGainIsSmallEnoughFor) {
     EXPECT_FALSE(suggest(MotorModel::exactly({1e9, 0.01, 1, 0, 0.5e-3}), {}, kNow, 200));
 }
 
-/// The simulator's motor with these constants; physics() the other way round.
+/// The simulator's motor with these constants: the inverse of physics().
 [[nodiscard]] sim::MotorParameters plantOf(const MotorConstants& motor) {
     sim::MotorParameters p;
     const MotorConstants before = physics(p);
@@ -129,8 +129,8 @@ TEST(Suggest, HasNothingForAMotorThatNoGainIsSmallEnoughFor) {
     return p;
 }
 
-/// Twice what a loop of second order takes to 2 % that is as fast as noise permits: 4 / (zeta wn), with
-/// 2 zeta wn = 1 / tau + noise / T.
+/// Twice the time in which a second-order loop settles to 2 % if it is as fast as noise permits: 4 / (zeta
+/// wn), with 2 zeta wn = 1 / tau + noise / T.
 [[nodiscard]] double twiceTheTextbook(const MotorConstants& motor) {
     return 2 * 8 / (1 / motor.timeConstant + kMaxNoise / 512e-6);
 }
@@ -141,7 +141,7 @@ TEST(Suggest, HasNothingForAMotorThatNoGainIsSmallEnoughFor) {
     return servo.step(step, 0.6).metrics.settling.value_or(Measured{0.6, 0}).value;
 }
 
-/// What the integral carried before the step is anything that friction lets it be.
+/// Before the step, the integral carries anything that friction permits.
 TEST(SuggestOnTheMotor, SettlesWhicheverWayFrictionHeldTheLoad) {
     for (const double load : {-4.8, 4.8}) {
         const MotorConstants motor{1'025, 0.0135, 3.0, load, 0.55e-3};
@@ -161,7 +161,7 @@ TEST(SuggestOnTheMotor, IsNoSlowerForALoadThatIsNotKnown) {
     EXPECT_LT(settlingOf(motor, *gains, 147), twiceTheTextbook(motor));
 }
 
-/// It may still come nearer, but does not go away again.
+/// It may still come nearer, but does not move away again.
 TEST(SuggestOnTheMotor, DoesNotHuntAroundItsGoal) {
     const MotorConstants motor{2'658, 0.0079, 0.9, 6.9, 0.55e-3};
     const auto gains = suggest(MotorModel::exactly(motor), {}, kAtFullOutput, 674);
@@ -178,7 +178,7 @@ TEST(SuggestOnTheMotor, DoesNotHuntAroundItsGoal) {
     }
 }
 
-/// Ki (I / 256) / 256 by one I of 256 count ticks, Kp e / 256 by one count.
+/// One step of the integral, an I of 256 count ticks, gives Ki (I / 256) / 256; one count gives Kp e / 256.
 TEST(Suggest, PushesByOneStepOfTheIntegralNoMoreThanByOneCount) {
     for (const double friction : {0.5, 4.0, 12.0})
         for (const double tau : {0.008, 0.05, 0.5}) {
@@ -195,11 +195,11 @@ TEST(Suggest, HasGainsForEveryStiffnessWhereFrictionIsLarge) {
             << stiffness;
 }
 
-/// One of tune_bench with seed 16: much friction and a coarse encoder, so that it hangs on a count whether a
-/// shaft stops inside its band.
+/// One of the motors of tune_bench with seed 16: it has much friction and a coarse encoder, so a single count
+/// decides whether the shaft stops inside its band.
 struct StickingMotor {
     int number = 0;
-    double fastest = 0.0;  ///< s, by the best gains of an exhaustive search under the same noise limit
+    double fastest = 0.0;  ///< s, with the best gains of an exhaustive search under the same noise limit
 };
 
 class SuggestedForSticking : public testing::TestWithParam<StickingMotor> {};
