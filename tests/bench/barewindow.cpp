@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the panel's start-up is measured against: a bare QMainWindow with one chart, up to its first paint.
+// The reference for the panel's start-up: a bare QMainWindow with one chart, up to its first paint.
 #include <QApplication>
 #include <QChartView>
 #include <QDebug>

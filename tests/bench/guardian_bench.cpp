@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the death of a panel to the moment its motor slows down, over many kills at moments that are in step
-// with nothing; and whether the guardian ever stops a motor of a panel that lives, on a machine that is far
-// too busy.
+// The time from the death of a panel until its motor slows down, over many kills at random moments; and
+// whether the guardian ever stops a motor of a panel that is alive, on a machine that is far too busy.
 //   guardian_bench [KILLS [MINUTES]]
 //   guardian_bench panel TERMINAL BAUD REPORT      what is killed: the bus loop of the panel on a serial port
 #include <sys/wait.h>
@@ -43,7 +42,7 @@ constexpr int kLoad = 8;
     std::exit(1);
 }
 
-/// Sets motor 1 going, and says so; "stopped" when its guardian stopped it.
+/// Sets motor 1 in motion and prints "moving"; prints "stopped" when its guardian has stopped it.
 int panel(char** arguments) {
     testing_support::LoopRig rig;
     ProcessGuard guard({NMCGUARD_PATH, arguments[2]});
@@ -75,7 +74,7 @@ void pause(Duration time) {
     pollUntil({}, monotonicNow() + time);
 }
 
-/// A panel whose motor has come up to its speed; how fast that is.
+/// A panel whose motor has reached its speed, and that speed.
 std::pair<std::unique_ptr<LineProcess>, double> runningPanel(SimProcess& sim, int baud,
                                                              const std::string& report) {
     const std::string program = QCoreApplication::applicationFilePath().toStdString();
@@ -110,7 +109,7 @@ void measureKills(int baud, int kills) {
     QTemporaryDir folder;
     SimProcess sim("servo,servo");
     std::mt19937 random(1);
-    std::uniform_int_distribution<int> phase(0, 60'000);  // us: some polls
+    std::uniform_int_distribution<int> phase(0, 60'000);  // us: some polls long
     std::vector<double> times;
     for (int i = 0; i < kills; ++i)
         times.push_back(killOnce(sim, baud, folder, std::chrono::microseconds(phase(random))));
@@ -135,7 +134,7 @@ pid_t childOf(pid_t process) {
     fail("no guardian");
 }
 
-/// Seconds that a process has computed so far.
+/// Processor time that a process has taken so far, in seconds.
 double computed(pid_t process) {
     std::ifstream file("/proc/" + std::to_string(process) + "/stat");
     const std::string text((std::istreambuf_iterator<char>(file)), {});

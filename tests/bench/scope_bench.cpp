@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a frame of the scope costs, however much there is to draw, and beside it the obvious way to use Qt
+// What a frame of the scope costs, however much there is to draw, compared with the obvious way to use Qt
 // Charts in the same run.
 //   scope_bench draw            frames of 1200 x 500 px with two traces, and of eight such plots
 //   scope_bench live [SECONDS]  the whole panel on nmcsim with 8 modules and four strips
@@ -41,7 +41,7 @@ double percentile(std::vector<double> values, double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// Milliseconds that `frame` takes, median.
+/// Median of the milliseconds that `frame` takes.
 template <typename Frame>
 double median(int frames, Frame frame) {
     std::vector<double> times;
@@ -49,12 +49,12 @@ double median(int frames, Frame frame) {
         const TimePoint before = monotonicNow();
         frame(i);
         times.push_back(toSeconds(monotonicNow() - before) * 1e3);
-        QCoreApplication::processEvents();  // what Qt lays out in between is not the frame's
+        QCoreApplication::processEvents();  // what Qt lays out in between does not count
     }
     return percentile(times, 0.5);
 }
 
-/// A motor that swings, with noise; a fifth beyond what is in view, so that panning finds something.
+/// A motor that swings, with noise; a fifth more than is in view, so that panning finds something.
 History swinging(int points) {
     History history(1);
     for (int i = 0; i < points * 6 / 5; ++i) {
@@ -78,7 +78,7 @@ std::unique_ptr<ScopePlot> shownPlot(QWidget* parent = nullptr) {
     return plot;
 }
 
-/// `moving`: the time axis moves in every frame, as when it is dragged; otherwise once in a division.
+/// `moving`: the time axis moves in every frame, as when it is dragged; otherwise once per division.
 double frameOf(const History& history, int frames, bool moving) {
     const auto plot = shownPlot();
     return median(frames, [&](int i) {
@@ -88,7 +88,7 @@ double frameOf(const History& history, int frames, bool moving) {
     });
 }
 
-/// The obvious way: all points into a QLineSeries, each frame.
+/// The obvious way: in each frame, all points are put into a QLineSeries.
 double frameOfSeries(int points, int frames) {
     QChartView view;
     auto* chart = view.chart();
@@ -151,7 +151,7 @@ int draw() {
 
 // ---- the whole panel ----
 
-/// Tells when the scope was painted.
+/// Records the times between paints of the scope.
 class PaintWatch : public QObject {
 public:
     std::vector<double> intervals;  ///< ms
@@ -218,7 +218,7 @@ int live(double seconds) {
     plot->installEventFilter(&watch);
     const double cpuBefore = cpuSeconds();
     const TimePoint begin = monotonicNow();
-    // The history grows into its own 64 MiB and no further; nothing else may grow at all.
+    // The history grows up to its own 64 MiB; nothing else may grow at all.
     const auto historyMiB = [&] {
         return static_cast<double>(composition.store().history().bytes()) / (1 << 20);
     };

@@ -33,7 +33,7 @@ public:
         m_chain.setHostBaud(115'200);
     }
 
-    /// A sum is added, and the answer waited for.
+    /// Adds the checksum and waits for the answer.
     void send(std::vector<std::uint8_t> body) {
         unsigned sum = 0;
         for (const std::uint8_t b : body)
@@ -74,7 +74,7 @@ void report(benchmark::State& state, nmc::Duration simulated) {
         benchmark::Counter(nmc::toSeconds(simulated), benchmark::Counter::kIsRate);
 }
 
-/// Servos at 5 counts per tick, nobody on the line.
+/// Servos at 5 counts per tick, with nothing on the line.
 void MovingServosInVelocityMode(benchmark::State& state) {
     BenchHost host(static_cast<unsigned>(state.range(0)));
     host.send({0xFF, 0x94, 0xB6, 0, 0, 5, 0, 0, 1, 0, 0});
@@ -99,7 +99,7 @@ void MovingServosInTrapezoidalMode(benchmark::State& state) {
 }
 BENCHMARK(MovingServosInTrapezoidalMode)->Arg(32)->Unit(benchmark::kMillisecond);
 
-/// Moving servos, each asked for everything in turn at 115 200 Bd without a pause.
+/// Moving servos, each of which is queried for everything in turn at 115 200 Bd without a pause.
 void PolledMovingServos(benchmark::State& state) {
     const auto servos = static_cast<unsigned>(state.range(0));
     BenchHost host(servos);
@@ -113,8 +113,8 @@ void PolledMovingServos(benchmark::State& state) {
 }
 BENCHMARK(PolledMovingServos)->Arg(8)->Arg(32)->Unit(benchmark::kMillisecond);
 
-/// The aim is below 15 s: an hour of a bus of eight at 115 200 Bd, one exchange after the other, position,
-/// velocity and auxiliary byte of each in turn, while all of them move.
+/// The aim is below 15 s: an hour of a bus with eight servos at 115 200 Bd, one exchange after the other, for
+/// the position, velocity and auxiliary byte of each in turn, while all of them move.
 void AnHourOfEightPolledServos(benchmark::State& state) {
     constexpr unsigned kServos = 8;
     for (auto _ : state) {
@@ -128,8 +128,8 @@ void AnHourOfEightPolledServos(benchmark::State& state) {
 }
 BENCHMARK(AnHourOfEightPolledServos)->Iterations(1)->Unit(benchmark::kSecond);
 
-/// The aim is 100: eight moving PIC-SERVO SC and eight PIC-I/O with their timers on, each asked for all eight
-/// items in turn at 115 200 Bd without a pause.
+/// The aim is 100: eight moving PIC-SERVO SC and eight PIC-I/O with their timers on, each of which is queried
+/// for all eight items in turn at 115 200 Bd without a pause.
 void PolledScAndIo(benchmark::State& state) {
     constexpr unsigned kOfEach = 8;
     BenchHost host(kOfEach, "@10", "io", kOfEach);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the request to the last byte of the stop on the wire, with 32 modules moving and the whole window
-// alive: by the Esc key in a dialog, and from another thread while the GUI thread is blocked.
+// The time from the request to the last byte of the stop on the wire, with 32 modules moving and the whole
+// window in use: by the Esc key in a dialog, and from another thread while the GUI thread is blocked.
 //   stop_bench [TRIALS]
 #include <QApplication>
 #include <QDialog>
@@ -47,7 +47,7 @@ double ms(Duration time) {
 }
 
 bool becomesTrue(const std::function<bool()>& condition, int patienceMs) {
-    // A real event loop: QTest::qWaitFor sleeps 10 ms at a time.
+    // A real event loop, because QTest::qWaitFor sleeps 10 ms at a time.
     QEventLoop loop;
     QElapsedTimer patience;
     patience.start();
@@ -73,10 +73,10 @@ bus::Order step(std::uint8_t module, ServoCommand command) {
 
 struct Trial {
     double first = 0;         ///< ms from the request to the first byte of the stop
-    double last = 0;          ///< to the last byte of the packet that stops the last module
-    double bound = 0;         ///< for the last: rest of the packet being sent + 2 ms + the stop's own bytes
-    std::size_t packets = 0;  ///< that it took: one to the group of all, or one a module
-    bool begun = false;       ///< another packet has begun between the request and the stop
+    double last = 0;          ///< ms to the last byte of the packet that stops the last module
+    double bound = 0;         ///< for `last`: rest of the packet being sent + 2 ms + the stop's own bytes
+    std::size_t packets = 0;  ///< of the stop: one to the group of all, or one per module
+    bool begun = false;       ///< another packet began between the request and the stop
 };
 
 class Bench {
@@ -118,7 +118,7 @@ public:
             asked = true;
             asked.notify_one();
         });
-        asked.wait(false);  // no event is handled here meanwhile
+        asked.wait(false);  // no event is handled here in the meantime
         other.join();
         waitFor("stop not finished", [&] { return m_stops > before; });
         return evaluate();
@@ -139,7 +139,8 @@ private:
         load.velocity = CountsPerTick(4 << 16);
         load.acceleration = CountsPerTickSquared(6'554);  // 0.1 counts/tick^2
         load.profile = servo::ProfileMode::Velocity;
-        // On a machine that is busy with something else a start may end in doubt, and is then not repeated.
+        // On a machine that is busy with something else, a start may end in doubt; the engine does not repeat
+        // it.
         for (int attempt = 0; attempt < 5; ++attempt) {
             for (std::uint8_t i = 0; i < kModules; ++i)
                 if (!link().modules[i].moving())
@@ -150,7 +151,7 @@ private:
         fail("not moving");
     }
 
-    /// In a thread that is not the GUI's: at a moment that is not in step with anything.
+    /// Called in a thread other than the GUI's, at a random moment.
     void requested(const std::function<void()>& request) {
         std::this_thread::sleep_for(std::chrono::microseconds(m_phase(m_random)));
         m_requested = monotonicNow();
@@ -178,7 +179,7 @@ private:
             if (packet.begins <= m_requested && packet.ends > m_requested)
                 beingSent = packet.ends - m_requested;
             begun = begun || (!first && packet.begins > m_requested && packet.code != CommandCode::StopMotor);
-            // Those after that repeat it, to be confirmed by each module.
+            // Those after that are repetitions, to be confirmed by each module.
             if (packet.code != CommandCode::StopMotor || packet.ends <= m_requested ||
                 told.size() == kModules)
                 continue;
@@ -207,7 +208,7 @@ private:
     Composition m_composition;
     QDialog m_dialog{&m_composition.window()};
     std::mt19937 m_random{1};
-    std::uniform_int_distribution<int> m_phase{0, 60'000};  // us: some polls
+    std::uniform_int_distribution<int> m_phase{0, 60'000};  // us: some polls long
     TimePoint m_requested;
     int m_stops = 0;
     std::uint32_t m_operation = 0;
@@ -231,7 +232,7 @@ void report(const char* way, std::uint32_t baud, const std::vector<Trial>& trial
         packets = std::max(packets, trial.packets);
     }
     const auto late = std::count_if(over.begin(), over.end(), [](double ms) { return ms > 0; });
-    // Until the key has come through the GUI thread the bus does not know of it.
+    // Until the key has passed through the GUI thread, the bus does not know of it.
     const auto begun = std::count_if(trials.begin(), trials.end(), [](const Trial& trial) {
         return trial.begun && trial.last > trial.bound;
     });
@@ -252,7 +253,7 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     look::setUp(application);
     QApplication::setQuitOnLastWindowClosed(false);
-    // The platform has nothing to say here that matters.
+    // Messages of the platform do not matter here.
     qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
     (void)QInputDevice::primaryKeyboard();  // belongs to this thread
     const int trials = argc > 1 ? std::atoi(argv[1]) : 100;

@@ -31,7 +31,8 @@ std::vector<WirePacket> TimedChain::takePackets() {
 void TimedChain::run() {
     constexpr Duration kAtLeastEvery = std::chrono::milliseconds(50);
     wantFineTimers();
-    // Who measures must not be late himself; where that is not allowed the figures are a little worse.
+    // The measuring thread must not be late itself; where its priority is not permitted, the figures are a
+    // little worse.
     const sched_param first{1};
     ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &first);
     while (true) {
@@ -56,7 +57,7 @@ void TimedChain::serve() {
     const std::vector<std::uint8_t> bytes = m_terminal.read();
     const TimePoint now = monotonicNow();
     const TimePoint chainNow(now - m_began);
-    // As in SimServer: Set Baud, and then the new rate, is how a rate is changed.
+    // As in SimServer: a rate is changed by Set Baud, followed by the new rate.
     sim::Receiver monitor;
     std::size_t old = 0;
     for (std::size_t i = 0; i < bytes.size(); ++i)

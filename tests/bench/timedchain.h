@@ -14,8 +14,8 @@
 
 namespace nmc::bench {
 
-/// A command packet on the wire. A pseudo-terminal takes bytes faster than a UART sends them, so the times
-/// are those of a UART at the host's rate that began when the bytes were handed over.
+/// A command packet on the wire. A pseudo-terminal accepts bytes faster than a UART sends them, so the times
+/// are those of a UART at the host's rate that starts when the bytes arrive.
 struct WirePacket {
     TimePoint begins;
     TimePoint ends;
@@ -24,8 +24,8 @@ struct WirePacket {
     std::size_t bytes = 0;
 };
 
-/// A simulated chain behind a pseudo-terminal, in a thread of its own, that notes when each packet is on the
-/// wire.
+/// A simulated chain behind a pseudo-terminal, in a thread of its own, that records when each packet is on
+/// the wire.
 class TimedChain {
 public:
     explicit TimedChain(std::size_t modules);
@@ -34,7 +34,7 @@ public:
     TimedChain& operator=(const TimedChain&) = delete;
 
     [[nodiscard]] const std::string& terminal() const { return m_terminal.path(); }
-    /// Everything since the last call.
+    /// All packets since the last call.
     [[nodiscard]] std::vector<WirePacket> takePackets();
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The calculated command position in real time: the worker and QSerialPort on a pseudo-terminal at 115 200
-// Bd, the simulator in another thread of this process, which has the same clock. Where it must hold is
-// tests/model/commandtruth_test.cpp, in virtual time: the simulator of a busy machine takes commands late, as
-// no module does.
+// Bd, and the simulator in another thread of this process, which has the same clock. The requirement itself
+// is tested in virtual time, in tests/model/commandtruth_test.cpp: on a busy machine the simulator accepts
+// commands late, as no module does.
 #include <QCoreApplication>
 #include <QTest>
 #include <cstdio>
@@ -22,7 +22,7 @@ namespace {
 
 using namespace testing_support;
 
-/// A simulated servo on a terminal, and what its command position was each time it answered.
+/// A simulated servo on a terminal, with a log of its command position at each answer.
 class TrueServo {
 public:
     explicit TrueServo(LatchLog& truth) {
@@ -74,7 +74,7 @@ public:
             },
             20'000);
     }
-    /// Carries that out, and goes on until so many more samples have been compared.
+    /// Carries out the steps, and continues until this many more samples have been compared.
     [[nodiscard]] bool follow(std::vector<bus::Order> steps, std::size_t samples) {
         m_worker.submit({bus::OperationId(++m_operations), std::move(steps)});
         if (!waitFor<bus::OperationFinished>())

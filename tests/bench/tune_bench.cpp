@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unknown motors in unknown machines: found from three steps each, given gains, and these tried on the motor
-// (issue 16, C).
+// Unknown motors in unknown machines: each is identified from three steps and given gains, which are then
+// tried on the motor (issue 16, C).
 //   tune_bench [MOTORS [SEED [ONLY]]]    ONLY: the number of one motor
-// First motors by themselves, then such motors in machines: with play, deadband, encoder noise, and a spring,
-// which steps do not show.
+// First come motors alone, then such motors in machines: with play, deadband, encoder noise, and a spring
+// that the steps do not show.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,7 +21,7 @@ namespace {
 using namespace nmc;
 using namespace nmc::testing_support;
 
-/// As fast as any rule permits, to be compared with the fastest there is.
+/// As fast as any rule permits, for comparison with the fastest possible.
 constexpr LoopWish kFastest{1.0, 0.5, 1.0, kMinPhaseMargin};
 
 struct Tally {
@@ -52,7 +52,7 @@ void printShares(const char* what, std::vector<double> values, const char* unit)
                 at(0.95), at(0.99), values.back(), unit);
 }
 
-/// It calms down from where it is switched on, and again after a step.
+/// True if it calms down after it is switched on, and again after a step.
 [[nodiscard]] bool isStable(const sim::MotorParameters& motor, const servo::SetGain& gains, std::int32_t step,
                             std::uint64_t seed) {
     TunedServo servo(motor, gains, seed);
@@ -67,8 +67,8 @@ struct Best {
     servo::SetGain gains;
 };
 
-/// The fastest of all Kp, Kd and SR on a grid whose noise is no more than was allowed and that are stable;
-/// integral as suggested.
+/// The fastest of all Kp, Kd and SR on a grid that are stable and whose noise is within the limit; the
+/// integral is as suggested.
 [[nodiscard]] Best bestOf(const sim::MotorParameters& motor, const servo::SetGain& suggested,
                           std::int32_t step, std::uint64_t seed) {
     Best best{kMedianRecord, suggested};
@@ -95,7 +95,8 @@ struct Best {
     return std::abs(predicted.value - truth) <= 2 * predicted.doubt;
 }
 
-/// Which figures of a step with suggested gains were within two stated standard deviations of the truth.
+/// Counts which figures of a step with suggested gains were within two stated standard deviations of the
+/// truth.
 struct Predictions {
     Tally overshoot, settling, error, phase, gain;
 
@@ -118,7 +119,7 @@ struct Predictions {
     }
 };
 
-/// Within `part` of the truth, or within two of the stated standard deviations.
+/// True if within `part` of the truth, or within two of the stated standard deviations.
 [[nodiscard]] bool isNear(const Measured& found, double truth, double part) {
     const double off = std::abs(found.value - truth);
     return off <= part * std::abs(truth) || off <= 2 * found.doubt;
@@ -184,7 +185,7 @@ void campaign(sim::MotorParameters (*draw)(sim::Random&), int motors, std::uint6
         const Prediction predicted = predict(model, *gains, 0, step, kMedianRecord, kFirstBand);
         const double off = run.metrics.overshoot->value - predicted.overshoot.value;
         TunedServo exact(motor, *gains, seed);
-        exact.wait(3);  // so that the integral carries the load: from there the step is predicted
+        exact.wait(3);  // so that the integral carries the load, as the prediction assumes
         predictions.count(predicted, exact.trueStep(step, kMedianRecord), trueMargins(motor, *gains));
         overshoot.count(std::abs(off) <= 5);
         overshootOff.push_back(std::abs(off));

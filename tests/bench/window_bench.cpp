@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window costs and how soon it follows, with 32 modules moving at the wire's limit and four strips:
+// What the window costs and how soon it reacts, with 32 modules moving at the wire's limit and four strips:
 //   window_bench [SECONDS]   the GUI thread's share of a core; a keystroke to its repaint; switching modules
 //   window_bench events      what holds the thread up, at rest and while modules are switched
 //   window_bench paints      which widgets are painted, and how often
@@ -58,7 +58,7 @@ void turnFor(double seconds) {
 /// Waits until a widget is painted.
 class NextPaint : public QObject {
 public:
-    /// When it was painted; nothing within a second.
+    /// When it was painted; empty if it was not within a second.
     std::optional<TimePoint> wait() {
         m_painted.reset();
         QTimer patience;
@@ -69,12 +69,12 @@ public:
         return m_painted;
     }
 
-    std::function<bool()> counts;  ///< whether what was waited for is there
+    std::function<bool()> counts;  ///< true once the awaited change is there
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override {
         if (event->type() == QEvent::Paint && m_loop.isRunning() && counts()) {
-            // The end of the painting, of this and of whatever else is due.
+            // The end of the painting, of this widget and of whatever else is due.
             QTimer::singleShot(0, &m_loop, [this] {
                 m_painted = monotonicNow();
                 m_loop.quit();
@@ -118,7 +118,7 @@ public:
         return (threadSeconds() - before) / toSeconds(monotonicNow() - begin);
     }
 
-    /// Typed into the goal at moments that are in step with nothing.
+    /// Types into the goal field at random moments.
     std::vector<double> keystrokes() {
         auto* field = window().findChild<NumberField*>(QStringLiteral("goalField"));
         field->setFocus();
@@ -132,7 +132,7 @@ public:
             });
     }
 
-    /// Up and down the list by its arrow keys.
+    /// Moves up and down the list with the arrow keys.
     std::vector<double> switches() {
         auto* list = window().findChild<QListView*>(QStringLiteral("chainList"));
         list->setFocus();
@@ -165,7 +165,7 @@ private:
         }
     }
 
-    /// What `key` does is seen when `state` has become another and the widget is painted.
+    /// The effect of `key` is visible once `state` has changed and the widget has been painted.
     std::vector<double> trials(QWidget* painted, const std::function<QString()>& state,
                                const std::function<void(int)>& key) {
         std::vector<double> times;
@@ -213,7 +213,7 @@ protected:
     }
 };
 
-/// What holds the thread up: nothing else is handled in the midst of an event.
+/// Measures what holds the thread up: nothing else is handled in the middle of an event.
 class EventTimes : public QApplication {
 public:
     using QApplication::QApplication;
@@ -222,7 +222,7 @@ public:
     struct Sum {
         double seconds = 0;
         double longest = 0;
-        double overTwo = 0;  ///< s in which Esc would come late: the part of each event before its last 2 ms
+        double overTwo = 0;  ///< s in which Esc would be late: the part of each event before its last 2 ms
         int count = 0;
     };
     std::map<QString, Sum> sums;
