@@ -27,8 +27,8 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// By their object names. A new one that is missing here is found out: it moves a motor that nobody asked to
-/// move.
+/// Object names of controls that set a motor in motion. A new control that is missing here is noticed,
+/// because it moves a motor that the user did not ask to move.
 const QStringList& starters() {
     static const QStringList names{
         u"goButton"_s, u"goHomeButton"_s, u"startButton"_s, u"runForwardButton"_s, u"runReverseButton"_s,
@@ -37,17 +37,17 @@ const QStringList& starters() {
         u"stepperRunReverseButton"_s, u"stepperStartLoadedButton"_s, u"stepperHomeButton"_s,
         u"responseButton"_s, u"startDirectionCheckButton"_s, u"stepperMoveByForwardButton"_s,
         u"stepperMoveByReverseButton"_s, u"stepperGoHomeButton"_s,
-        // which may hold any of them
+        // these may contain any of them
         u"moduleMenu"_s, u"commandList"_s};
     return names;
 }
 const QStringList& startersOfAll() {
     static const QStringList names{u"groupStartButton"_s,   u"homeAllButton"_s,    u"goToPointButton"_s,
                                    u"runSequenceButton"_s,  u"runFromRowButton"_s, u"stepSequenceButton"_s,
-                                   u"pauseSequenceButton"_s};  // which goes on, too
+                                   u"pauseSequenceButton"_s};  // this resumes the run, too
     return names;
 }
-/// In the rows of all axes: their number is behind the name.
+/// In the rows of all axes; the number of the axis follows the name.
 const QStringList& startersOfRows() {
     static const QStringList names{u"axisHoldForwardButton"_s, u"axisHoldReverseButton"_s,
                                    u"axisStepForwardButton"_s, u"axisStepReverseButton"_s};
@@ -97,7 +97,7 @@ private:
         if (seen.width() < 2 || seen.height() < 2)
             return;
         const QPoint at = widget->mapToGlobal(seen.center());
-        // What lies over it would get the press.
+        // Whatever lies over it would receive the press.
         const QWidget* there = QApplication::widgetAt(at);
         if (there != widget && !widget->isAncestorOf(there))
             return;
@@ -132,7 +132,7 @@ private:
     void takeRows(QAbstractItemView* view) {
         if (view->model() == nullptr || qobject_cast<QHeaderView*>(view) != nullptr)
             return;
-        constexpr int kMax = 6;  // or a long list would be most of what there is
+        constexpr int kMax = 6;  // so that a long list does not make up most of the spots
         const int rows = view->model()->rowCount(view->rootIndex());
         for (int row = 0; row < std::min(rows, kMax); ++row) {
             const QModelIndex index = view->model()->index(row, 0, view->rootIndex());
@@ -140,7 +140,7 @@ private:
         }
     }
 
-    /// The name, and the buttons that end it.
+    /// Of a file dialog, only the name and the buttons that end it are used.
     void takeOfFileDialog(QWidget* widget) {
         const bool name = widget->objectName() == u"fileNameEdit"_s;
         if (name || (qobject_cast<QAbstractButton*>(widget) != nullptr &&

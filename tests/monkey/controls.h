@@ -12,38 +12,38 @@
 
 #include "base/strong.h"
 
-/// What can be seen and reached of the program at this moment, whatever it is made of.
+/// What can be seen and reached of the program at this moment, whatever it consists of.
 namespace nmc::monkey {
 
-/// Somewhere on the screen to press, and how to call it.
+/// A place on the screen that can be pressed, and its name.
 struct Spot {
     QPointer<QWidget> window;
     QPoint at;  ///< on the screen
     QString name;
 };
 
-/// All that can be seen, in an order that is the same each time.
+/// All that are visible, in an order that is the same each time.
 [[nodiscard]] QWidgetList windows();
-/// Buttons, fields, tabs, rows, cells, menu entries: all that is enabled, and not covered. In a popup when
-/// one is open, since it has the pointer to itself.
+/// Buttons, fields, tabs, rows, cells, menu entries: everything that is enabled and not covered. If a popup
+/// is open, only those in it, since it grabs the pointer.
 [[nodiscard]] QList<Spot> spots();
 /// All shortcuts and mnemonics of controls that can be used now.
 [[nodiscard]] QList<QKeySequence> shortcuts();
-/// The motors that a control sets going: none, the selected one, the one of its row, or all.
+/// The motors that a control sets in motion: none, the selected one, the one of its row, or all.
 struct Motors {
     bool any = false;
     bool all = false;
-    std::optional<ModuleIndex> module{};  ///< where it is not the selected one
+    std::optional<ModuleIndex> module{};  ///< if it is not the selected one
 
     friend bool operator==(const Motors&, const Motors&) = default;
 };
-/// What pressing that does, or what it is in.
+/// The motors that are started by pressing the widget, or by what it is part of.
 [[nodiscard]] Motors startedBy(const QWidget* widget);
-/// What a key does whose control can be used.
+/// The motors that are started by these keys, if their control can be used.
 [[nodiscard]] Motors startedBy(const QKeySequence& keys);
-/// Enter does in it what a button does.
+/// The motors that are started by Enter in the widget.
 [[nodiscard]] Motors startedByEnter(const QWidget* widget);
-/// What files are chosen in; the way out of it leads to other people's files.
+/// True in a dialog in which files are chosen, from which other people's files could be reached.
 [[nodiscard]] bool inFileDialog(const QWidget* widget);
 
 }  // namespace nmc::monkey

@@ -8,7 +8,7 @@
 #include "widgets/common/look.h"
 
 int main(int argc, char** argv) {
-    // The screen that there is without one is too small for the window.
+    // The default screen of the offscreen platform is too small for the window.
     QTemporaryFile screen;
     if (!screen.open())
         return 1;
@@ -16,10 +16,10 @@ int main(int argc, char** argv) {
                                   "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}]})");
     screen.close();
     qputenv("QT_QPA_PLATFORM", "offscreen:configfile=" + screen.fileName().toUtf8());
-    // Another event dispatcher would not be told that it is about to wait.
+    // Another event dispatcher would not report that it is about to wait.
     qputenv("QT_NO_GLIB", "1");
     qputenv("QT_HASH_SEED", "0");
-    // What moves here is no reason for the developer's computer to delay its sleep.
+    // What moves here must not delay the sleep of the developer's computer.
     qputenv("DBUS_SYSTEM_BUS_ADDRESS", "unix:path=/nowhere");
     testing::InitGoogleTest(&argc, argv);
     nmc::testing_support::failOnQtWarnings();

@@ -24,10 +24,10 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// What the window is given between two turns of its event loop: the pace of a slow machine.
+/// Time that passes between two turns of the window's event loop: the pace of a slow machine.
 constexpr Duration kFrame = 20ms;
 constexpr std::size_t kRemembered = 40;
-/// The simulator keeps those that are over, and not many more than that.
+/// The simulator keeps faults that have ended, and not many more than this.
 constexpr unsigned kFaultsAtOnce = 90;
 
 const std::vector<ModuleIdentity> kChain{
@@ -41,12 +41,13 @@ PortController::Places places(const QString& folder) {
     return places;
 }
 
-/// A line of the simulator, and what it is over by; empty: the line says it.
+/// A line for the simulator, and the line that ends it; empty if the first one limits its own time.
 struct Strike {
     const char* line;
     const char* end;
 };
-/// "%1" is a module, "%2" for how long. Nothing turns a shaft or an encoder round: that is another's motion.
+/// "%1" is a module, "%2" a duration. No line reverses a shaft or an encoder: that would be a motion that the
+/// user did not cause.
 constexpr std::array kStrikes{
     Strike{"fault bus drop status p=.1 for=%2", ""},
     Strike{"fault bus drop cmd p=.1 for=%2", ""},
@@ -69,7 +70,7 @@ constexpr std::array kStrikes{
     Strike{"set 2 estop 1", "set 2 estop 0"},
 };
 
-/// To whatever has the keyboard at that moment: a press may close a window, or open one.
+/// Sends a key to whatever has the keyboard at that moment: a press may close a window, or open one.
 void sendKey(bool press, QKeyCombination key) {
     QWindow* window = QGuiApplication::focusWindow();
     if (window == nullptr)
@@ -113,7 +114,7 @@ void Monkey::startProgram() {
     m_program = std::make_unique<Composition>(m_settings, places(m_directory.path()), m_directory.path());
     m_program->setTransports([this](const ConnectTarget& /*target*/) { return m_chain.transport(); });
     m_oath = std::make_unique<Oath>(m_chain, *m_program);
-    // Every second user has its port on the command line.
+    // Every second user gives the port on the command line.
     Start start;
     if (below(2) == 0)
         start.port = u"/dev/ttyUSB0"_s;
@@ -127,7 +128,7 @@ void Monkey::endProgram() {
     m_motions += m_oath->motions();
     m_stopsInMotion += m_oath->stopsInMotion();
     m_oath.reset();
-    // Or it would wait for the bus thread, which has no time.
+    // Otherwise it would wait for the bus thread, for which no time passes.
     m_program->worker().close();
     while (m_chain.open())
         m_chain.run(kFrame);
@@ -236,7 +237,7 @@ void Monkey::press(const Spot& spot, Qt::MouseButton button, bool hold) {
         return;  // the release has closed it
     const QWidget* hit = QApplication::widgetAt(spot.at);
     if (hit == nullptr || hit->window() != spot.window)
-        return;  // or has put something before it
+        return;  // or something lies over it now
     QWindow* window = spot.window->windowHandle();
     note((hold                       ? "holds "
           : button == Qt::LeftButton ? "clicks "
@@ -246,14 +247,14 @@ void Monkey::press(const Spot& spot, Qt::MouseButton button, bool hold) {
     const bool isTab = qobject_cast<const QTabBar*>(hit) != nullptr;
     m_oath->mayStart(starts);
     if (spot.name.startsWith(u"sim"_s))
-        m_oath->fault(virtualtime::now());  // the simulator's own page lets anything happen
+        m_oath->fault(virtualtime::now());  // the simulator's own page can make anything happen
     const QPoint at = window->mapFromGlobal(spot.at);
     deliver([&] {
         if (spot.window->windowType() != Qt::Popup)
             spot.window->activateWindow();  // as the window system does
         const QPointer<QWindow> still(window);
         QTest::mousePress(window, button, {}, at);
-        // What is pressed has the focus, and may lose it by what it does.
+        // The control that is pressed has the focus, and may lose it because of what it does.
         if (starts.any)
             m_oath->movedFocus();
         if (hold) {
@@ -270,7 +271,7 @@ void Monkey::releaseMouse(bool elsewhere) {
     if (m_pressedIn == nullptr)
         return;
     QWindow* window = std::exchange(m_pressedIn, nullptr);
-    // A tab is not dragged: Qt paints it, also when its page has gone meanwhile, and complains. And the
+    // A tab is not dragged: Qt paints it even if its page has gone in the meantime, and complains. Also, the
     // window may have become smaller.
     const bool there = (!elsewhere || m_pressedTab) && QRect({}, window->size()).contains(m_pressedAt);
     const QPoint at = there ? m_pressedAt : QPoint(3, 3);
@@ -298,7 +299,7 @@ bool Monkey::pressNamed(const QStringList& words) {
     return true;
 }
 
-/// What a session is made of: or it would hardly ever come to a motion.
+/// Presses what makes up a session; otherwise there would hardly ever be a motion.
 void Monkey::pressWhatMatters() {
     const LinkState& link = m_program->store().link();
     if (QApplication::activePopupWidget() != nullptr)
@@ -335,7 +336,7 @@ bool Monkey::pendantIsOn() const {
     return m_program->window().findChild<QAction*>(u"pendantAction"_s)->isChecked();
 }
 
-/// As somebody who wants to work: gains or parameters, the current on, and off it goes.
+/// Acts like a user who wants to work: gains or parameters, the current on, and then a motion.
 void Monkey::makeReady() {
     note("makes a motor ready");
     pressNamed({u"chainList"_s});
@@ -351,7 +352,7 @@ void Monkey::makeReady() {
     pressNamed({u"runForward"_s, u"runReverse"_s, u"RunForward"_s, u"RunReverse"_s, u"hold"_s, u"Hold"_s});
 }
 
-/// A window beside the main one, by its frame.
+/// Closes a window beside the main one, as its frame would.
 bool Monkey::closeSomething() {
     for (QWidget* window : windows())
         if (window->windowType() == Qt::Dialog) {
@@ -372,7 +373,8 @@ void Monkey::pressAnything() {
     press(spot, right ? Qt::RightButton : Qt::LeftButton, !right && lot < 5);
 }
 
-/// To the window that has the keyboard. `hold`: and stays on it; else one that is down comes up.
+/// Sends a key to the window that has the keyboard. `hold`: the key stays down; a key that is down is
+/// released.
 void Monkey::strikeKey(QKeyCombination key, bool hold) {
     if (QGuiApplication::focusWindow() == nullptr)
         return;
@@ -470,14 +472,14 @@ void Monkey::resizeWindow() {
     deliver([&] { m_program->window().resize(size); });
 }
 
-/// By mouse at the place of the button whatever is open, or by Esc wherever the keyboard is.
+/// By mouse, at the place of the button whatever is open, or by Esc, wherever the keyboard focus is.
 void Monkey::stopAll() {
     auto* button = m_program->window().findChild<QWidget*>(u"stopAllButton"_s);
     const bool byKey = below(2) == 0 && QGuiApplication::focusWindow() != nullptr;
     const QPoint at = center(button);
     const QWidget* there = QApplication::widgetAt(at);
     QWidget* popup = QApplication::activePopupWidget();
-    // Somebody has moved a window over it, or made the window too low for it: he knows.
+    // The user has moved a window over it, or made the window too low for it, and so knows.
     const bool covered = popup == nullptr && there != button;
     if (!byKey && covered)
         return;
@@ -494,7 +496,7 @@ void Monkey::stopAll() {
         QWindow* window = (popup != nullptr ? popup : &m_program->window())->windowHandle();
         const QPointer<QWindow> still(window);
         const QPoint local = window->mapFromGlobal(at);
-        // A popup has the pointer to itself wherever it is.
+        // A popup grabs the pointer wherever it is.
         QMouseEvent press(QEvent::MouseButtonPress, local, local, at, Qt::LeftButton, Qt::LeftButton, {});
         QApplication::sendEvent(window, &press);
         if (still == nullptr || popup != nullptr)
@@ -533,7 +535,7 @@ void Monkey::befall() {
     m_oath->fault(virtualtime::now() + lasts);
     if (m_strikes % kFaultsAtOnce == 0)
         m_chain.tell("fault clear");
-    // On the simulator's page they may have been told to follow the travel.
+    // On the simulator's page, they may have been set to follow the travel.
     if (QLatin1StringView(strike.line).contains("limit"_L1))
         m_chain.tell(inWords("set %1 limits manual"));
     m_chain.tell(inWords(strike.line));
@@ -548,7 +550,7 @@ void Monkey::inNestedLoop() {
     m_chain.run(kFrame);
     m_oath->look();
     m_oath->userActs(true);
-    // From the loop itself, which has something to do then.
+    // Runs in the loop itself, which then has something to do.
     QMetaObject::invokeMethod(
         this,
         [this] {

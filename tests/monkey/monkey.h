@@ -17,17 +17,17 @@ class QWindow;
 
 namespace nmc::monkey {
 
-/// Somebody who presses, types and turns at random, by mouse and keys as they come from the system; and
-/// whatever befalls line, modules and adapter meanwhile. The same seed does the same.
+/// A user who presses, types and turns the wheel at random, with mouse and keys as they come from the system,
+/// while anything may happen to line, modules and adapter. The same seed does the same.
 class Monkey : public QObject {
 public:
     explicit Monkey(std::uint64_t seed);
     ~Monkey() override;
 
-    /// One act, and some time. False when the oath is broken.
+    /// One act, and some time. Returns false if the oath is broken.
     bool act();
     [[nodiscard]] const Oath& oath() const { return *m_oath; }
-    /// What was done last, for whoever has to find out why.
+    /// The last acts, for anyone who has to find out why.
     [[nodiscard]] std::string story() const;
     [[nodiscard]] unsigned motions() const { return m_motions + m_oath->motions(); }
     [[nodiscard]] unsigned stopsInMotion() const { return m_stopsInMotion + m_oath->stopsInMotion(); }
@@ -40,7 +40,7 @@ private:
     void note(const std::string& what);
     [[nodiscard]] std::size_t below(std::size_t limit) { return m_random.below(limit); }
     [[nodiscard]] Duration milliseconds(std::size_t from, std::size_t to);
-    /// Delivers something of the user's.
+    /// Delivers an input of the user.
     template <typename Deliver>
     void deliver(Deliver deliver);
 
@@ -64,7 +64,7 @@ private:
     void stopAll();
     void freeze();
     void befall();
-    /// Something of Qt's own waits for an answer in an event loop of its own.
+    /// Qt waits for an answer in an event loop of its own.
     void inNestedLoop();
     [[nodiscard]] std::string state();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random users of the whole program (issue 14). NMC_MONKEY: how many acts of each seed; NMC_MONKEY_SEED: this
-// one only.
+// Random users of the whole program (issue 14). NMC_MONKEY: number of acts for each seed; NMC_MONKEY_SEED:
+// only this seed.
 #include <gtest/gtest.h>
 
 #include "tests/monkey/monkey.h"
@@ -16,7 +16,7 @@ int fromEnvironment(const char* name, int otherwise) {
     return value > 0 ? value : otherwise;
 }
 
-/// What all of them have met.
+/// Counts what the users have met.
 struct Met {
     unsigned motions = 0;
     unsigned stopsInMotion = 0;
@@ -51,7 +51,7 @@ TEST(Monkey, BreaksNothing) {
         met.stopsInMotion += one.stopsInMotion;
         met.strikes += one.strikes;
     }
-    // Or there was nothing to break.
+    // Otherwise there was nothing to break.
     EXPECT_GT(met.motions, 0U);
     EXPECT_GT(met.stopsInMotion, 0U);
     EXPECT_GT(met.strikes, 0U);

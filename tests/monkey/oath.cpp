@@ -16,16 +16,16 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// A motor that has not moved for so long is not on a way that has pauses.
+/// A motor that has not moved for this long is not merely in a pause of its motion.
 constexpr Duration kPauseAtMost = 5s;
-/// What was on its way to a module when it was stopped.
+/// Time for what was on its way to a module when it was stopped.
 constexpr Duration kOnTheWay = 500ms;
-/// What is late comes no later than this behind the end of a fault, and the link is believed again.
+/// Late replies arrive no later than this after the end of a fault, and the link is trusted again by then.
 constexpr Duration kSettled = 3s;
-/// A packet that is leaving, and the module's tick.
+/// Time for a packet that is being sent, and for the module's tick.
 constexpr Duration kAtOnce = 40ms;
 
-/// The menu bar has it for a while only, and gives it back.
+/// The widget that has the focus, except the menu bar, which gives it back after a while.
 const QWidget* placeOfFocus() {
     const QWidget* focus = QApplication::focusWidget();
     return focus != nullptr && focus->inherits("QMenuBar") ? nullptr : focus;
@@ -171,7 +171,7 @@ void Oath::checkStopPackets(const std::vector<Packet>& packets) {
         return false;
     }();
     if (m_stop->open && m_stop->judged && anyOn && link().phase == LinkPhase::Connected) {
-        // What has begun in the very moment of the press is on its way.
+        // What began at the very moment of the press is already on its way.
         const auto first = std::find_if(packets.begin(), packets.end(), [this](const Packet& packet) {
             return packet.time > m_stop->at ||
                    (packet.time == m_stop->at && packet.code() == CommandCode::StopMotor);
@@ -202,7 +202,7 @@ void Oath::checkMotors() {
         if (!moves && (stopped || now > motor.lastMoved + kPauseAtMost))
             motor.mayMove = false;
         if (link().phase != LinkPhase::Connected || m_chain.address(place) == 0)
-            motor.restDue.reset();  // the link has a word of its own for that
+            motor.restDue.reset();  // the link itself reports this
         if (motor.restDue && now > std::max(*motor.restDue, m_faultsUntil + kAtRestWithin)) {
             motor.restDue.reset();
             if (moves)
