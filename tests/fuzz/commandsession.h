@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Well-formed commands with any contents, the world around the modules, and time: what lies behind the sum.
-// No crash, no unbounded memory, the same history every time.
+// Well-formed commands with any contents, the world around the modules, and time: these reach what lies
+// behind the checksum. No crash, no unbounded memory, the same history every time.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace nmc::fuzz {
 
 using std::chrono::milliseconds;
 
-/// The fuzzer's bytes, one after the other; zeros behind the end.
+/// The fuzzer's bytes, one after the other; zeros after the end.
 class Input {
 public:
     explicit Input(nmc::ByteSpan bytes) : m_bytes(bytes) {}
@@ -46,7 +46,7 @@ public:
     Session(std::string_view chain, const Names& names)
         : m_chain(nmc::sim::parseChain(chain).value()), m_names(names) {}
 
-    /// Everything that was seen: what a host hears, and the answers to control lines.
+    /// Returns everything that was seen: what a host hears, and the answers to control lines.
     std::string run(nmc::ByteSpan bytes) {
         Input input(bytes);
         wait(20);  // past the dead time after power-up
@@ -93,7 +93,7 @@ private:
             default:
                 break;
         }
-        // Address, command byte, data; what the address is most often is one that exists.
+        // Address, command byte, data; the address is mostly one that exists.
         const std::uint8_t address = input.next();
         std::vector<std::uint8_t> body{address < 0xC0 ? static_cast<std::uint8_t>(address % 6) : address,
                                        input.next()};
@@ -122,8 +122,9 @@ private:
     std::string m_seen;
 };
 
-/// The same history every time. A step is two bytes or more; its answer at most 19 bytes from each module, or
-/// a line; then the states, and the violations, of which the log keeps so many and no more.
+/// The history must be the same every time. A step takes two bytes or more; its answer is at most 19 bytes
+/// from each module, or a line. Then come the states and the violations, of which the log keeps a limited
+/// number.
 template <typename Names>
 void runTwice(std::string_view chain, const Names& names, nmc::ByteSpan input) {
     if (input.size() > 1'000)

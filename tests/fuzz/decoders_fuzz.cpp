@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as a packet, as a payload and as a reply: nothing is read that is not there, and what was
-// understood encodes to what it was read from.
+// Any bytes as a packet, as a payload and as a reply: nothing is read beyond their end, and what was
+// understood is encoded as it was read.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +25,7 @@ constexpr std::array<nmc::ModuleIdentity, 6> kModules{{{nmc::ModuleType::Servo, 
                                                        {nmc::ModuleType::Io, 1},
                                                        {nmc::ModuleType::Stepper, 1}}};
 
-/// A word that is a point goes out as it came in, but for the sign of nothing.
+/// A word that is a point is encoded as it was decoded, except for the sign of zero.
 void expectWholePath(const nmc::ServoCommand& command) {
     const auto* add = std::get_if<nmc::servo::AddPathPoints>(&command);
     if (add == nullptr)

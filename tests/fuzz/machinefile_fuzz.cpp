@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as a machine file: what is read is the same after it was written, and what is written once stays
-// as it is; every other is refused with a line that is there.
+// Any bytes as a machine file: what was read is the same after it was written, and writing it again changes
+// nothing; anything else is refused with the number of an existing line.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as a packet log, and as packets: a log that is read is read the same again after it was written,
-// every other is refused with a sentence, and whatever the bytes are, something is said of them.
+// Any bytes as a packet log, and as packets: a log that was read is read the same again after it was written,
+// anything else is refused with a sentence, and whatever the bytes are, they are described.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

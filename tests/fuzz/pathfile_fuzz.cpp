@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as a path file: what is read keeps what its axes have to keep, and is the same after it was
-// written; every other is refused with lines that are there.
+// Any bytes as a path file: a path that was read respects the limits of its axes, and is the same after it
+// was written; anything else is refused with the numbers of existing lines.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -24,7 +24,7 @@ void require(bool condition) {
         std::abort();
 }
 
-/// X in millimetres and within limits, Y in counts and without any.
+/// X in millimetres with limits, Y in counts without any.
 std::vector<PathColumn> axes() {
     return {{"X", ModuleIndex(0), AxisScale::servo({UnitKind::Millimetres, kCountsPerMillimetre, {}}, 1),
              TravelRange{kLowest, kHighest}, kFastest},
@@ -36,7 +36,7 @@ std::int64_t longestSegment(servo::PathRate rate) {
     return rate == servo::PathRate::Hz30 ? 16'383 : rate == servo::PathRate::Hz60 ? 8'191 : 4'095;
 }
 
-/// Plain decimals without a rounding: a count is 0.005 mm.
+/// Plain decimals without rounding: a count is 0.005 mm.
 std::string cell(ModuleIndex module, std::int32_t counts) {
     if (module == ModuleIndex(1))
         return std::to_string(counts);

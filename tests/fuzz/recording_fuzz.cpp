@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as a recording: however they are cut, the same is read; what was read is the same after it was
-// written again; every other is refused with a line that is there.
+// Any bytes as a recording: the same is read however they are cut; what was read is the same after it was
+// written again; anything else is refused with the number of an existing line.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Without libFuzzer: gives the target every file of the corpus folder once. Crashes are what fails.
+// Without libFuzzer: gives the target every file of the corpus folder once. It fails by crashing.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

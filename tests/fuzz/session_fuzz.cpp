@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bytes decide what an operator does, what goes wrong with a simulated chain, and when: the engine keeps
-// the universal nevers of the fault catalogue (tests/faults/catalogue.md) whatever comes.
+// The bytes decide what an operator does, what goes wrong with a simulated chain, and when: whatever happens,
+// the engine observes the universal nevers of the fault catalogue (tests/faults/catalogue.md).
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -27,7 +27,7 @@ void expect(bool condition, const char* what) {
     std::abort();
 }
 
-/// The fuzzer's bytes, one after the other; zeros behind the end.
+/// The fuzzer's bytes, one after the other; zeros after the end.
 class Input {
 public:
     explicit Input(ByteSpan bytes) : m_bytes(bytes) {}
@@ -39,13 +39,13 @@ private:
     std::size_t m_at = 0;
 };
 
-/// What a line does to what can be asked of the engine afterwards.
+/// What a line affects, and therefore what can no longer be required of the engine.
 enum class Harm : std::uint8_t { None, Commands, Samples };
 struct FaultLine {
     const char* text;
     Harm harm;
 };
-/// No line lasts: what follows it is to be lived through as well.
+/// No line lasts: the engine has to survive what follows as well.
 constexpr std::array kFaultLines{
     FaultLine{"bus drop status p=.2 for=1s", Harm::None},
     FaultLine{"bus flip status p=.2 for=1s", Harm::None},
@@ -75,9 +75,9 @@ constexpr std::array kFaultLines{
     FaultLine{"module 1 definestat", Harm::Samples},
 };
 
-constexpr unsigned kAttempts = 3;  ///< retry table: a refused command is sent three times at most
+constexpr unsigned kAttempts = 3;  ///< retry table: a refused command is sent at most three times
 
-/// What was asked of one module since the connection began.
+/// What was requested of one module since the connection began.
 struct Asked {
     struct Count {
         unsigned asked = 0;
@@ -85,7 +85,7 @@ struct Asked {
     };
     std::map<std::vector<std::uint8_t>, Count> packets;  ///< by their exact bytes
     bool held = false;
-    bool on = false;  ///< has been on, or was told to be
+    bool on = false;  ///< has been on, or was commanded to be
 };
 
 class Session {
@@ -105,7 +105,7 @@ public:
         : m_input(input), m_bus(world.chain, world.baud, world.seed), m_asked(world.chain.size()) {
         if (m_bus.connectAndEnable() && Truth::spreadOut(m_bus))
             m_truth = std::make_unique<Truth>(m_bus);
-        // What was done to get here was asked for.
+        // What was done to get here was requested.
         newConnection();
         m_connecting = false;
         if (const auto chain = m_bus.last<ChainFound>())
@@ -145,7 +145,7 @@ private:
         m_stopPending = true;
     }
     void newConnection() {
-        // A stop that is under way goes on, so what is on is still there to be stopped.
+        // A stop that is under way continues, so what is on can still be stopped.
         for (Asked& asked : m_asked)
             asked = {{}, false, asked.on};
         m_connecting = true;
@@ -162,7 +162,7 @@ private:
     FaultyBus m_bus;
     std::unique_ptr<Truth> m_truth;
     std::vector<Asked> m_asked;
-    std::vector<std::uint64_t> m_starts;  ///< Start Motion asked for, since the session began
+    std::vector<std::uint64_t> m_starts;  ///< Start Motion commands requested since the session began
     std::vector<std::uint8_t> m_places;   ///< in the chain, of the modules that the engine has found
     bool m_connecting = true;
     bool m_stopPending = false;
@@ -172,7 +172,7 @@ private:
     std::size_t m_submitted = 0;
 };
 
-/// A faulty line may hide some modules of a chain: the engine's first one is then another.
+/// A faulty line may hide some modules of a chain: the engine's first module is then another one.
 void Session::found(const ChainFound& chain) {
     m_places.clear();
     for (const ModuleInfo& info : chain.modules) {
@@ -270,7 +270,7 @@ void Session::pass(Duration time) {
     forget();
 }
 
-/// N1, N2 and N6, from what the engine puts on the wire.
+/// N1, N2 and N6, checked on what the engine sends.
 void Session::checkSent() {
     for (const auto& sent : m_bus.sent)
         if (codeOf(sent.bytes))
@@ -296,7 +296,7 @@ void Session::checkPacket(const std::vector<std::uint8_t>& bytes) {
     const auto found = asked.packets.find(bytes);
     if (found == asked.packets.end())
         return expect(asked.held && code == CommandCode::LoadTrajectory, "N1: nobody asked for this command");
-    // A load that starts nothing may be repeated after silence as well; nine are the most.
+    // A load that starts nothing may be repeated after silence as well, nine times at most.
     const unsigned most = code == CommandCode::LoadTrajectory ? kAttempts * kAttempts : kAttempts;
     if (asked.held && code == CommandCode::LoadTrajectory)
         return;
@@ -304,13 +304,13 @@ void Session::checkPacket(const std::vector<std::uint8_t>& bytes) {
            "N6: repeated more often than the table allows");
 }
 
-/// N6, from what the modules have done: no start twice that was asked for once.
+/// N6, checked on what the modules have done: a start that was requested once is not carried out twice.
 void Session::checkExecuted() {
     if (m_commandsHarmed)
         return;
     for (std::uint8_t i = 0; i < m_starts.size(); ++i)
         expect(m_bus.executed(i, CommandCode::StartMotion) <= m_starts[i], "N6: a start carried out twice");
-    // A reset asked for while an answer is under way ends that as well.
+    // A requested reset may also cut off an answer that is under way.
     for (const sim::Violation& v : m_bus.chain.violations().entries())
         if (!m_anyFault && codeOf(ByteSpan(v.bytes)) != CommandCode::HardReset) {
             std::fprintf(stderr, "%s %s\n", std::string(sim::toText(v.kind)).c_str(), toHex(v.bytes).c_str());
@@ -320,7 +320,7 @@ void Session::checkExecuted() {
 
 /// N8.
 void Session::checkBounds(Duration time) {
-    constexpr double kEventsPerSecond = 6'000;  // some 700 exchanges, and what each may say
+    constexpr double kEventsPerSecond = 6'000;  // about 700 exchanges, and what each may report
     constexpr double kBytesPerSecond = 11'600;  // 115 200 Bd
     constexpr double kSome = 400;
     const double seconds = toSeconds(time);
@@ -370,7 +370,7 @@ void Session::forget() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size > 200)
         return 0;                            // longer inputs find nothing new and are slow
-    GTEST_FLAG_SET(throw_on_failure, true);  // VirtualBus tells of trouble in gtest's way
+    GTEST_FLAG_SET(throw_on_failure, true);  // VirtualBus reports trouble in gtest's way
     nmc::test::Input input({data, size});
     nmc::test::Session(input).run();
     return 0;
