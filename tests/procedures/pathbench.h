@@ -25,7 +25,6 @@ public:
     }
 
     std::vector<std::vector<double>> ticks;  ///< command positions of each module since its path started
-    std::vector<double> least;               ///< points left while its path ran
 
     /// Makes all modules hold, with an acceleration loaded in each.
     [[nodiscard]] bool hold(std::optional<bool> fastPath = {}) {
