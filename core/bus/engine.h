@@ -247,7 +247,7 @@ private:
     Recovery m_recovery{m_chain, m_line, m_events};
     StopLane m_stops{m_chain, m_recovery, m_line, m_events};
     RestartSearch m_restartSearch{m_chain, m_recovery, m_line, m_events};
-    SearchTask m_search{m_events};
+    SearchTask m_search{m_line, m_events};
     RateTask m_rate{m_config, m_chain, m_events};
     WayBack m_wayBack{m_rate, m_chain, m_stops, m_recovery, m_line};
     ReaddressTask m_readdress{m_config, m_chain, m_restartSearch, m_line, m_events};

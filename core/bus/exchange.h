@@ -89,6 +89,7 @@ struct Request {
     Payload payload;
     ReplyLayout reply;
     Framing framing = Framing::Settled;
+    Duration patience{};  ///< how much longer than usual to wait for the reply
 };
 
 /// The result of a request.

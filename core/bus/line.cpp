@@ -26,7 +26,7 @@ void Line::begin(const Request& request, TimePoint now) {
     Pending pending{request.reply, request.framing, packet.size(), now, {}, {}, {}, {}};
     // For an open reply, the first bytes must arrive in time; it then lasts as long as bytes arrive.
     const std::size_t first = request.framing == Framing::Open ? kMinReply : pending.wanted();
-    m_lastTimeout = m_timing.timeout(packet.size(), first);
+    m_lastTimeout = m_timing.timeout(packet.size(), first) + request.patience;
     pending.left = start + m_timing.bytes(packet.size());
     pending.deadline = start + m_lastTimeout;
     m_pending = pending;

@@ -7,6 +7,7 @@ void SearchTask::begin(const EngineConfig& config, Discovery::Start start) {
     m_config = config;
     m_start = start;
     m_ended.reset();
+    m_failures = 0;
     m_givesAddresses = false;
     m_discovery.emplace(m_config, m_start);
 }
@@ -26,13 +27,29 @@ Next SearchTask::next(TimePoint /*now*/) {
     reportProgress();
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);
-    if (auto* ask = std::get_if<Ask>(&next))
+    if (auto* ask = std::get_if<Ask>(&next)) {
+        if (m_failures > 0)
+            ask->request.patience = kPatience;
         return std::move(*ask);
+    }
     if (auto* found = std::get_if<ChainFound>(&next))
         end(std::move(*found));
+    else if (auto& failed = std::get<ConnectFailed>(next); repeats(failed))
+        m_discovery.emplace(m_config, m_start);
     else
-        end(std::get<ConnectFailed>(std::move(next)));
+        end(std::move(failed));
     return Again{};
+}
+
+bool SearchTask::repeats(const ConnectFailed& failed) {
+    using enum ConnectFailure;
+    if (m_discovery->givesAddresses() || failed.reason == Unaddressed || failed.reason == RateChange)
+        return false;
+    // Bytes outside of an exchange may be answers that came too late, unless they are an echo.
+    const bool heard = m_line.statistics().staleBytes > 0 && !m_line.echoes();
+    if (failed.reason == NobodyAnswers && !heard)
+        return false;
+    return ++m_failures < kAttempts;
 }
 
 Line::Script SearchTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimePoint /*now*/) {

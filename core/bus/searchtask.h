@@ -11,10 +11,18 @@
 
 namespace nmc::bus {
 
-/// Searches for the chain (discovery.h). The engine takes what was found, or why nothing was.
+/// Searches for the chain (discovery.h). The engine takes what was found, or why nothing was. A search that
+/// fails because answers were wrong or late is repeated with more patience, as long as it has changed
+/// nothing: the line may have been disturbed, or this computer busy, for a moment.
 class SearchTask : public Task {
 public:
-    explicit SearchTask(std::vector<Event>& events) : m_events(events) {}
+    /// Number of searches until such a failure is reported.
+    static constexpr unsigned kAttempts = 3;
+    /// How much longer than usual a repeated search waits for each answer: what a scheduler needs on a busy
+    /// computer.
+    static constexpr Duration kPatience = std::chrono::milliseconds(50);
+
+    SearchTask(const Line& line, std::vector<Event>& events) : m_line(line), m_events(events) {}
 
     void begin(const EngineConfig& config, Discovery::Start start);
     /// It has begun to assign addresses, and continues with that.
@@ -41,12 +49,15 @@ public:
 
 private:
     void reportProgress();
+    [[nodiscard]] bool repeats(const ConnectFailed& failed);
     void end(Result result);
 
+    const Line& m_line;
     std::vector<Event>& m_events;
     EngineConfig m_config;
     Discovery::Start m_start = Discovery::Start::Look;
     std::optional<Discovery> m_discovery;
+    unsigned m_failures = 0;
     bool m_givesAddresses = false;  ///< the first address has been assigned; until taken, once per search
     std::optional<Ended> m_ended;
 };

@@ -92,6 +92,25 @@ TEST(Attach, ForbidsATrapezoidalMoveUntilAStopWasAnswered) {
     bus.expectNoViolations();
 }
 
+/// Whether the line was disturbed or this computer was busy: the operator need not connect again.
+TEST(Attach, SearchesAgainWhenAModuleFallsSilentForAMoment) {
+    constexpr std::uint8_t kReadStatus = 0x13;
+    for (const int lost : {3, 6}) {  // a query is sent three times in each search
+        LeftBehind left(1, 19'200);
+        VirtualBus& bus = left.bus;
+        int silences = 0;
+        bus.losesReply = [&](ByteSpan command) { return command[2] == kReadStatus && silences++ < lost; };
+        ASSERT_TRUE(bus.connect()) << lost;
+        EXPECT_EQ(bus.count<ConnectFailed>(), 0U);
+        EXPECT_NEAR(left.commandVelocity(), 1.0, 0.01);
+    }
+    LeftBehind left(1, 19'200);
+    left.bus.losesReply = [&](ByteSpan command) { return command[2] == kReadStatus; };
+    EXPECT_FALSE(left.bus.connect());
+    EXPECT_EQ(left.bus.last<ConnectFailed>()->reason, ConnectFailure::Garbled);
+    EXPECT_EQ(left.bus.count<ConnectFailed>(), 1U);
+}
+
 /// At velocity 0 in velocity mode, a servo reports move_done; the new host cannot distinguish this from a
 /// move that has ended.
 TEST(Attach, ForbidsATrapezoidalMoveOfAServoThatHolds) {

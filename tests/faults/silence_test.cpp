@@ -2,6 +2,8 @@
 // F-10 to F-14, F-18 to F-20: there is no answer, or a late one, or always the same one.
 #include <gtest/gtest.h>
 
+#include <ranges>
+
 #include "tests/faults/faultybus.h"
 #include "tests/faults/truth.h"
 
@@ -204,6 +206,21 @@ TEST(F13_LateReply, IsNeverTakenForTheAnswerToTheNextCommand) {
     EXPECT_GT(bus.struck(), 100U);
     EXPECT_GT(bus.engine.statistics().staleBytes, 500U) << "late bytes are counted as such";
     truth.expectAllTrue();
+}
+
+/// As on a busy computer: replies to a search are late, one in four by up to twice the time-out, so that one
+/// in six comes too late.
+TEST(F13_LateReply, HidesNoChain) {
+    for (const std::uint64_t seed : std::views::iota(std::uint64_t{1}, std::uint64_t{101})) {
+        SCOPED_TRACE(seed);
+        FaultyBus bus(servos(1 + seed % 3), kPowerUpBaud, seed);
+        ASSERT_TRUE(bus.connect());
+        bus.newHost();
+        bus.fault("bus delay status p=.25 t=10ms..36ms");
+        ASSERT_TRUE(bus.connect());
+        EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 1 + seed % 3);
+        EXPECT_TRUE(bus.last<ChainFound>()->attached);
+    }
 }
 
 TEST(F14_ReplyLaterThanTheQuarantine, IsHardlyEverBelievedAndPermitsNothing) {
