@@ -2,12 +2,12 @@
 #include <QApplication>
 #include <QLoggingCategory>
 #include <QProxyStyle>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QTextStream>
 
 #include "app/commandline.h"
 #include "app/composition.h"
+#include "app/panelsettings.h"
 #include "app/translations.h"
 #include "app/unixsignals.h"
 #include "link/connection/crashburst.h"
@@ -62,7 +62,7 @@ void logStart(const nmc::Translations& translations) {
 
 int main(int argc, char** argv) {
     nameApplication();
-    QSettings settings;
+    nmc::PanelSettings settings;
     const QLocale locale = nmc::languages::localeOf(settings.value(nmc::languages::kSetting).toString());
     QLocale::setDefault(locale);
     nmc::Translations translations;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSettings>
+
+namespace nmc {
+
+/// The settings of the program. QSettings waits, in the GUI thread, for the lock that another panel holds
+/// while it writes the same file; a panel that was killed in that moment leaves a lock which it honours for
+/// half a minute. Here such a lock counts for a second, and while it does, writing is put off. GUI thread.
+class PanelSettings : public QSettings {
+    Q_OBJECT
+
+public:
+    /// In the user's file.
+    PanelSettings() = default;
+    /// In this file, in the INI format.
+    explicit PanelSettings(const QString& file) : QSettings(file, QSettings::IniFormat) {}
+    ~PanelSettings() override;
+
+protected:
+    bool event(QEvent* event) override;
+
+private:
+    /// True if the file can be written now. Waits for this long.
+    [[nodiscard]] bool isFree(int milliseconds) const;
+};
+
+}  // namespace nmc

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Settings beside a panel that was killed while it wrote them; in real time, because file times are.
+#include "app/panelsettings.h"
+
+#include <gtest/gtest.h>
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace nmc {
+namespace {
+
+class KilledWhileWriting : public testing::Test {
+protected:
+    KilledWhileWriting() { EXPECT_TRUE(QFile(m_file + QStringLiteral(".lock")).open(QFile::WriteOnly)); }
+
+    /// Not by QSettings, which would write first what this process has not written yet.
+    [[nodiscard]] bool isWritten() const {
+        QFile file(m_file);
+        return file.open(QFile::ReadOnly) && file.readAll().contains("speed=4");
+    }
+    QTemporaryDir m_folder;
+    QString m_file = m_folder.filePath(QStringLiteral("panel.ini"));
+};
+
+/// QSettings would wait for 30 s.
+TEST_F(KilledWhileWriting, TheProgramEndsAllTheSame) {
+    QElapsedTimer time;
+    time.start();
+    {
+        PanelSettings settings(m_file);
+        settings.setValue(QStringLiteral("speed"), QStringLiteral("4"));
+    }
+    EXPECT_LT(time.elapsed(), 15'000);
+    EXPECT_TRUE(isWritten());
+}
+
+TEST_F(KilledWhileWriting, TheWindowDoesNotWaitForTheLock) {
+    PanelSettings settings(m_file);
+    settings.setValue(QStringLiteral("speed"), QStringLiteral("4"));
+    QElapsedTimer time;
+    time.start();
+    QCoreApplication::sendPostedEvents(&settings);
+    EXPECT_LT(time.elapsed(), 15'000);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return isWritten(); }, 20'000));
+}
+
+}  // namespace
+}  // namespace nmc
