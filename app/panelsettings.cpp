@@ -12,12 +12,21 @@ namespace {
 
 /// Writing takes some milliseconds: whoever holds the lock for longer has died.
 constexpr int kStale = 1'000;
+constexpr int kLongest = 2 * kStale;
 constexpr int kTryAgain = 300;
 
 }  // namespace
 
+PanelSettings::PanelSettings() {
+    (void)isFree(kLongest);
+}
+
+PanelSettings::PanelSettings(const QString& file) : QSettings(file, QSettings::IniFormat) {
+    (void)isFree(kLongest);
+}
+
 PanelSettings::~PanelSettings() {
-    (void)isFree(2 * kStale);
+    (void)isFree(kLongest);
 }
 
 bool PanelSettings::event(QEvent* event) {

@@ -6,16 +6,17 @@
 namespace nmc {
 
 /// The settings of the program. QSettings waits, in the GUI thread, for the lock that another panel holds
-/// while it writes the same file; a panel that was killed in that moment leaves a lock which it honours for
-/// half a minute. Here such a lock counts for a second, and while it does, writing is put off. GUI thread.
+/// while it writes the same file, and honours the lock of a panel that was killed in that moment for half a
+/// minute. Here such a lock counts for a second: at the start and at the end, this waits for it, and in
+/// between, writing is put off. GUI thread.
 class PanelSettings : public QSettings {
     Q_OBJECT
 
 public:
     /// In the user's file.
-    PanelSettings() = default;
+    PanelSettings();
     /// In this file, in the INI format.
-    explicit PanelSettings(const QString& file) : QSettings(file, QSettings::IniFormat) {}
+    explicit PanelSettings(const QString& file);
     ~PanelSettings() override;
 
 protected:

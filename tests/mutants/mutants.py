@@ -138,6 +138,9 @@ COMMANDS = (
 )
 
 LOSING = (
+    Mutant("one-search-only", "link.md 2.9: late answers hide no chain", (
+        Edit("core/bus/searchtask.h", "kAttempts = 3;", "kAttempts = 1;"),
+    )),
     Mutant("silent-module-at-the-full-rate", "faults.md F-10: a silent module is queried rarely", (
         Edit("core/bus/pollschedule.cpp",
              "    if (!m_lastProbe)\n        return module.due;\n",
