@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QEvent>
+#include <QFile>
 #include <QLockFile>
 #include <QTimer>
 
@@ -10,7 +11,7 @@ namespace nmc {
 
 namespace {
 
-/// Writing takes some milliseconds: whoever holds the lock for longer has died.
+/// Writing takes some milliseconds: a panel that holds the lock for longer has died.
 constexpr int kStale = 1'000;
 constexpr int kLongest = 2 * kStale;
 constexpr int kTryAgain = 300;
@@ -18,29 +19,32 @@ constexpr int kTryAgain = 300;
 }  // namespace
 
 PanelSettings::PanelSettings() {
-    (void)isFree(kLongest);
+    (void)isLocked(kLongest);
 }
 
 PanelSettings::PanelSettings(const QString& file) : QSettings(file, QSettings::IniFormat) {
-    (void)isFree(kLongest);
+    (void)isLocked(kLongest);
 }
 
 PanelSettings::~PanelSettings() {
-    (void)isFree(kLongest);
+    (void)isLocked(kLongest);
 }
 
 bool PanelSettings::event(QEvent* event) {
-    if (event->type() != QEvent::UpdateRequest || isFree(0))
+    if (event->type() != QEvent::UpdateRequest || !isLocked(0))
         return QSettings::event(event);
     QTimer::singleShot(kTryAgain, this,
                        [this] { QCoreApplication::postEvent(this, new QEvent(QEvent::UpdateRequest)); });
     return true;
 }
 
-bool PanelSettings::isFree(int milliseconds) const {
-    QLockFile lock(fileName() + QStringLiteral(".lock"));
+bool PanelSettings::isLocked(int milliseconds) const {
+    const QString name = fileName() + QStringLiteral(".lock");
+    if (!QFile::exists(name))
+        return false;
+    QLockFile lock(name);
     lock.setStaleLockTime(kStale);
-    return lock.tryLock(milliseconds);
+    return !lock.tryLock(milliseconds) && lock.error() == QLockFile::LockFailedError;
 }
 
 }  // namespace nmc

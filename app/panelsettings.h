@@ -23,8 +23,8 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    /// True if the file can be written now. Waits for this long.
-    [[nodiscard]] bool isFree(int milliseconds) const;
+    /// True if another panel still holds the lock after this time.
+    [[nodiscard]] bool isLocked(int milliseconds) const;
 };
 
 }  // namespace nmc

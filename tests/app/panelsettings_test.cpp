@@ -61,5 +61,14 @@ TEST_F(KilledWhileWriting, TheWindowDoesNotWaitForTheLock) {
     EXPECT_TRUE(QTest::qWaitFor([this] { return isWritten(); }, 20'000));
 }
 
+/// Otherwise the panel would put writing off for ever, and say nothing.
+TEST_F(KilledWhileWriting, APlaceThatCannotBeWrittenIsReported) {
+    EXPECT_TRUE(QFile(m_file).open(QFile::WriteOnly));
+    PanelSettings settings(m_file + QStringLiteral("/within-a-file.ini"));
+    settings.setValue(QStringLiteral("speed"), QStringLiteral("4"));
+    QCoreApplication::sendPostedEvents(&settings);
+    EXPECT_EQ(settings.status(), QSettings::AccessError);
+}
+
 }  // namespace
 }  // namespace nmc
