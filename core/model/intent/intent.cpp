@@ -76,17 +76,14 @@ struct Planner {
     }
 
     Plan operator()(const intent::Move& move) const {
-        const auto* wanted = std::get_if<ServoMotion>(&move.motion);
-        if (wanted == nullptr)
-            return tl::unexpected(Refusal::NotAStepper);
-        const ServoMotion motion = withinTravel(*wanted, module);
-        if (const auto refusal = std::visit(Lacking{}, motion))
-            return tl::unexpected(*refusal);
-        const bool ends = std::holds_alternative<servomotion::Trapezoid>(motion);
-        if (ends && motion.index() != wanted->index() && module.moving())
+        const auto motion = bounded(move.motion);
+        if (!motion)
+            return tl::unexpected(motion.error());
+        const bool ends = std::holds_alternative<servomotion::Trapezoid>(*motion);
+        if (ends && motion->index() != std::get<ServoMotion>(move.motion).index() && module.moving())
             return tl::unexpected(Refusal::RunNeedsStop);
         return allowed(ends ? IntentKind::Move : IntentKind::Run, module,
-                       [&] { return stepsFor(module, loadFor(motion), StartMotion{}); });
+                       [&] { return stepsFor(module, loadFor(*motion), StartMotion{}); });
     }
 
     Plan operator()(const intent::GoHome& goHome) const {
@@ -96,13 +93,10 @@ struct Planner {
     }
 
     Plan operator()(const intent::LoadMove& load) const {
-        const auto* wanted = std::get_if<ServoMotion>(&load.motion);
-        if (wanted == nullptr)
-            return tl::unexpected(Refusal::NotAStepper);
-        const ServoMotion motion = withinTravel(*wanted, module);
-        if (const auto refusal = std::visit(Lacking{}, motion))
-            return tl::unexpected(*refusal);
-        return allowed(IntentKind::Load, module, [&] { return stepsFor(module, loadFor(motion)); });
+        const auto motion = bounded(load.motion);
+        if (!motion)
+            return tl::unexpected(motion.error());
+        return allowed(IntentKind::Load, module, [&] { return stepsFor(module, loadFor(*motion)); });
     }
 
     Plan operator()(const intent::StartLoaded&) const {
@@ -234,6 +228,16 @@ private:
             return move.acceleration.value() == 0 ? std::optional(Refusal::NoAcceleration) : std::nullopt;
         }
     };
+    /// The motion as it may be sent: within the travel limits, and with nothing lacking.
+    [[nodiscard]] tl::expected<ServoMotion, Refusal> bounded(const MotionSpec& wanted) const {
+        const auto* servo = std::get_if<ServoMotion>(&wanted);
+        if (servo == nullptr)
+            return tl::unexpected(Refusal::NotAStepper);
+        const ServoMotion motion = withinTravel(*servo, module);
+        if (const auto refusal = std::visit(Lacking{}, motion))
+            return tl::unexpected(*refusal);
+        return motion;
+    }
     [[nodiscard]] static servo::LoadTrajectory loadFor(const ServoMotion& motion) {
         servo::LoadTrajectory load;
         std::visit(

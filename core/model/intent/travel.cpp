@@ -43,18 +43,23 @@ struct Course {
     bool turns = false;                  ///< takes up backlash, if the axis has any
 };
 
-/// The speed of a motion, and its direction if it has no end.
+/// The effect of a motion, or of a load once it is started.
 [[nodiscard]] Course courseOf(const ServoMotion& motion, const ModuleState& /*module*/) {
     Course course{.velocity = std::visit([](const auto& any) { return native(any.velocity); }, motion)};
     if (const auto* run = std::get_if<servomotion::VelocityProfile>(&motion))
         course.reverse = run->reverse;
     return course;
 }
-[[nodiscard]] Course courseOf(const StepperMotion& motion, const ModuleState& module) {
-    Course course{.velocity = speedOf(motion, module)};
-    if (!goalOf(motion, 0))
-        course.reverse = wantsReverse(motion, module);
+[[nodiscard]] Course courseOf(const stepper::LoadTrajectory& load, const ModuleState& module) {
+    Course course{.velocity = speedOf(load, module)};
+    if (load.position)
+        course.goal = load.position->value();
+    else
+        course.reverse = load.reverse;
     return course;
+}
+[[nodiscard]] Course courseOf(const StepperMotion& motion, const ModuleState& module) {
+    return courseOf(loadFor(motion, module), module);
 }
 
 struct CourseOf {
@@ -183,14 +188,6 @@ private:
         course.goal = load.position->value();
     if (load.servo)
         course.velocity = native(load.velocity.value_or(CountsPerTick()));
-    return course;
-}
-[[nodiscard]] Course courseOf(const stepper::LoadTrajectory& load, const ModuleState& module) {
-    Course course{.velocity = speedOf(load, module)};
-    if (load.position)
-        course.goal = load.position->value();
-    else
-        course.reverse = load.reverse;
     return course;
 }
 
