@@ -2,7 +2,6 @@
 #include "widgets/panels/travelbox.h"
 
 #include <QComboBox>
-#include <QGridLayout>
 #include <QLabel>
 #include <QPointer>
 #include <QSignalBlocker>
@@ -11,9 +10,8 @@
 #include "model/machinefile/machinelayout.h"
 #include "model/module/servodefaults.h"
 #include "widgets/common/askdialog.h"
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/quantityfield.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -22,30 +20,23 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+constexpr int kDigits = 8;  // width of each field
+}  // namespace
+
 TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(tr("Travel and speed limits"), parent), m_context(context) {
     look::name(this, named(u"travelBox"_s), tr("Travel and speed limits"));
-    const int unit = look::gridUnit(this);
-    auto* grid = new FoldingGrid(this);
-    grid->setHorizontalSpacing(unit / 2);
-    grid->setVerticalSpacing(unit / 2);
+    auto* grid = new FormGrid(this, 5, {.around = 1, .across = 0.5, .down = 0.5});
     buildLimit(grid, Lowest);
     buildLimit(grid, Highest);
-    buildFastest(grid, 2);
-    m_state = new QLabel(this);
-    look::nameText(m_state, named(u"travelState"_s), tr("State of the travel limits"));
-    m_hint = new QLabel(this);
-    m_hint->setObjectName(named(u"travelHint"_s));
-    for (QuantityField* field : {m_limits[Lowest], m_limits[Highest], m_fastest})
-        field->setDigits(8);
-    for (QLabel* label : {m_state, m_hint}) {
-        label->setWordWrap(true);
-        label->setTextFormat(Qt::PlainText);
-    }
-    buildBacklash(grid, 3);
-    grid->addWidget(m_hint, 4, 0, 1, 5);
-    grid->addWidget(m_state, 5, 0, 1, 5);
-    buildWord(grid, 6);
+    buildFastest(grid);
+    buildBacklash(grid);
+    m_hint = form::newParagraph(named(u"travelHint"_s), {}, this);
+    m_state = form::newParagraph(named(u"travelState"_s), tr("State of the travel limits"), this);
+    grid->addWide(m_hint);
+    grid->addWide(m_state);
+    buildWord(grid);
     grid->setColumnStretch(3, 1);
     m_context.whenSeen(this, [this] { showModule(); });
 }
@@ -54,17 +45,19 @@ QString TravelBox::named(const QString& name) const {
     return look::nameFor(m_context.state().info.identity.type, name);
 }
 
-void TravelBox::buildLimit(QGridLayout* grid, Limit limit) {
+void TravelBox::buildLimit(FormGrid* grid, Limit limit) {
     const bool lowest = limit == Lowest;
-    auto* field = new QuantityField(QuantityField::Kind::Position, this);
-    field->setName(named(lowest ? u"lowestField"_s : u"highestField"_s),
-                   lowest ? tr("Lowest position") : tr("Highest position"));
-    field->setQuantity(lowest ? tr("Lowest position") : tr("Highest position"));
-    field->setNativeRange(layout::kPlace.min, layout::kPlace.max);
-    field->setNativeStep(100);
-    field->setMeaning(tr("Counted from home. No motion passes it while home is known. Empty: no limit."));
-    auto* label = new QLabel(lowest ? tr("Lowest position") : tr("Highest position"), this);
-    label->setBuddy(field);
+    const QString name = lowest ? tr("Lowest position") : tr("Highest position");
+    QuantityField* field = form::newQuantity(
+        {.kind = QuantityField::Kind::Position,
+         .name = named(lowest ? u"lowestField"_s : u"highestField"_s),
+         .accessible = name,
+         .min = layout::kPlace.min,
+         .max = layout::kPlace.max,
+         .step = 100,
+         .digits = kDigits,
+         .meaning = tr("Counted from home. No motion passes it while home is known. Empty: no limit.")},
+        this);
     m_limits[limit] = field;
     m_here[limit] = new Command({.name = named(lowest ? u"lowestHereButton"_s : u"highestHereButton"_s),
                                  .icon = {},
@@ -72,54 +65,45 @@ void TravelBox::buildLimit(QGridLayout* grid, Limit limit) {
                                  .accessible = lowest ? tr("Here: make the present position the lowest")
                                                       : tr("Here: make the present position the highest")},
                                 this, [this, limit] { takePosition(limit); });
-    const int line = static_cast<int>(limit);
-    grid->addWidget(label, line, 0);
-    grid->addWidget(field, line, 1);
-    grid->addWidget(field->unitLabel(), line, 2);
-    grid->addWidget(field->otherView(), line, 3);
-    grid->addWidget(m_here[limit]->button(), line, 4);
+    grid->addRow(name, field, {m_here[limit]->button()});
     connect(field, &QuantityField::nativeEdited, this, &TravelBox::refresh);
     // Only when editing has finished: a limit is in force at once and stops a motor beyond it, which half of
     // a number must not do.
     connect(field, &QuantityField::editingFinished, this, &TravelBox::keep);
 }
 
-void TravelBox::buildFastest(QGridLayout* grid, int line) {
-    m_fastest = new QuantityField(QuantityField::Kind::Velocity, this);
-    m_fastest->setName(named(u"fastestField"_s), tr("Highest velocity"));
-    m_fastest->setQuantity(tr("Highest velocity"));
-    m_fastest->setMeaning(tr("Limits moves, runs, steps, jog and homing. Empty: the module's maximum."));
-    auto* label = new QLabel(tr("Highest velocity"), this);
-    label->setBuddy(m_fastest);
-    grid->addWidget(label, line, 0);
-    grid->addWidget(m_fastest, line, 1);
-    grid->addWidget(m_fastest->unitLabel(), line, 2);
-    grid->addWidget(m_fastest->otherView(), line, 3);
+void TravelBox::buildFastest(FormGrid* grid) {
+    m_fastest = form::newQuantity(
+        {.kind = QuantityField::Kind::Velocity,
+         .name = named(u"fastestField"_s),
+         .accessible = tr("Highest velocity"),
+         .digits = kDigits,
+         .meaning = tr("Limits moves, runs, steps, jog and homing. Empty: the module's maximum.")},
+        this);
+    grid->addRow(tr("Highest velocity"), m_fastest);
     connect(m_fastest, &QuantityField::nativeEdited, this, &TravelBox::refresh);
     connect(m_fastest, &QuantityField::editingFinished, this, &TravelBox::keep);
 }
 
-void TravelBox::buildBacklash(QGridLayout* grid, int line) {
-    m_backlash = new QuantityField(QuantityField::Kind::Distance, this);
-    m_backlash->setName(named(u"backlashField"_s), tr("Backlash"));
-    m_backlash->setQuantity(tr("Backlash"));
-    m_backlash->setDigits(8);
-    m_backlash->setNativeRange(1, layout::kPlace.max);
-    m_backlash->setMeaning(tr(
-        "Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none."));
-    m_side = new QComboBox(this);
-    look::name(m_side, named(u"backlashSideBox"_s), tr("Approach direction of every goal"));
-    m_side->addItem(tr("from below"), false);
-    m_side->addItem(tr("from above"), true);
-    m_side->setToolTip(
-        tr("Go to, Go home and Step approach their goal from this side. A loaded move goes straight."));
-    auto* label = new QLabel(tr("Backlash"), this);
-    label->setBuddy(m_backlash);
-    grid->addWidget(label, line, 0);
-    grid->addWidget(m_backlash, line, 1);
-    grid->addWidget(m_backlash->unitLabel(), line, 2);
-    grid->addWidget(m_backlash->otherView(), line, 3);
-    grid->addWidget(m_side, line, 4);
+void TravelBox::buildBacklash(FormGrid* grid) {
+    m_backlash = form::newQuantity(
+        {.kind = QuantityField::Kind::Distance,
+         .name = named(u"backlashField"_s),
+         .accessible = tr("Backlash"),
+         .min = 1,
+         .max = layout::kPlace.max,
+         .digits = kDigits,
+         .meaning = tr(
+             "Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none.")},
+        this);
+    m_side = form::newChoice(
+        {.name = named(u"backlashSideBox"_s),
+         .accessible = tr("Approach direction of every goal"),
+         .options = {{tr("from below"), false}, {tr("from above"), true}},
+         .meaning =
+             tr("Go to, Go home and Step approach their goal from this side. A loaded move goes straight.")},
+        this);
+    grid->addRow(tr("Backlash"), m_backlash, {m_side});
     connect(m_backlash, &QuantityField::nativeEdited, this, &TravelBox::keepBacklash);
     connect(m_side, &QComboBox::currentIndexChanged, this, &TravelBox::keepBacklash);
 }
@@ -134,7 +118,7 @@ void TravelBox::keepBacklash() {
     refresh();
 }
 
-void TravelBox::buildWord(QGridLayout* grid, int line) {
+void TravelBox::buildWord(FormGrid* grid) {
     m_declare = new Command({.name = named(u"declarePositionButton"_s),
                              .icon = {},
                              .text = tr("Confirm position…"),
@@ -145,12 +129,7 @@ void TravelBox::buildWord(QGridLayout* grid, int line) {
                            .text = tr("Position in doubt"),
                            .accessible = tr("Position in doubt: it may be wrong")},
                           this, [this] { m_context.ask(intent::DeclarePosition{false}); });
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(look::gridUnit(this));
-    buttons->addStretch(1);
-    buttons->addWidget(m_doubt->button());
-    buttons->addWidget(m_declare->button());
-    grid->addLayout(buttons, line, 0, 1, 5);
+    grid->addWide(form::newLine(this, {nullptr, m_doubt->button(), m_declare->button()}));
 }
 
 /// On a reversed axis, the lowest position is the chip's highest.
@@ -236,8 +215,7 @@ void TravelBox::showModule() {
     const AxisScale scale = m_context.scale();
     const bool turned = scale.reversed() != m_fastest->scale().reversed();
     for (QuantityField* field : {m_limits[Lowest], m_limits[Highest], m_fastest, m_backlash})
-        if (field != nullptr)
-            field->setScale(scale);
+        field->setScale(scale);
     const bool steps = m_context.state().isStepper();
     m_fastest->setNativeRange(steps ? 1.0 : servodefaults::kSmallest,
                               steps ? layout::kMaxStepSpeed : servodefaults::kLargest);
@@ -250,7 +228,7 @@ void TravelBox::showModule() {
         m_shown = travel;
     }
     const BacklashSettings& backlash = m_context.settings().backlash;
-    if (m_backlash != nullptr && (m_shownBacklash != backlash || turned)) {
+    if (m_shownBacklash != backlash || turned) {
         showField(*m_backlash, backlash.distance > 0 ? std::optional(backlash.distance) : std::nullopt);
         const QSignalBlocker blocker(m_side);
         m_side->setCurrentIndex(m_context.chipReverse(backlash.fromAbove) ? 1 : 0);
@@ -262,11 +240,9 @@ void TravelBox::showModule() {
 void TravelBox::refresh() {
     const ModuleState& module = m_context.state();
     QString hint;
-    for (const QuantityField* field : {m_limits[Lowest], m_limits[Highest], m_fastest})
+    for (const QuantityField* field : {m_limits[Lowest], m_limits[Highest], m_fastest, m_backlash})
         if (hint.isEmpty() && !usable(*field))
             hint = field->problemText();
-    if (hint.isEmpty() && m_backlash != nullptr && !usable(*m_backlash))
-        hint = m_backlash->problemText();
     if (hint.isEmpty() && crossed())
         hint = tr("The lowest position must be below the highest. The old value is kept.");
     if (hint.isEmpty() && homeIsOutOfReach())

@@ -7,12 +7,12 @@
 #include "widgets/panels/modulecontext.h"
 
 class QComboBox;
-class QGridLayout;
 class QLabel;
 
 namespace nmc {
 
 class Command;
+class FormGrid;
 class QuantityField;
 
 /// How far and how fast an axis may go (model/intent/travel.h): its travel limits, counted from home, whether
@@ -28,11 +28,11 @@ private:
     enum Limit : std::size_t { Lowest, Highest };
 
     [[nodiscard]] QString named(const QString& name) const;
-    void buildLimit(QGridLayout* grid, Limit limit);
-    void buildFastest(QGridLayout* grid, int line);
-    void buildBacklash(QGridLayout* grid, int line);
+    void buildLimit(FormGrid* grid, Limit limit);
+    void buildFastest(FormGrid* grid);
+    void buildBacklash(FormGrid* grid);
     void keepBacklash();
-    void buildWord(QGridLayout* grid, int line);
+    void buildWord(FormGrid* grid);
     [[nodiscard]] std::optional<std::int32_t>& of(TravelSettings& travel, Limit limit) const;
     /// True if the field is empty or has a number within its range.
     [[nodiscard]] static bool usable(const QuantityField& field);

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/form.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QRadioButton>
+
+#include "widgets/common/look.h"
+
+namespace nmc {
+
+namespace form {
+
+namespace {
+
+/// What a NumberField and a QuantityField have in common.
+template <typename Field, typename Spec>
+Field* set(Field* field, const Spec& spec) {
+    field->setDigits(spec.digits);
+    field->setMeaning(spec.meaning);
+    field->setPlaceholderText(spec.unknown);
+    return field;
+}
+
+template <typename Button>
+Button* newButton(const Check& check, QWidget* box) {
+    auto* button = new Button(check.text, box);
+    look::name(button, check.name, check.accessible.isEmpty() ? check.text : check.accessible);
+    button->setToolTip(check.meaning);
+    return button;
+}
+
+}  // namespace
+
+NumberField* newNumber(const Number& number, QWidget* box) {
+    auto* field = new NumberField(number.decimals, box);
+    look::name(field, number.name, number.accessible);
+    field->setRange(number.min, number.max);
+    field->setWords(number.words.isEmpty() ? number.accessible : number.words, number.unit);
+    return set(field, number);
+}
+
+QuantityField* newQuantity(const Quantity& quantity, QWidget* box) {
+    auto* field = new QuantityField(quantity.kind, box);
+    field->setName(quantity.name, quantity.accessible);
+    field->setQuantity(quantity.words.isEmpty() ? quantity.accessible : quantity.words);
+    field->setNativeRange(quantity.min, quantity.max);
+    field->setNativeStep(quantity.step);
+    return set(field, quantity);
+}
+
+QCheckBox* newCheck(const Check& check, QWidget* box) {
+    return newButton<QCheckBox>(check, box);
+}
+
+QRadioButton* newRadio(const Check& check, QWidget* box) {
+    return newButton<QRadioButton>(check, box);
+}
+
+QComboBox* newChoice(const Choice& choice, QWidget* box) {
+    auto* field = new QComboBox(box);
+    look::name(field, choice.name, choice.accessible);
+    for (const Option& option : choice.options)
+        field->addItem(option.text, option.value);
+    field->setToolTip(choice.meaning);
+    return field;
+}
+
+QLineEdit* newText(const Text& text, QWidget* box) {
+    auto* field = new QLineEdit(box);
+    look::name(field, text.name, text.accessible);
+    field->setMaxLength(text.maxLength);
+    field->setPlaceholderText(text.example);
+    field->setToolTip(text.meaning);
+    return field;
+}
+
+QLabel* newHeading(const QString& text, QWidget* box) {
+    auto* label = new QLabel(text, box);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    return label;
+}
+
+QLabel* newParagraph(const QString& name, const QString& what, QWidget* box) {
+    auto* label = new QLabel(box);
+    if (what.isEmpty())
+        label->setObjectName(name);
+    else
+        look::nameText(label, name, what);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    return label;
+}
+
+void Item::addTo(QBoxLayout& line) const {
+    if (m_widget != nullptr)
+        line.addWidget(m_widget, m_stretch);
+    else if (m_layout != nullptr)
+        line.addLayout(m_layout);
+    else
+        line.addStretch(m_stretch);
+}
+
+void Item::addTo(QGridLayout& grid, int row, int column, int columns) const {
+    if (m_widget != nullptr)
+        grid.addWidget(m_widget, row, column, 1, columns);
+    else if (m_layout != nullptr)
+        grid.addLayout(m_layout, row, column, 1, columns);
+}
+
+QHBoxLayout* newLine(QWidget* box, std::initializer_list<Item> items, double spacing) {
+    auto* line = new QHBoxLayout;
+    line->setSpacing(static_cast<int>(look::gridUnit(box) * spacing));
+    for (const Item& item : items)
+        item.addTo(*line);
+    return line;
+}
+
+}  // namespace form
+
+FormGrid::FormGrid(QWidget* box, int columns, const Spacing& spacing) : FoldingGrid(box), m_columns(columns) {
+    const auto pixels = [unit = look::gridUnit(box)](double units) { return static_cast<int>(unit * units); };
+    const int side = pixels(spacing.around);
+    setContentsMargins(side, side, side, side);
+    setHorizontalSpacing(pixels(spacing.across));
+    setVerticalSpacing(pixels(spacing.down));
+}
+
+QLabel* FormGrid::addLabel(const QString& text, QWidget* buddy) {
+    auto* label = new QLabel(text, parentWidget());
+    label->setBuddy(buddy);
+    addWidget(label, m_row, 0);
+    return label;
+}
+
+QLabel* FormGrid::addRow(const QString& label, QWidget* control, std::initializer_list<form::Item> beside) {
+    QLabel* name = addLabel(label, control);
+    addWidget(control, m_row, 1);
+    int column = 2;
+    for (const form::Item& item : beside)
+        item.addTo(*this, m_row, column++, 1);
+    ++m_row;
+    return name;
+}
+
+QLabel* FormGrid::addRow(const QString& label, QuantityField* field,
+                         std::initializer_list<form::Item> beside) {
+    QLabel* name = addLabel(label, field);
+    addWidget(field, m_row, 1);
+    addWidget(field->unitLabel(), m_row, 2);
+    addWidget(field->otherView(), m_row, 3, 1, beside.size() == 0 ? m_columns - 3 : 1);
+    int column = 4;
+    for (const form::Item& item : beside)
+        item.addTo(*this, m_row, column++, 1);
+    ++m_row;
+    return name;
+}
+
+void FormGrid::addTitled(const QString& label, const form::Item& content) {
+    addLabel(label, nullptr);
+    addWide(content, 1);
+}
+
+void FormGrid::addWide(const form::Item& content, int column) {
+    content.addTo(*this, m_row++, column, m_columns - column);
+}
+
+void FormGrid::addGap(double height) {
+    setRowMinimumHeight(m_row++, static_cast<int>(look::gridUnit(parentWidget()) * height));
+}
+
+}  // namespace nmc
