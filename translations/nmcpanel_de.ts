@@ -5575,6 +5575,17 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
+    <name>nmc::BoxParts</name>
+    <message>
+        <source>Its name on this machine. Sends nothing.</source>
+        <translation>Sein Name an dieser Maschine. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+</context>
+<context>
     <name>nmc::ChainDialog</name>
     <message>
         <source>Chain</source>
@@ -7005,10 +7016,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>A&amp;lle anwenden</translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
         <source>Start&amp;ing values</source>
         <translation>Sta&amp;rtwerte</translation>
     </message>
@@ -7031,22 +7038,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Fills in values to start tuning with. Sends nothing.</source>
         <translation>Füllt die Felder mit Werten, mit denen die Einstellung beginnen kann. Sendet nichts.</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? unbekannt</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ gesendet</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● nicht gesendet</translation>
     </message>
     <message>
         <source>Gains cannot be read back from the module. They are unknown until you apply them.</source>
@@ -7081,16 +7072,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ob ein hoher oder ein niedriger A/D-Wert Überstrom bedeutet. Der Chip unterscheidet das an ungeraden und geraden Zahlen.</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
         <source>Undo the last edit of a gain</source>
         <translation>Die letzte Änderung eines Reglerwerts rückgängig machen</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Redo the edit of a gain</source>
@@ -7139,26 +7122,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Fills the fields with 0, to start tuning. Sends nothing. Once applied, the motor no longer holds.</source>
         <translation>Füllt die Felder mit 0, um die Einstellung zu beginnen. Sendet nichts. Nach dem Anwenden hält der Motor nicht mehr.</translation>
-    </message>
-    <message>
-        <source>Nothing to undo.</source>
-        <translation>Es gibt nichts rückgängig zu machen.</translation>
-    </message>
-    <message>
-        <source>Undoes the last edit in these fields. Sends nothing.</source>
-        <translation>Macht die letzte Änderung in diesen Feldern rückgängig. Sendet nichts.</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>Es gibt nichts wiederherzustellen.</translation>
-    </message>
-    <message>
-        <source>Redoes the edit that was undone. Sends nothing.</source>
-        <translation>Stellt die rückgängig gemachte Änderung wieder her. Sendet nichts.</translation>
-    </message>
-    <message>
-        <source>No changes to apply.</source>
-        <translation>Keine Änderungen.</translation>
     </message>
     <message>
         <source>Try for %1 s</source>
@@ -7874,10 +7837,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Name</translation>
     </message>
     <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Sein Name an dieser Maschine. Sendet nichts.</translation>
-    </message>
-    <message>
         <source>%1, address %2</source>
         <translation>%1, Adresse %2</translation>
     </message>
@@ -7908,10 +7867,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>A/D und PWM</translation>
     </message>
     <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Sein Name an dieser Maschine. Sendet nichts.</translation>
-    </message>
-    <message>
         <source>A/D input</source>
         <translation>A/D-Eingang</translation>
     </message>
@@ -7938,10 +7893,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Name of %1</source>
         <translation>Name von %1</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>Name</translation>
     </message>
     <message>
         <source>Value of %1</source>
@@ -8049,6 +8000,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>J&amp;og speed</source>
         <translation>Tippgesch&amp;windigkeit</translation>
+    </message>
+    <message>
+        <source>How fast the motor turns while you hold a button, or Space on it: %1 to %2. Set the max jog speed on the Parameters page.</source>
+        <translation>Wie schnell sich der Motor dreht, solange eine Taste oder auf ihr die Leertaste gedrückt ist: %1 bis %2. Die max. Tippgeschwindigkeit wird auf der Seite Parameter eingestellt.</translation>
     </message>
 </context>
 <context>
@@ -10293,14 +10248,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Name von %1</translation>
     </message>
     <message>
-        <source>name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Sein Name an dieser Maschine. Sendet nichts.</translation>
-    </message>
-    <message>
         <source>Ask first before %1 changes</source>
         <translation>Erst fragen, bevor sich %1 ändert</translation>
     </message>
@@ -12251,6 +12198,57 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::StagedForm</name>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation>? unbekannt</translation>
+    </message>
+    <message>
+        <source>✓ sent</source>
+        <translation>✓ gesendet</translation>
+    </message>
+    <message>
+        <source>● not sent</source>
+        <translation>● nicht gesendet</translation>
+    </message>
+    <message>
+        <source>Nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>Undoes the last edit in these fields. Sends nothing.</source>
+        <translation>Macht die letzte Änderung in diesen Feldern rückgängig. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Nothing to redo.</source>
+        <translation>Es gibt nichts wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>Redoes the edit that was undone. Sends nothing.</source>
+        <translation>Stellt die rückgängig gemachte Änderung wieder her. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>No changes to apply.</source>
+        <translation>Keine Änderungen.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::StartPage</name>
     <message>
         <source>Start</source>
@@ -12463,53 +12461,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepperHoldBox</name>
-    <message>
-        <source>J&amp;og speed</source>
-        <translation>Tippges&amp;chwindigkeit</translation>
-    </message>
-    <message>
-        <source>Jog speed</source>
-        <translation>Tippgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>◂ Hold</source>
-        <translation>◂ Tippen</translation>
-    </message>
-    <message>
-        <source>Hold to move in reverse</source>
-        <translation>Tippen: Rückwärts fahren, solange gedrückt</translation>
-    </message>
-    <message>
-        <source>Hold ▸</source>
-        <translation>Tippen ▸</translation>
-    </message>
-    <message>
-        <source>Hold to move forward</source>
-        <translation>Tippen: Vorwärts fahren, solange gedrückt</translation>
-    </message>
-    <message>
-        <source>Jog</source>
-        <translation>Tippen</translation>
-    </message>
-    <message>
-        <source>Moves only while you hold a button, or Space on it</source>
-        <translation>bewegt nur, solange eine Taste oder auf ihr die Leertaste gedrückt ist</translation>
-    </message>
-    <message>
-        <source>How fast the motor turns while you hold a button: %1 to %2. Set the max jog speed on the Parameters page.</source>
-        <translation>Wie schnell sich der Motor dreht, solange eine Taste gehalten wird: %1 bis %2. Die max. Tippgeschwindigkeit wird auf der Seite Parameter eingestellt.</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>Fährt vorwärts, solange gedrückt, und stoppt dann.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>Fährt rückwärts, solange gedrückt, und stoppt dann.</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperIoBox</name>
     <message>
         <source>Set all outputs</source>
@@ -12518,14 +12469,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Inputs and outputs</source>
         <translation>Eingänge und Ausgänge</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Sein Name an dieser Maschine. Sendet nichts.</translation>
     </message>
     <message>
         <source>Outputs</source>
@@ -12884,20 +12827,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sta&amp;rtwerte</translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
         <source>&amp;Apply parameters</source>
-        <translation>Alle an&amp;wenden</translation>
+        <translation>Alle ü&amp;bernehmen</translation>
     </message>
     <message>
         <source>Parameters</source>
         <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
     </message>
     <message>
         <source>Starting values: fill in</source>
@@ -12909,7 +12844,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Apply parameters: all</source>
-        <translation>Alle anwenden: Alle Parameter anwenden</translation>
+        <translation>Alle übernehmen: Alle Parameter übernehmen</translation>
     </message>
     <message>
         <source>Fills in low speeds and currents to start with. Sends nothing.</source>
@@ -12918,18 +12853,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Choose a speed mode.</source>
         <translation>Einen Geschwindigkeitsmodus wählen.</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? unbekannt</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● nicht gesendet</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ gesendet</translation>
     </message>
     <message>
         <source>Parameters cannot be read back from the module. The motor moves only after you apply them.</source>
@@ -12952,16 +12875,20 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sendet alle Parameter auf einmal. Der Motor bewegt sich nicht.</translation>
     </message>
     <message>
-        <source>No changes to apply.</source>
-        <translation>Keine Änderungen.</translation>
-    </message>
-    <message>
         <source>Restores the parameters last sent. Sends nothing.</source>
         <translation>Stellt die zuletzt gesendeten Parameter wieder her. Sendet nichts.</translation>
     </message>
     <message>
         <source>Clears the fields: no parameters have been sent yet. Sends nothing.</source>
         <translation>Leert die Felder: Es wurden noch keine Parameter gesendet. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Undo the last edit of a parameter</source>
+        <translation>Die letzte Änderung eines Parameters rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo the edit of a parameter</source>
+        <translation>Die Änderung eines Parameters wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -12993,18 +12920,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>× 0.25 ms</source>
         <translation>× 0,25 ms</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? unbekannt</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ gesendet</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● nicht gesendet</translation>
     </message>
 </context>
 <context>

@@ -5575,6 +5575,17 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
 </context>
 <context>
+    <name>nmc::BoxParts</name>
+    <message>
+        <source>Its name on this machine. Sends nothing.</source>
+        <translation>Su nombre en esta máquina. No envía nada.</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nombre</translation>
+    </message>
+</context>
+<context>
     <name>nmc::ChainDialog</name>
     <message>
         <source>Chain</source>
@@ -7005,10 +7016,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Aplicar &amp;ganancias</translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation>Revertir</translation>
-    </message>
-    <message>
         <source>Start&amp;ing values</source>
         <translation>Valores i&amp;niciales</translation>
     </message>
@@ -7031,22 +7038,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Fills in values to start tuning with. Sends nothing.</source>
         <translation>Rellena valores con los que empezar el ajuste. No envía nada.</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>desconocido</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? desconocido</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ enviado</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● sin enviar</translation>
     </message>
     <message>
         <source>Gains cannot be read back from the module. They are unknown until you apply them.</source>
@@ -7081,16 +7072,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Si la sobrecorriente corresponde a un valor A/D alto o bajo. El chip los distingue por números impares y pares.</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>Deshacer</translation>
-    </message>
-    <message>
         <source>Undo the last edit of a gain</source>
         <translation>Deshacer la última edición de una ganancia</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rehacer</translation>
     </message>
     <message>
         <source>Redo the edit of a gain</source>
@@ -7139,26 +7122,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Fills the fields with 0, to start tuning. Sends nothing. Once applied, the motor no longer holds.</source>
         <translation>Pone los campos a 0 para empezar el ajuste. No envía nada. Una vez aplicados, el motor ya no mantiene la posición.</translation>
-    </message>
-    <message>
-        <source>Nothing to undo.</source>
-        <translation>Nada que deshacer.</translation>
-    </message>
-    <message>
-        <source>Undoes the last edit in these fields. Sends nothing.</source>
-        <translation>Deshace la última edición de estos campos. No envía nada.</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>Nada que rehacer.</translation>
-    </message>
-    <message>
-        <source>Redoes the edit that was undone. Sends nothing.</source>
-        <translation>Rehace la edición que se deshizo. No envía nada.</translation>
-    </message>
-    <message>
-        <source>No changes to apply.</source>
-        <translation>No hay cambios que aplicar.</translation>
     </message>
     <message>
         <source>Try for %1 s</source>
@@ -7874,10 +7837,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Su nombre en esta máquina. No envía nada.</translation>
-    </message>
-    <message>
         <source>%1, address %2</source>
         <translation>%1, dirección %2</translation>
     </message>
@@ -7908,10 +7867,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>A/D y PWM</translation>
     </message>
     <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Su nombre en esta máquina. No envía nada.</translation>
-    </message>
-    <message>
         <source>A/D input</source>
         <translation>Entrada A/D</translation>
     </message>
@@ -7938,10 +7893,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Name of %1</source>
         <translation>Nombre de %1</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>nombre</translation>
     </message>
     <message>
         <source>Value of %1</source>
@@ -8049,6 +8000,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>J&amp;og speed</source>
         <translation>Velocidad de &amp;jog</translation>
+    </message>
+    <message>
+        <source>How fast the motor turns while you hold a button, or Space on it: %1 to %2. Set the max jog speed on the Parameters page.</source>
+        <translation>A qué velocidad gira el motor mientras mantiene pulsado un botón, o Espacio sobre él: de %1 a %2. La velocidad de jog máxima se ajusta en la página Parámetros.</translation>
     </message>
 </context>
 <context>
@@ -10293,14 +10248,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Nombre de %1</translation>
     </message>
     <message>
-        <source>name</source>
-        <translation>nombre</translation>
-    </message>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Su nombre en esta máquina. No envía nada.</translation>
-    </message>
-    <message>
         <source>Ask first before %1 changes</source>
         <translation>Preguntar antes de que %1 cambie</translation>
     </message>
@@ -12251,6 +12198,57 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
+    <name>nmc::StagedForm</name>
+    <message>
+        <source>unknown</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Revertir</translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation>? desconocido</translation>
+    </message>
+    <message>
+        <source>✓ sent</source>
+        <translation>✓ enviado</translation>
+    </message>
+    <message>
+        <source>● not sent</source>
+        <translation>● sin enviar</translation>
+    </message>
+    <message>
+        <source>Nothing to undo.</source>
+        <translation>Nada que deshacer.</translation>
+    </message>
+    <message>
+        <source>Undoes the last edit in these fields. Sends nothing.</source>
+        <translation>Deshace la última edición de estos campos. No envía nada.</translation>
+    </message>
+    <message>
+        <source>Nothing to redo.</source>
+        <translation>Nada que rehacer.</translation>
+    </message>
+    <message>
+        <source>Redoes the edit that was undone. Sends nothing.</source>
+        <translation>Rehace la edición que se deshizo. No envía nada.</translation>
+    </message>
+    <message>
+        <source>No changes to apply.</source>
+        <translation>No hay cambios que aplicar.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::StartPage</name>
     <message>
         <source>Start</source>
@@ -12463,53 +12461,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepperHoldBox</name>
-    <message>
-        <source>J&amp;og speed</source>
-        <translation>Velocidad de &amp;jog</translation>
-    </message>
-    <message>
-        <source>Jog speed</source>
-        <translation>Velocidad de jog</translation>
-    </message>
-    <message>
-        <source>◂ Hold</source>
-        <translation>◂ Jog</translation>
-    </message>
-    <message>
-        <source>Hold to move in reverse</source>
-        <translation>Jog: mantener pulsado para mover hacia atrás</translation>
-    </message>
-    <message>
-        <source>Hold ▸</source>
-        <translation>Jog ▸</translation>
-    </message>
-    <message>
-        <source>Hold to move forward</source>
-        <translation>Jog: mantener pulsado para mover hacia adelante</translation>
-    </message>
-    <message>
-        <source>Jog</source>
-        <translation>Jog</translation>
-    </message>
-    <message>
-        <source>Moves only while you hold a button, or Space on it</source>
-        <translation>Solo se mueve mientras mantiene pulsado un botón, o Espacio sobre él</translation>
-    </message>
-    <message>
-        <source>How fast the motor turns while you hold a button: %1 to %2. Set the max jog speed on the Parameters page.</source>
-        <translation>A qué velocidad gira el motor mientras mantiene pulsado un botón: de %1 a %2. La velocidad de jog máxima se ajusta en la página Parámetros.</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>Se mueve hacia adelante mientras se mantiene pulsado y después se detiene.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>Se mueve hacia atrás mientras se mantiene pulsado y después se detiene.</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperIoBox</name>
     <message>
         <source>Set all outputs</source>
@@ -12518,14 +12469,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Inputs and outputs</source>
         <translation>Entradas y salidas</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>nombre</translation>
-    </message>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Su nombre en esta máquina. No envía nada.</translation>
     </message>
     <message>
         <source>Outputs</source>
@@ -12884,20 +12827,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Valores i&amp;niciales</translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation>Revertir</translation>
-    </message>
-    <message>
         <source>&amp;Apply parameters</source>
         <translation>Aplicar parámetro&amp;s</translation>
     </message>
     <message>
         <source>Parameters</source>
         <translation>Parámetros</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>desconocido</translation>
     </message>
     <message>
         <source>Starting values: fill in</source>
@@ -12920,18 +12855,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Elija un modo de velocidad.</translation>
     </message>
     <message>
-        <source>? unknown</source>
-        <translation>? desconocido</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● sin enviar</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ enviado</translation>
-    </message>
-    <message>
         <source>Parameters cannot be read back from the module. The motor moves only after you apply them.</source>
         <translation>Los parámetros no se pueden leer del módulo. El motor solo se mueve después de que los aplique.</translation>
     </message>
@@ -12952,16 +12875,20 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Envía todos los parámetros a la vez. El motor no se mueve.</translation>
     </message>
     <message>
-        <source>No changes to apply.</source>
-        <translation>No hay cambios que aplicar.</translation>
-    </message>
-    <message>
         <source>Restores the parameters last sent. Sends nothing.</source>
         <translation>Restaura los últimos parámetros enviados. No envía nada.</translation>
     </message>
     <message>
         <source>Clears the fields: no parameters have been sent yet. Sends nothing.</source>
         <translation>Vacía los campos: aún no se han enviado parámetros. No envía nada.</translation>
+    </message>
+    <message>
+        <source>Undo the last edit of a parameter</source>
+        <translation>Deshacer la última edición de un parámetro</translation>
+    </message>
+    <message>
+        <source>Redo the edit of a parameter</source>
+        <translation>Rehacer la edición de un parámetro</translation>
     </message>
 </context>
 <context>
@@ -12993,18 +12920,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>× 0.25 ms</source>
         <translation>× 0,25 ms</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? desconocido</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ enviado</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● sin enviar</translation>
     </message>
 </context>
 <context>

@@ -639,11 +639,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>A resonance above %1 Hz would not show; the margins allow for one.</source>
-        <translation>Une résonance au-dessus de %1 Hz ne se verrait pas ; les marges en tiennent compte.</translation>
+        <translation>Une résonance au-dessus de %1 Hz ne se verrait pas&#x202f;; les marges en tiennent compte.</translation>
     </message>
     <message>
         <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
-        <translation>Le moteur a sans doute plus de %1 incréments de jeu : c’est ce qui se perd lorsqu’il change de sens. Rattrapez le jeu entre moteur et codeur.</translation>
+        <translation>Le moteur a sans doute plus de %1 incréments de jeu&#x202f;: c’est ce qui se perd lorsqu’il change de sens. Rattrapez le jeu entre moteur et codeur.</translation>
     </message>
 </context>
 <context>
@@ -5575,6 +5575,17 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
 </context>
 <context>
+    <name>nmc::BoxParts</name>
+    <message>
+        <source>Its name on this machine. Sends nothing.</source>
+        <translation>Son nom sur cette machine. N’envoie rien.</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nom</translation>
+    </message>
+</context>
+<context>
     <name>nmc::ChainDialog</name>
     <message>
         <source>Chain</source>
@@ -7005,10 +7016,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Tout appli&amp;quer</translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation>Abandonner</translation>
-    </message>
-    <message>
         <source>Start&amp;ing values</source>
         <translation>Vale&amp;urs de départ</translation>
     </message>
@@ -7031,22 +7038,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Fills in values to start tuning with. Sends nothing.</source>
         <translation>Remplit les champs avec des valeurs pour commencer le réglage. N’envoie rien.</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>inconnu</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? inconnu</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ envoyé</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● non envoyé</translation>
     </message>
     <message>
         <source>Gains cannot be read back from the module. They are unknown until you apply them.</source>
@@ -7081,16 +7072,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Indique si une valeur A/D élevée ou faible signifie surintensité. La puce les distingue par les nombres impairs et pairs.</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>Undo the last edit of a gain</source>
         <translation>Annuler la dernière modification d’un gain</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rétablir</translation>
     </message>
     <message>
         <source>Redo the edit of a gain</source>
@@ -7139,26 +7122,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Fills the fields with 0, to start tuning. Sends nothing. Once applied, the motor no longer holds.</source>
         <translation>Remplit les champs de 0, pour commencer le réglage. N’envoie rien. Une fois ces valeurs appliquées, le moteur ne tient plus sa position.</translation>
-    </message>
-    <message>
-        <source>Nothing to undo.</source>
-        <translation>Rien à annuler.</translation>
-    </message>
-    <message>
-        <source>Undoes the last edit in these fields. Sends nothing.</source>
-        <translation>Annule la dernière modification dans ces champs. N’envoie rien.</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>Rien à rétablir.</translation>
-    </message>
-    <message>
-        <source>Redoes the edit that was undone. Sends nothing.</source>
-        <translation>Rétablit la modification annulée. N’envoie rien.</translation>
-    </message>
-    <message>
-        <source>No changes to apply.</source>
-        <translation>Aucune modification à appliquer.</translation>
     </message>
     <message>
         <source>Try for %1 s</source>
@@ -7874,10 +7837,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Nom</translation>
     </message>
     <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Son nom sur cette machine. N’envoie rien.</translation>
-    </message>
-    <message>
         <source>%1, address %2</source>
         <translation>%1, adresse %2</translation>
     </message>
@@ -7908,10 +7867,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>A/D et PWM</translation>
     </message>
     <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Son nom sur cette machine. N’envoie rien.</translation>
-    </message>
-    <message>
         <source>A/D input</source>
         <translation>Entrée A/D</translation>
     </message>
@@ -7938,10 +7893,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Name of %1</source>
         <translation>Nom de %1</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>nom</translation>
     </message>
     <message>
         <source>Value of %1</source>
@@ -8049,6 +8000,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>J&amp;og speed</source>
         <translation>Vitesse de &amp;jog</translation>
+    </message>
+    <message>
+        <source>How fast the motor turns while you hold a button, or Space on it: %1 to %2. Set the max jog speed on the Parameters page.</source>
+        <translation>Vitesse du moteur tant que vous maintenez un bouton, ou la barre d’espace sur celui-ci : %1 à %2. La vitesse de jog max. se définit sur la page Paramètres.</translation>
     </message>
 </context>
 <context>
@@ -10293,14 +10248,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Nom de %1</translation>
     </message>
     <message>
-        <source>name</source>
-        <translation>nom</translation>
-    </message>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Son nom sur cette machine. N’envoie rien.</translation>
-    </message>
-    <message>
         <source>Ask first before %1 changes</source>
         <translation>Confirmer avant de changer %1</translation>
     </message>
@@ -12251,6 +12198,57 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
+    <name>nmc::StagedForm</name>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation>? inconnu</translation>
+    </message>
+    <message>
+        <source>✓ sent</source>
+        <translation>✓ envoyé</translation>
+    </message>
+    <message>
+        <source>● not sent</source>
+        <translation>● non envoyé</translation>
+    </message>
+    <message>
+        <source>Nothing to undo.</source>
+        <translation>Rien à annuler.</translation>
+    </message>
+    <message>
+        <source>Undoes the last edit in these fields. Sends nothing.</source>
+        <translation>Annule la dernière modification dans ces champs. N’envoie rien.</translation>
+    </message>
+    <message>
+        <source>Nothing to redo.</source>
+        <translation>Rien à rétablir.</translation>
+    </message>
+    <message>
+        <source>Redoes the edit that was undone. Sends nothing.</source>
+        <translation>Rétablit la modification annulée. N’envoie rien.</translation>
+    </message>
+    <message>
+        <source>No changes to apply.</source>
+        <translation>Aucune modification à appliquer.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::StartPage</name>
     <message>
         <source>Start</source>
@@ -12463,53 +12461,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepperHoldBox</name>
-    <message>
-        <source>J&amp;og speed</source>
-        <translation>Vitesse de &amp;jog</translation>
-    </message>
-    <message>
-        <source>Jog speed</source>
-        <translation>Vitesse de jog</translation>
-    </message>
-    <message>
-        <source>◂ Hold</source>
-        <translation>◂ Jog</translation>
-    </message>
-    <message>
-        <source>Hold to move in reverse</source>
-        <translation>Jog en arrière tant que le bouton est maintenu</translation>
-    </message>
-    <message>
-        <source>Hold ▸</source>
-        <translation>Jog ▸</translation>
-    </message>
-    <message>
-        <source>Hold to move forward</source>
-        <translation>Jog en avant tant que le bouton est maintenu</translation>
-    </message>
-    <message>
-        <source>Jog</source>
-        <translation>Jog</translation>
-    </message>
-    <message>
-        <source>Moves only while you hold a button, or Space on it</source>
-        <translation>Ne bouge que tant que vous maintenez un bouton, ou la barre d’espace sur celui-ci</translation>
-    </message>
-    <message>
-        <source>How fast the motor turns while you hold a button: %1 to %2. Set the max jog speed on the Parameters page.</source>
-        <translation>Vitesse du moteur tant que vous maintenez un bouton&#xa0;: %1 à %2. La vitesse de jog max. se définit sur la page Paramètres.</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>Se déplace en avant tant que le bouton est maintenu, puis s’arrête.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>Se déplace en arrière tant que le bouton est maintenu, puis s’arrête.</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperIoBox</name>
     <message>
         <source>Set all outputs</source>
@@ -12518,14 +12469,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Inputs and outputs</source>
         <translation>Entrées et sorties</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>nom</translation>
-    </message>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Son nom sur cette machine. N’envoie rien.</translation>
     </message>
     <message>
         <source>Outputs</source>
@@ -12884,20 +12827,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Vale&amp;urs de départ</translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation>Abandonner</translation>
-    </message>
-    <message>
         <source>&amp;Apply parameters</source>
         <translation>Tout appli&amp;quer</translation>
     </message>
     <message>
         <source>Parameters</source>
         <translation>Paramètres</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>inconnu</translation>
     </message>
     <message>
         <source>Starting values: fill in</source>
@@ -12920,18 +12855,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Choisissez un mode de vitesse.</translation>
     </message>
     <message>
-        <source>? unknown</source>
-        <translation>? inconnu</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● non envoyé</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ envoyé</translation>
-    </message>
-    <message>
         <source>Parameters cannot be read back from the module. The motor moves only after you apply them.</source>
         <translation>Les paramètres ne peuvent pas être relus dans le module. Le moteur ne bouge qu’après leur application.</translation>
     </message>
@@ -12952,16 +12875,20 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Envoie tous les paramètres à la fois. Le moteur ne bouge pas.</translation>
     </message>
     <message>
-        <source>No changes to apply.</source>
-        <translation>Aucune modification à appliquer.</translation>
-    </message>
-    <message>
         <source>Restores the parameters last sent. Sends nothing.</source>
         <translation>Rétablit les derniers paramètres envoyés. N’envoie rien.</translation>
     </message>
     <message>
         <source>Clears the fields: no parameters have been sent yet. Sends nothing.</source>
         <translation>Vide les champs&#xa0;: aucun paramètre n’a encore été envoyé. N’envoie rien.</translation>
+    </message>
+    <message>
+        <source>Undo the last edit of a parameter</source>
+        <translation>Annuler la dernière modification d’un paramètre</translation>
+    </message>
+    <message>
+        <source>Redo the edit of a parameter</source>
+        <translation>Rétablir la modification d’un paramètre</translation>
     </message>
 </context>
 <context>
@@ -12993,18 +12920,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>× 0.25 ms</source>
         <translation>× 0,25&#xa0;ms</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? inconnu</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ envoyé</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● non envoyé</translation>
     </message>
 </context>
 <context>

@@ -5558,6 +5558,17 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
 </context>
 <context>
+    <name>nmc::BoxParts</name>
+    <message>
+        <source>Its name on this machine. Sends nothing.</source>
+        <translation>このマシンでの名前です。何も送信しません。</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>名前</translation>
+    </message>
+</context>
+<context>
     <name>nmc::ChainDialog</name>
     <message>
         <source>Chain</source>
@@ -6988,10 +6999,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ゲインを適用(&amp;A)</translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation>編集を破棄</translation>
-    </message>
-    <message>
         <source>Start&amp;ing values</source>
         <translation>初期値(&amp;I)</translation>
     </message>
@@ -7014,22 +7021,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Fills in values to start tuning with. Sends nothing.</source>
         <translation>調整を始めるための値を入力します。何も送信しません。</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>不明</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? 不明</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ 送信済み</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● 未送信</translation>
     </message>
     <message>
         <source>Gains cannot be read back from the module. They are unknown until you apply them.</source>
@@ -7064,16 +7055,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>A/D値が高いときと低いときのどちらを過電流とみなすかを選びます。チップは奇数と偶数で区別します。</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>元に戻す</translation>
-    </message>
-    <message>
         <source>Undo the last edit of a gain</source>
         <translation>元に戻す：ゲインの最後の編集</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>やり直し</translation>
     </message>
     <message>
         <source>Redo the edit of a gain</source>
@@ -7122,26 +7105,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Fills the fields with 0, to start tuning. Sends nothing. Once applied, the motor no longer holds.</source>
         <translation>調整を始めるために欄を0にします。何も送信しません。適用すると、モーターは保持しなくなります。</translation>
-    </message>
-    <message>
-        <source>Nothing to undo.</source>
-        <translation>元に戻すものがありません。</translation>
-    </message>
-    <message>
-        <source>Undoes the last edit in these fields. Sends nothing.</source>
-        <translation>これらの欄の最後の編集を元に戻します。何も送信しません。</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>やり直すものがありません。</translation>
-    </message>
-    <message>
-        <source>Redoes the edit that was undone. Sends nothing.</source>
-        <translation>元に戻した編集をやり直します。何も送信しません。</translation>
-    </message>
-    <message>
-        <source>No changes to apply.</source>
-        <translation>適用する変更がありません。</translation>
     </message>
     <message>
         <source>Try for %1 s</source>
@@ -7857,10 +7820,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>名前</translation>
     </message>
     <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>このマシンでの名前です。何も送信しません。</translation>
-    </message>
-    <message>
         <source>%1, address %2</source>
         <translation>%1、アドレス%2</translation>
     </message>
@@ -7891,10 +7850,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>A/DとPWM</translation>
     </message>
     <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>このマシンでの名前です。何も送信しません。</translation>
-    </message>
-    <message>
         <source>A/D input</source>
         <translation>A/D入力</translation>
     </message>
@@ -7921,10 +7876,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Name of %1</source>
         <translation>%1の名前</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>名前</translation>
     </message>
     <message>
         <source>Value of %1</source>
@@ -8032,6 +7983,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>J&amp;og speed</source>
         <translation>ジョグ速度(&amp;O)</translation>
+    </message>
+    <message>
+        <source>How fast the motor turns while you hold a button, or Space on it: %1 to %2. Set the max jog speed on the Parameters page.</source>
+        <translation>ボタン、またはその上でスペースキーを押している間のモーターの速度です：%1～%2。最高ジョグ速度は「パラメーター」ページで設定します。</translation>
     </message>
 </context>
 <context>
@@ -10274,14 +10229,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>%1の名前</translation>
     </message>
     <message>
-        <source>name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>このマシンでの名前です。何も送信しません。</translation>
-    </message>
-    <message>
         <source>Ask first before %1 changes</source>
         <translation>確認する：%1の変更前</translation>
     </message>
@@ -12231,6 +12178,57 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
+    <name>nmc::StagedForm</name>
+    <message>
+        <source>unknown</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直し</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>編集を破棄</translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation>? 不明</translation>
+    </message>
+    <message>
+        <source>✓ sent</source>
+        <translation>✓ 送信済み</translation>
+    </message>
+    <message>
+        <source>● not sent</source>
+        <translation>● 未送信</translation>
+    </message>
+    <message>
+        <source>Nothing to undo.</source>
+        <translation>元に戻すものがありません。</translation>
+    </message>
+    <message>
+        <source>Undoes the last edit in these fields. Sends nothing.</source>
+        <translation>これらの欄の最後の編集を元に戻します。何も送信しません。</translation>
+    </message>
+    <message>
+        <source>Nothing to redo.</source>
+        <translation>やり直すものがありません。</translation>
+    </message>
+    <message>
+        <source>Redoes the edit that was undone. Sends nothing.</source>
+        <translation>元に戻した編集をやり直します。何も送信しません。</translation>
+    </message>
+    <message>
+        <source>No changes to apply.</source>
+        <translation>適用する変更がありません。</translation>
+    </message>
+</context>
+<context>
     <name>nmc::StartPage</name>
     <message>
         <source>Start</source>
@@ -12443,53 +12441,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepperHoldBox</name>
-    <message>
-        <source>J&amp;og speed</source>
-        <translation>ジョグ速度(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Jog speed</source>
-        <translation>ジョグ速度</translation>
-    </message>
-    <message>
-        <source>◂ Hold</source>
-        <translation>◂ ジョグ</translation>
-    </message>
-    <message>
-        <source>Hold to move in reverse</source>
-        <translation>◂ ジョグ：押している間、逆方向に移動</translation>
-    </message>
-    <message>
-        <source>Hold ▸</source>
-        <translation>ジョグ ▸</translation>
-    </message>
-    <message>
-        <source>Hold to move forward</source>
-        <translation>ジョグ ▸：押している間、正方向に移動</translation>
-    </message>
-    <message>
-        <source>Jog</source>
-        <translation>ジョグ</translation>
-    </message>
-    <message>
-        <source>Moves only while you hold a button, or Space on it</source>
-        <translation>ボタン、またはその上でスペースキーを押している間だけ動きます</translation>
-    </message>
-    <message>
-        <source>How fast the motor turns while you hold a button: %1 to %2. Set the max jog speed on the Parameters page.</source>
-        <translation>ボタンを押している間のモーターの速度です：%1～%2。最高ジョグ速度は「パラメーター」ページで設定します。</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>押している間、正方向に動き、離すと停止します。</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>押している間、逆方向に動き、離すと停止します。</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperIoBox</name>
     <message>
         <source>Set all outputs</source>
@@ -12498,14 +12449,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Inputs and outputs</source>
         <translation>入出力</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>このマシンでの名前です。何も送信しません。</translation>
     </message>
     <message>
         <source>Outputs</source>
@@ -12864,20 +12807,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>初期値(&amp;I)</translation>
     </message>
     <message>
-        <source>Revert</source>
-        <translation>編集を破棄</translation>
-    </message>
-    <message>
         <source>&amp;Apply parameters</source>
         <translation>パラメーターを適用(&amp;A)</translation>
     </message>
     <message>
         <source>Parameters</source>
         <translation>パラメーター</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>不明</translation>
     </message>
     <message>
         <source>Starting values: fill in</source>
@@ -12900,18 +12835,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>速度モードを選択してください。</translation>
     </message>
     <message>
-        <source>? unknown</source>
-        <translation>? 不明</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● 未送信</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ 送信済み</translation>
-    </message>
-    <message>
         <source>Parameters cannot be read back from the module. The motor moves only after you apply them.</source>
         <translation>パラメーターはモジュールから読み出せません。適用するまでモーターは動きません。</translation>
     </message>
@@ -12932,16 +12855,20 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>すべてのパラメーターを一度に送信します。モーターは動きません。</translation>
     </message>
     <message>
-        <source>No changes to apply.</source>
-        <translation>適用する変更がありません。</translation>
-    </message>
-    <message>
         <source>Restores the parameters last sent. Sends nothing.</source>
         <translation>最後に送信したパラメーターに戻します。何も送信しません。</translation>
     </message>
     <message>
         <source>Clears the fields: no parameters have been sent yet. Sends nothing.</source>
         <translation>欄を空にします。パラメーターはまだ送信していません。何も送信しません。</translation>
+    </message>
+    <message>
+        <source>Undo the last edit of a parameter</source>
+        <translation>元に戻す：パラメーターの最後の編集</translation>
+    </message>
+    <message>
+        <source>Redo the edit of a parameter</source>
+        <translation>やり直し：パラメーターの編集</translation>
     </message>
 </context>
 <context>
@@ -12973,18 +12900,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>× 0.25 ms</source>
         <translation>× 0.25 ms</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? 不明</translation>
-    </message>
-    <message>
-        <source>✓ sent</source>
-        <translation>✓ 送信済み</translation>
-    </message>
-    <message>
-        <source>● not sent</source>
-        <translation>● 未送信</translation>
     </message>
 </context>
 <context>

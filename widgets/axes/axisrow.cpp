@@ -5,10 +5,8 @@
 #include <QLabel>
 #include <cmath>
 
+#include "model/intent/jog.h"
 #include "model/intent/rights.h"
-#include "model/intent/stepperplan.h"
-#include "model/module/servodefaults.h"
-#include "model/module/stepperdefaults.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/positiontexts.h"
@@ -44,8 +42,8 @@ AxisRow::AxisRow(const PanelView& view, int line, QGridLayout& grid, QWidget* bo
         return new Command({.name = name + number, .icon = {}, .text = text, .accessible = sentence}, box,
                            act);
     };
-    m_stepperReverse = newCommand(u"axisStepReverseButton"_s, tr("◂| Step"),
-                                  tr("Step %1 in reverse").arg(who), [this] { step(true); });
+    m_stepReverse = newCommand(u"axisStepReverseButton"_s, tr("◂| Step"), tr("Step %1 in reverse").arg(who),
+                               [this] { step(true); });
     m_stepForward = newCommand(u"axisStepForwardButton"_s, tr("Step |▸"), tr("Step %1 forward").arg(who),
                                [this] { step(false); });
     m_earlier =
@@ -53,7 +51,7 @@ AxisRow::AxisRow(const PanelView& view, int line, QGridLayout& grid, QWidget* bo
                    [this] { emit earlierWanted(m_context.state().info.index); });
     int column = 0;
     for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_state, m_position, m_holdReverse,
-                                                           m_holdForward, m_stepperReverse->button(),
+                                                           m_holdForward, m_stepReverse->button(),
                                                            m_stepForward->button(), m_earlier->button()})
         grid.addWidget(widget, line, column++);
     connect(&m_context, &ModuleContext::asked, this,
@@ -77,13 +75,13 @@ HoldButton* AxisRow::newHold(const QString& objectName, const QString& text, con
 void AxisRow::remove() {
     endHold();
     for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_state, m_position, m_holdReverse,
-                                                           m_holdForward, m_stepperReverse->button(),
+                                                           m_holdForward, m_stepReverse->button(),
                                                            m_stepForward->button(), m_earlier->button()}) {
         widget->setObjectName({});  // its successor has the same name
         widget->hide();
         widget->deleteLater();
     }
-    for (Command* command : {m_stepperReverse, m_stepForward, m_earlier})
+    for (Command* command : {m_stepReverse, m_stepForward, m_earlier})
         command->deleteLater();
     deleteLater();
 }
@@ -113,61 +111,34 @@ void AxisRow::setHoldInterval(int milliseconds) {
     m_holdForward->setInterval(milliseconds);
 }
 
-/// In native units.
-double AxisRow::velocity() const {
-    const ModuleState& module = m_context.state();
-    if (module.isStepper()) {
-        const double cap = stepperdefaults::holdCap(module.stepper, m_context.settings());
-        return m_speed == JogSpeed::Fast ? cap : std::min(stepperdefaults::kHold, cap);
-    }
-    const MotionSettings motion = servodefaults::motionOf(m_context.settings());
-    return m_speed == JogSpeed::Fast ? motion.holdCap : std::min(motion.holdVelocity, motion.holdCap);
+std::optional<bus::HoldToMove> AxisRow::wantedHold(bool reverse) const {
+    const JogRange range = jogRange(m_context.state(), m_context.settings());
+    return jog(m_context.state(), m_context.settings(), m_speed == JogSpeed::Fast ? range.cap : range.first,
+               m_context.chipReverse(reverse));
 }
 
-std::optional<steppermotion::VelocityProfile> AxisRow::pace(bool reverse) const {
-    const auto& parameters = m_context.state().stepper.parameters();
-    if (!parameters)
-        return std::nullopt;
-    // Never faster than requested.
-    const double units = std::floor(velocity() / StepperSpeed(parameters->speedMode).unit() + 1e-9);
-    return steppermotion::VelocityProfile{static_cast<std::uint8_t>(std::clamp(units, 1.0, 250.0)),
-                                          stepperdefaults::accelerationTime(m_context.settings()),
-                                          m_context.chipReverse(reverse)};
-}
-
-std::optional<Intent> AxisRow::stepperIntent(bool reverse) const {
+std::optional<Intent> AxisRow::wantedStep(bool reverse) const {
     const double counts = std::round(m_context.scale().countsOfDistance(m_step));
     if (counts < 1 || counts > static_cast<double>(servo::kPositionRange.max))
         return std::nullopt;
     const auto way = static_cast<std::int32_t>(m_context.chipReverse(reverse) ? -counts : counts);
-    if (m_context.state().isStepper()) {
-        const auto wanted = pace(reverse);
-        if (!wanted)
-            return std::nullopt;
-        return intent::Move{steppermotion::Trapezoid{way, true, wanted->speed, wanted->accelerationTime}};
-    }
-    const MotionSettings motion = servodefaults::motionOf(m_context.settings());
-    return intent::MoveBy{{.counts = way},
-                          ServoPace{CountsPerTick(servodefaults::toFixed(velocity())),
-                                    CountsPerTickSquared(servodefaults::toFixed(motion.acceleration))}};
+    const auto hold = wantedHold(reverse);
+    return hold ? std::optional<Intent>(intent::MoveBy{{.counts = way}, paceOf(*hold)}) : std::nullopt;
 }
 
 QString AxisRow::whyNotHeld(bool reverse) const {
     // Never "busy": a hold in progress must not end because it waits for the answers to its own commands.
     if (const QString reason = m_context.reasonFor(IntentKind::Hold); !reason.isEmpty())
         return reason;
-    if (!m_context.state().isStepper())
-        return {};
-    const auto wanted = pace(reverse);
-    const auto refusal = wanted ? whyNot(StepperMotion(*wanted), m_context.state())
-                                : std::optional(Refusal::ParametersUnknown);
+    const auto hold = wantedHold(reverse);
+    const auto refusal = hold ? whyNot(*hold, m_context.state()) : std::optional(Refusal::ParametersUnknown);
     return refusal ? texts::refusal(*refusal) : QString();
 }
 
 QString AxisRow::whyNotStepped(bool reverse) const {
     if (const QString reason = m_context.reasonNow(IntentKind::Move); !reason.isEmpty())
         return reason;
-    const auto wanted = stepperIntent(reverse);
+    const auto wanted = wantedStep(reverse);
     if (!wanted)
         return tr("This step is less than one count of this axis, or beyond its range. Choose another step.");
     const auto steps = plan(*wanted, m_context.state());
@@ -190,7 +161,7 @@ void AxisRow::refresh() {
     look::setPossible(m_holdForward, whyNotHeld(false), tr("Moves forward while held, then stops."));
     look::setPossible(m_holdReverse, whyNotHeld(true), tr("Moves in reverse while held, then stops."));
     m_stepForward->setPossible(whyNotStepped(false), tr("Moves forward by the step above, then holds."));
-    m_stepperReverse->setPossible(whyNotStepped(true), tr("Moves in reverse by the step above, then holds."));
+    m_stepReverse->setPossible(whyNotStepped(true), tr("Moves in reverse by the step above, then holds."));
     const auto locked = whyNotEdited(module.rights);
     m_earlier->setPossible(
         locked         ? texts::refusal(*locked)
@@ -203,25 +174,15 @@ void AxisRow::refresh() {
 }
 
 void AxisRow::hold(const HoldButton& button, bool reverse) {
-    bus::HoldToMove hold;
-    hold.module = m_context.state().info.index;
-    hold.reverse = m_context.chipReverse(reverse);
-    hold.press = button.press();
-    if (m_context.state().isStepper()) {
-        const auto wanted = pace(reverse);
-        if (!wanted)
-            return;
-        hold.pace = bus::StepperPace{wanted->speed, wanted->accelerationTime};
-    } else {
-        const MotionSettings motion = servodefaults::motionOf(m_context.settings());
-        hold.velocity = CountsPerTick(servodefaults::toFixed(velocity()));
-        hold.acceleration = CountsPerTickSquared(servodefaults::toFixed(motion.acceleration));
-    }
-    m_context.hold(hold);
+    auto hold = wantedHold(reverse);
+    if (!hold)
+        return;
+    hold->press = button.press();
+    m_context.hold(*hold);
 }
 
 void AxisRow::step(bool reverse) {
-    if (const auto wanted = stepperIntent(reverse))
+    if (const auto wanted = wantedStep(reverse))
         m_context.ask(*wanted);
 }
 

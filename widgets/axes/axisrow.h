@@ -49,9 +49,8 @@ private:
     void step(bool reverse);
     [[nodiscard]] HoldButton* newHold(const QString& objectName, const QString& text, const QString& name,
                                       bool reverse);
-    [[nodiscard]] double velocity() const;
-    [[nodiscard]] std::optional<steppermotion::VelocityProfile> pace(bool reverse) const;
-    [[nodiscard]] std::optional<Intent> stepperIntent(bool reverse) const;
+    [[nodiscard]] std::optional<bus::HoldToMove> wantedHold(bool reverse) const;
+    [[nodiscard]] std::optional<Intent> wantedStep(bool reverse) const;
     [[nodiscard]] QString whyNotHeld(bool reverse) const;
     [[nodiscard]] QString whyNotStepped(bool reverse) const;
 
@@ -65,7 +64,7 @@ private:
     QLabel* m_position;
     HoldButton* m_holdReverse;
     HoldButton* m_holdForward;
-    Command* m_stepperReverse;
+    Command* m_stepReverse;
     Command* m_stepForward;
     Command* m_earlier;
 };

@@ -4,6 +4,8 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QRadioButton>
+#include <algorithm>
+#include <vector>
 
 #include "widgets/common/look.h"
 
@@ -75,11 +77,15 @@ QLineEdit* newText(const Text& text, QWidget* box) {
     return field;
 }
 
-QLabel* newHeading(const QString& text, QWidget* box) {
-    auto* label = new QLabel(text, box);
+void setBold(QLabel* label) {
     QFont bold = label->font();
     bold.setBold(true);
     label->setFont(bold);
+}
+
+QLabel* newHeading(const QString& text, QWidget* box) {
+    auto* label = new QLabel(text, box);
+    setBold(label);
     return label;
 }
 
@@ -100,7 +106,7 @@ void Item::addTo(QBoxLayout& line) const {
     else if (m_layout != nullptr)
         line.addLayout(m_layout);
     else
-        line.addStretch(m_stretch);
+        line.addStretch(1);
 }
 
 void Item::addTo(QGridLayout& grid, int row, int column, int columns) const {
@@ -122,10 +128,13 @@ QHBoxLayout* newLine(QWidget* box, std::initializer_list<Item> items, double spa
 
 FormGrid::FormGrid(QWidget* box, int columns, const Spacing& spacing) : FoldingGrid(box), m_columns(columns) {
     const auto pixels = [unit = look::gridUnit(box)](double units) { return static_cast<int>(unit * units); };
-    const int side = pixels(spacing.around);
-    setContentsMargins(side, side, side, side);
+    const int side = pixels(spacing.sides);
+    const int end = pixels(spacing.ends);
+    setContentsMargins(side, end, side, end);
     setHorizontalSpacing(pixels(spacing.across));
     setVerticalSpacing(pixels(spacing.down));
+    if (columns > 3)
+        setColumnStretch(3, 1);
 }
 
 QLabel* FormGrid::addLabel(const QString& text, QWidget* buddy) {
@@ -135,13 +144,18 @@ QLabel* FormGrid::addLabel(const QString& text, QWidget* buddy) {
     return label;
 }
 
+void FormGrid::addFrom(int column, std::initializer_list<form::Item> items) {
+    for (const form::Item& item : items) {
+        item.addTo(*this, m_row, column, item.stretches() ? m_columns - column : 1);
+        ++column;
+    }
+    ++m_row;
+}
+
 QLabel* FormGrid::addRow(const QString& label, QWidget* control, std::initializer_list<form::Item> beside) {
     QLabel* name = addLabel(label, control);
     addWidget(control, m_row, 1);
-    int column = 2;
-    for (const form::Item& item : beside)
-        item.addTo(*this, m_row, column++, 1);
-    ++m_row;
+    addFrom(2, beside);
     return name;
 }
 
@@ -151,11 +165,12 @@ QLabel* FormGrid::addRow(const QString& label, QuantityField* field,
     addWidget(field, m_row, 1);
     addWidget(field->unitLabel(), m_row, 2);
     addWidget(field->otherView(), m_row, 3, 1, beside.size() == 0 ? m_columns - 3 : 1);
-    int column = 4;
-    for (const form::Item& item : beside)
-        item.addTo(*this, m_row, column++, 1);
-    ++m_row;
+    addFrom(4, beside);
     return name;
+}
+
+void FormGrid::addLine(std::initializer_list<form::Item> items) {
+    addFrom(0, items);
 }
 
 void FormGrid::addTitled(const QString& label, const form::Item& content) {
@@ -169,6 +184,21 @@ void FormGrid::addWide(const form::Item& content, int column) {
 
 void FormGrid::addGap(double height) {
     setRowMinimumHeight(m_row++, static_cast<int>(look::gridUnit(parentWidget()) * height));
+}
+
+void FormGrid::align(std::initializer_list<const QWidget*> boxes) {
+    std::vector<QGridLayout*> grids;
+    int widest = 0;
+    for (const QWidget* box : boxes) {
+        auto* grid = qobject_cast<QGridLayout*>(box->layout());
+        grids.push_back(grid);
+        for (int row = 0; row < grid->rowCount(); ++row)
+            if (const QLayoutItem* item = grid->itemAtPosition(row, 0))
+                if (const auto* name = qobject_cast<const QLabel*>(item->widget()); name && name->buddy())
+                    widest = std::max(widest, name->sizeHint().width());
+    }
+    for (QGridLayout* grid : grids)
+        grid->setColumnMinimumWidth(0, widest);
 }
 
 }  // namespace nmc

@@ -62,13 +62,13 @@ struct Check {
 
 struct Option {
     QString text;
-    QVariant value;
+    QVariant value{};
 };
 /// A box from which one of several values is chosen.
 struct Choice {
     QString name;        ///< object name
     QString accessible;  ///< read out
-    QList<Option> options;
+    QList<Option> options{};
     QString meaning{};  ///< tool tip
 };
 [[nodiscard]] QComboBox* newChoice(const Choice& choice, QWidget* box);
@@ -93,21 +93,23 @@ struct Text {
 };
 [[nodiscard]] QLineEdit* newText(const Text& text, QWidget* box);
 
-/// A label in bold.
+void setBold(QLabel* label);
 [[nodiscard]] QLabel* newHeading(const QString& text, QWidget* box);
 /// A label of plain text in as many lines as it needs. Without `what`, it is a remark that is read out only
 /// with its text.
 [[nodiscard]] QLabel* newParagraph(const QString& name, const QString& what, QWidget* box);
 
-/// What a line or a grid is filled with: a widget, a layout, or nullptr for room that stretches.
+/// What a line or a row of a grid is filled with: a widget, a layout, or nullptr for empty room. With
+/// `stretch`, it takes the room that is left: in a grid, all columns that follow.
 class Item {
 public:
     Item(QWidget* widget, int stretch = 0) : m_widget(widget), m_stretch(stretch) {}
     Item(QLayout* layout) : m_layout(layout) {}
-    Item(std::nullptr_t /*room*/) : m_stretch(1) {}
+    Item(std::nullptr_t /*room*/) {}
 
     void addTo(QBoxLayout& line) const;
     void addTo(QGridLayout& grid, int row, int column, int columns) const;
+    [[nodiscard]] bool stretches() const { return m_stretch > 0; }
 
 private:
     QWidget* m_widget = nullptr;
@@ -127,16 +129,22 @@ class FormGrid : public FoldingGrid {
 public:
     /// In units of look::gridUnit(box).
     struct Spacing {
-        double around = 1;
-        double across = 1;
-        double down = 1.0 / 3;
+        double sides = 1;         ///< left and right of the grid
+        double ends = 0.5;        ///< above and below it
+        double across = 2.0 / 3;  ///< between columns
+        double down = 1.0 / 3;    ///< between rows
     };
     FormGrid(QWidget* box, int columns, const Spacing& spacing);
+    /// For quantities, with room for buttons beside them: label, field, unit, value in the other unit,
+    /// buttons.
+    explicit FormGrid(QWidget* box) : FormGrid(box, 5, {}) {}
 
     /// Adds a row; returns its label.
     QLabel* addRow(const QString& label, QWidget* control, std::initializer_list<form::Item> beside = {});
     /// The unit of the field and its value in the other unit come before what is beside it.
     QLabel* addRow(const QString& label, QuantityField* field, std::initializer_list<form::Item> beside = {});
+    /// Adds a row of items, one in each column.
+    void addLine(std::initializer_list<form::Item> items);
     /// Adds a row whose label names all of `content`, which takes the columns after it.
     void addTitled(const QString& label, const form::Item& content);
     /// Adds a row that `content` takes from that column on.
@@ -145,9 +153,15 @@ public:
     void addGap(double height);
     /// The rows above keep their height; room that is left goes below them.
     void end() { setRowStretch(m_row, 1); }
+    /// The row that is added next.
+    [[nodiscard]] int row() const { return m_row; }
+
+    /// Aligns the controls of boxes one below the other, whatever the width of their labels.
+    static void align(std::initializer_list<const QWidget*> boxes);
 
 private:
     QLabel* addLabel(const QString& text, QWidget* buddy);
+    void addFrom(int column, std::initializer_list<form::Item> items);
 
     int m_columns;
     int m_row = 0;

@@ -85,6 +85,11 @@ void QuantityField::showNothing() {
     refresh();
 }
 
+void QuantityField::follow(double native, double nativeBefore) {
+    if (native != nativeBefore && this->native() != native)
+        showNative(native);
+}
+
 std::optional<double> QuantityField::native() const {
     return value().has_value() ? m_native : std::nullopt;
 }

@@ -33,6 +33,9 @@ public:
     /// Emits nothing.
     void showNative(double native);
     void showNothing();
+    /// Shows a value that is kept elsewhere if it has changed and the field does not contain it already, so
+    /// that what is being typed is kept. Emits nothing.
+    void follow(double native, double nativeBefore);
     /// Empty unless the text is an unambiguous number within the range.
     [[nodiscard]] std::optional<double> native() const;
 

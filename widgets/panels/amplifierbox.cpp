@@ -2,16 +2,13 @@
 #include "widgets/panels/amplifierbox.h"
 
 #include <QCheckBox>
-#include <QComboBox>
-#include <QGridLayout>
 #include <QLabel>
 #include <QPointer>
 
 #include "widgets/common/askdialog.h"
 #include "widgets/common/flowlayout.h"
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 
@@ -39,7 +36,16 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
       m_steps(newBox(
           u"stepperInputBox"_s, tr("Step and direction input"),
           tr("The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection."))),
-      m_limits(new QComboBox(this)),
+      m_limits(form::newChoice(
+          {.name = u"limitProtectionBox"_s,
+           .accessible = tr("Limit inputs"),
+           .options = {{tr("do nothing"), static_cast<int>(LimitStop::None)},
+                       {tr("stop abruptly"), static_cast<int>(LimitStop::Abruptly)},
+                       {tr("switch the motor off"), static_cast<int>(LimitStop::MotorOff)}},
+           .meaning = tr(
+               "What the module does by itself when limit 1 closes while it counts up, or limit 2 while it "
+               "counts down. It stays armed.")},
+          this)),
       m_fastPath(newBox(u"fastPathBox"_s, tr("Fast path"),
                         tr("Path points at 60 and 120 Hz instead of 30 and 60 Hz."))),
       m_apply(new Command({.name = u"applyAmplifierButton"_s,
@@ -47,8 +53,14 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
                            .text = tr("Apply…"),
                            .accessible = tr("Apply the amplifier settings")},
                           this, [this] { apply(); })),
-      m_state(new QLabel(this)),
-      m_multiplier(new NumberField(0, this)),
+      m_state(form::newParagraph(u"amplifierState"_s, tr("Amplifier settings of the module"), this)),
+      m_multiplier(form::newNumber({.name = u"stepMultiplierField"_s,
+                                    .accessible = tr("Step multiplier"),
+                                    .min = 1,
+                                    .max = 255,
+                                    .digits = 4,
+                                    .meaning = tr("Counts that one step pulse moves the motor.")},
+                                   this)),
       m_setMultiplier(new Command({.name = u"setMultiplierButton"_s,
                                    .icon = u"send"_s,
                                    .text = tr("Set"),
@@ -72,84 +84,53 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
                            .accessible = tr("Erase saved configuration of the module")},
                           this, [this] { erase(); })) {
     look::name(this, u"amplifierPage"_s, tr("Amplifier"));
-    const int unit = look::gridUnit(this);
-    auto* grid = new FoldingGrid(this);
-    grid->setContentsMargins(unit, unit, unit, unit);
-    grid->setHorizontalSpacing(unit);
-    grid->setVerticalSpacing(unit / 2);
-    int line = 0;
-    buildDrive(*grid, line);
-    grid->setRowMinimumHeight(line++, unit);
-    buildSaved(*grid, line);
-    grid->setRowStretch(line, 1);
+    auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1, .down = 0.5});
+    buildDrive(*grid);
+    grid->addGap(1);
+    buildSaved(*grid);
+    grid->end();
     grid->setColumnStretch(2, 1);
+    grid->setColumnStretch(3, 0);
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
 QCheckBox* AmplifierBox::newBox(const QString& objectName, const QString& text, const QString& meaning) {
-    auto* box = new QCheckBox(text, this);
-    look::name(box, objectName, text);
-    box->setToolTip(meaning);
+    auto* box = form::newCheck({.name = objectName, .text = text, .meaning = meaning}, this);
     connect(box, &QCheckBox::clicked, this, &AmplifierBox::refresh);
     return box;
 }
 
-void AmplifierBox::buildDrive(QGridLayout& grid, int& line) {
-    look::name(m_limits, u"limitProtectionBox"_s, tr("Limit inputs"));
-    m_limits->addItem(tr("do nothing"), static_cast<int>(LimitStop::None));
-    m_limits->addItem(tr("stop abruptly"), static_cast<int>(LimitStop::Abruptly));
-    m_limits->addItem(tr("switch the motor off"), static_cast<int>(LimitStop::MotorOff));
-    m_limits->setToolTip(
-        tr("What the module does by itself when limit 1 closes while it counts up, or limit 2 while it "
-           "counts down. It stays armed."));
+void AmplifierBox::buildDrive(FormGrid& grid) {
     connect(m_limits, &QComboBox::activated, this, &AmplifierBox::refresh);
-    auto* limits = new QLabel(tr("Limit inputs"), this);
-    limits->setBuddy(m_limits);
-    grid.addWidget(limits, line, 0);
-    grid.addWidget(m_limits, line++, 1);
+    grid.addRow(tr("Limit inputs"), m_limits);
     for (QCheckBox* box : {m_threePhase, m_antiphase, m_steps, m_fastPath})
-        grid.addWidget(box, line++, 0, 1, 3);
-    look::nameText(m_state, u"amplifierState"_s, tr("Amplifier settings of the module"));
-    m_state->setWordWrap(true);
-    m_state->setTextFormat(Qt::PlainText);
-    grid.addWidget(m_state, line, 0, 1, 3);
-    grid.addWidget(m_apply->button(), line++, 3);
-    auto* multiplier = new QLabel(tr("Step multiplier"), this);
-    multiplier->setBuddy(m_multiplier);
-    look::name(m_multiplier, u"stepMultiplierField"_s, tr("Step multiplier"));
-    m_multiplier->setWords(tr("Step multiplier"), {});
-    m_multiplier->setRange(1, 255);
-    m_multiplier->setDigits(4);
-    m_multiplier->setMeaning(tr("Counts that one step pulse moves the motor."));
+        grid.addWide(box);
+    grid.addWidget(m_state, grid.row(), 0, 1, 3);
+    grid.addLine({nullptr, nullptr, nullptr, m_apply->button()});
     m_multiplier->showValue(1);
     connect(m_multiplier, &NumberField::edited, this, &AmplifierBox::refresh);
-    grid.addWidget(multiplier, line, 0);
-    grid.addWidget(m_multiplier, line, 1);
-    grid.addWidget(m_setMultiplier->button(), line++, 3);
+    grid.addRow(tr("Step multiplier"), m_multiplier, {nullptr, m_setMultiplier->button()});
 }
 
-void AmplifierBox::buildSaved(QGridLayout& grid, int& line) {
-    auto* heading = new QLabel(tr("Saved in the module, for power-up"), this);
-    QFont bold = font();
-    bold.setBold(true);
-    heading->setFont(bold);
-    heading->setWordWrap(true);
-    grid.addWidget(heading, line++, 0, 1, 4);
+void AmplifierBox::buildSaved(FormGrid& grid) {
+    QLabel* heading = form::newHeading(tr("Saved in the module, for power-up"), this);
     auto* remark = look::newMutedLabel(
         tr("Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor switches off, and it needs its gains again."),
         this);
-    remark->setWordWrap(true);
-    grid.addWidget(remark, line++, 0, 1, 4);
+    for (QLabel* label : {heading, remark}) {
+        label->setWordWrap(true);
+        grid.addWide(label);
+    }
     for (QCheckBox* box : {m_savesAddress, m_savesAmplifier, m_savesServo})
-        grid.addWidget(box, line++, 0, 1, 3);
+        grid.addWide(box);
     auto* buttons = new FlowLayout(look::gridUnit(this));
     for (const Command* command : {m_erase, m_save})
         buttons->addWidget(command->button());
-    grid.addLayout(buttons, line++, 0, 1, 4);
+    grid.addWide(buttons);
 }
 
 servo::ScIoControl AmplifierBox::wanted() const {
-    return {.limitStop = static_cast<LimitStop>(m_limits->currentData().toInt()),
+    return {.limitStop = form::chosen<LimitStop>(m_limits),
             .threePhase = m_threePhase->isChecked(),
             .antiphase = m_antiphase->isChecked(),
             .fastPath = m_fastPath->isChecked(),
@@ -175,7 +156,7 @@ void AmplifierBox::showModule() {
         m_shown = now;
         m_kept.reset();
         const servo::ScIoControl shown = now.value_or(servo::ScIoControl{});
-        m_limits->setCurrentIndex(m_limits->findData(static_cast<int>(shown.limitStop)));
+        form::choose(m_limits, shown.limitStop);
         m_threePhase->setChecked(shown.threePhase);
         m_antiphase->setChecked(shown.antiphase);
         m_steps->setChecked(shown.stepAndDirection);

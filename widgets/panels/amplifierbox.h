@@ -8,13 +8,13 @@
 
 class QCheckBox;
 class QComboBox;
-class QGridLayout;
 class QGroupBox;
 class QLabel;
 
 namespace nmc {
 
 class Command;
+class FormGrid;
 class NumberField;
 
 /// How a PIC-SERVO SC drives its amplifier, what its limit inputs do by themselves, and what it keeps across
@@ -27,8 +27,8 @@ public:
     AmplifierBox(ModuleContext& context, QWidget* parent);
 
 private:
-    void buildDrive(QGridLayout& grid, int& line);
-    void buildSaved(QGridLayout& grid, int& line);
+    void buildDrive(FormGrid& grid);
+    void buildSaved(FormGrid& grid);
     [[nodiscard]] QCheckBox* newBox(const QString& objectName, const QString& text, const QString& meaning);
     [[nodiscard]] servo::ScIoControl wanted() const;
     [[nodiscard]] servo::HardReset wantedSaved() const;

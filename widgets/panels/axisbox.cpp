@@ -4,21 +4,17 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <cmath>
 
 #include "model/module/servodefaults.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
-#include "widgets/common/quantityfield.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/boxparts.h"
-#include "widgets/panels/quantitygrid.h"
 #include "widgets/panels/unitdialog.h"
 
 namespace nmc {
@@ -31,6 +27,7 @@ constexpr int kLongestAxisUnit = 12;
 constexpr int kScaleDecimals = 6;
 constexpr double kMostCountsPerUnit = 1e9;
 constexpr double kLeastCountsPerUnit = 1e-6;
+constexpr double kLargestAnalog = 1e6;
 
 /// Shows a text that is kept elsewhere, without disturbing the one being typed: after a trailing space,
 /// another word may follow.
@@ -50,14 +47,10 @@ void showNumber(NumberField* field, double value, std::optional<double> before) 
 
 AxisBox::AxisBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent), m_context(context), m_type(context.state().info.identity.type) {
-    look::name(this, named(u"axisBox"_s), tr("Axis"));
+    look::name(this, m_context.named(u"axisBox"_s), tr("Axis"));
     build();
     connectControls();
     m_context.whenSeen(this, [this] { showModule(); });
-}
-
-QString AxisBox::named(const QString& name) const {
-    return look::nameFor(m_type, name);
 }
 
 void AxisBox::addBelow(QWidget* box) {
@@ -80,11 +73,15 @@ void AxisBox::addBelowUnit(QWidget* box) {
 }
 
 NumberField* AxisBox::addNumber(QFormLayout* form, const QString& label, const QString& objectName,
-                                const QString& meaning) {
-    auto* field = new NumberField(kScaleDecimals, this);
+                                double largest, const QString& meaning) {
     QString name = label;
-    look::name(field, named(objectName), name.remove(u'&'));
-    field->setMeaning(meaning);
+    auto* field = form::newNumber({.name = m_context.named(objectName),
+                                   .accessible = name.remove(u'&'),
+                                   .min = -largest,
+                                   .max = largest,
+                                   .decimals = kScaleDecimals,
+                                   .meaning = meaning},
+                                  this);
     form->addRow(label, field);
     return field;
 }
@@ -96,79 +93,72 @@ void AxisBox::build() {
     form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     form->setHorizontalSpacing(unit);
     form->setVerticalSpacing(unit / 2);
-    m_name = new QLineEdit(this);
-    look::name(m_name, named(u"axisNameField"_s), tr("Name of the axis"));
-    m_name->setMaxLength(kMaxNameLength);
-    m_name->setPlaceholderText(tr("For example: Z axis"));
-    m_name->setToolTip(tr("The name of this axis in the list, in messages and in files."));
+    m_name = form::newText({.name = m_context.named(u"axisNameField"_s),
+                            .accessible = tr("Name of the axis"),
+                            .maxLength = kMaxNameLength,
+                            .meaning = tr("The name of this axis in the list, in messages and in files."),
+                            .example = tr("For example: Z axis")},
+                           this);
     form->addRow(tr("N&ame"), m_name);
-
-    m_unit = new QComboBox(this);
-    look::name(m_unit, named(u"axisUnitBox"_s), tr("Unit of the axis"));
-    m_unit->addItem(tr("native counts"), static_cast<int>(UnitKind::Native));
-    m_unit->addItem(tr("turns"), static_cast<int>(UnitKind::Turns));
-    m_unit->addItem(tr("degrees"), static_cast<int>(UnitKind::Degrees));
-    m_unit->addItem(tr("millimetres"), static_cast<int>(UnitKind::Millimetres));
-    m_unit->addItem(tr("custom unit"), static_cast<int>(UnitKind::Own));
-    m_unit->setToolTip(
-        tr("The unit for positions and speeds. Changing it keeps every physical value and sends nothing."));
+    m_unit = form::newChoice(
+        {.name = m_context.named(u"axisUnitBox"_s),
+         .accessible = tr("Unit of the axis"),
+         .options = {{tr("native counts"), static_cast<int>(UnitKind::Native)},
+                     {tr("turns"), static_cast<int>(UnitKind::Turns)},
+                     {tr("degrees"), static_cast<int>(UnitKind::Degrees)},
+                     {tr("millimetres"), static_cast<int>(UnitKind::Millimetres)},
+                     {tr("custom unit"), static_cast<int>(UnitKind::Own)}},
+         .meaning = tr(
+             "The unit for positions and speeds. Changing it keeps every physical value and sends nothing.")},
+        this);
     form->addRow(tr("Un&it"), m_unit);
-    m_countsPerUnit =
-        addNumber(form, tr("Counts in 1 unit"), u"countsPerUnitField"_s, tr("Counts or steps per unit."));
+    m_countsPerUnit = addNumber(form, tr("Counts in 1 unit"), u"countsPerUnitField"_s, kMostCountsPerUnit,
+                                tr("Counts or steps per unit."));
     m_countsPerUnit->setRange(kLeastCountsPerUnit, kMostCountsPerUnit);
     m_countsPerUnitLabel = qobject_cast<QLabel*>(form->labelForField(m_countsPerUnit));
-    m_reversed = new QCheckBox(tr("reversed: forward counts down"), this);
-    look::name(m_reversed, named(u"axisReversedBox"_s), m_reversed->text());
-    m_reversed->setToolTip(
-        tr("Turns positions, directions and travel limits of this axis round on the screen. Sends nothing."));
+    m_reversed = form::newCheck(
+        {.name = m_context.named(u"axisReversedBox"_s),
+         .text = tr("reversed: forward counts down"),
+         .meaning = tr(
+             "Turns positions, directions and travel limits of this axis round on the screen. Sends nothing.")},
+        this);
     form->addRow(QString(), m_reversed);
     auto* workOut = new QPushButton(tr("Calculate…"), this);
-    look::name(workOut, named(u"workOutUnitButton"_s), tr("Calculate the unit from encoder, gear and screw"));
+    look::name(workOut, m_context.named(u"workOutUnitButton"_s),
+               tr("Calculate the unit from encoder, gear and screw"));
     workOut->setToolTip(tr("Calculates the unit from the data of encoder, gear and screw. Sends nothing."));
     connect(workOut, &QPushButton::clicked, this, &AxisBox::workOutUnit);
     form->addRow(QString(), workOut);
-    m_symbol = new QLineEdit(this);
-    look::name(m_symbol, named(u"axisSymbolField"_s), tr("Symbol of the unit"));
-    m_symbol->setMaxLength(kLongestAxisUnit);
-    m_symbol->setToolTip(tr("Shown after the numbers, for example µl."));
+    m_symbol = form::newText({.name = m_context.named(u"axisSymbolField"_s),
+                              .accessible = tr("Symbol of the unit"),
+                              .maxLength = kLongestAxisUnit,
+                              .meaning = tr("Shown after the numbers, for example µl.")},
+                             this);
     form->addRow(tr("Symbol"), m_symbol);
     m_symbolLabel = qobject_cast<QLabel*>(form->labelForField(m_symbol));
-
-    m_holdCap = new QuantityField(QuantityField::Kind::Velocity, this);
-    m_holdCap->setName(m_type == ModuleType::Servo ? u"holdCapField"_s : u"stepperAxisHoldCapField"_s,
-                       tr("Max jog speed"));
-    m_holdCap->setQuantity(tr("Max jog speed"));
-    m_holdCap->setMeaning(tr("Jog is never faster than this."));
-    auto* cap = new QHBoxLayout;
-    cap->setSpacing(unit);
-    cap->addWidget(m_holdCap);
-    cap->addWidget(m_holdCap->unitLabel());
-    cap->addWidget(m_holdCap->otherView());
-    cap->addStretch(1);
+    m_holdCap = form::newQuantity(
+        {.kind = QuantityField::Kind::Velocity,
+         .name = m_type == ModuleType::Servo ? u"holdCapField"_s : u"stepperAxisHoldCapField"_s,
+         .accessible = tr("Max jog speed"),
+         .meaning = tr("Jog is never faster than this.")},
+        this);
+    auto* cap = form::newLine(this, {m_holdCap, m_holdCap->unitLabel(), m_holdCap->otherView(), nullptr});
     form->addRow(tr("Max &jog speed"), cap);
     qobject_cast<QLabel*>(form->labelForField(cap))->setBuddy(m_holdCap);
     form->setRowVisible(cap, m_type == ModuleType::Servo);
-    buildAnalog(form);
-    m_hint = new QLabel(this);
-    m_hint->setObjectName(named(u"axisHint"_s));
-    m_hint->setWordWrap(true);
-    m_hint->setTextFormat(Qt::PlainText);
-    form->addRow(m_hint);
-}
-
-void AxisBox::buildAnalog(QFormLayout* form) {
     m_analogPerCount = addNumber(
-        form, tr("A/D scale, per count"), u"analogPerCountField"_s,
+        form, tr("A/D scale, per count"), u"analogPerCountField"_s, kLargestAnalog,
         tr("The value of one A/D count, for example 5 V / 255, or amperes from the amplifier's current sense."));
-    m_analogPerCount->setRange(-1e6, 1e6);
-    m_analogAtZero =
-        addNumber(form, tr("A/D at &0"), u"analogAtZeroField"_s, tr("The value at an A/D reading of 0."));
-    m_analogAtZero->setRange(-1e6, 1e6);
-    m_analogUnit = new QLineEdit(this);
-    look::name(m_analogUnit, named(u"analogUnitField"_s), tr("Unit of the A/D value"));
-    m_analogUnit->setMaxLength(kLongestAxisUnit);
-    m_analogUnit->setToolTip(tr("A, V, or whatever the A/D input measures."));
+    m_analogAtZero = addNumber(form, tr("A/D at &0"), u"analogAtZeroField"_s, kLargestAnalog,
+                               tr("The value at an A/D reading of 0."));
+    m_analogUnit = form::newText({.name = m_context.named(u"analogUnitField"_s),
+                                  .accessible = tr("Unit of the A/D value"),
+                                  .maxLength = kLongestAxisUnit,
+                                  .meaning = tr("A, V, or whatever the A/D input measures.")},
+                                 this);
     form->addRow(tr("A/D unit"), m_analogUnit);
+    m_hint = form::newParagraph(m_context.named(u"axisHint"_s), {}, this);
+    form->addRow(m_hint);
 }
 
 void AxisBox::workOutUnit() {
@@ -181,7 +171,7 @@ void AxisBox::workOutUnit() {
 }
 
 UnitKind AxisBox::kind() const {
-    return static_cast<UnitKind>(m_unit->currentData().toInt());
+    return form::chosen<UnitKind>(m_unit);
 }
 
 void AxisBox::showModule() {
@@ -192,7 +182,7 @@ void AxisBox::showModule() {
     showText(m_name, settings.name);
     {
         const QSignalBlocker blocker(m_unit);
-        m_unit->setCurrentIndex(m_unit->findData(static_cast<int>(settings.unit.kind)));
+        form::choose(m_unit, settings.unit.kind);
     }
     showNumber(m_countsPerUnit, std::abs(settings.unit.countsPerUnit),
                before([](const AxisSettings& axis) { return std::abs(axis.unit.countsPerUnit); }));
@@ -207,7 +197,7 @@ void AxisBox::showModule() {
     if (!m_shown)
         m_holdCap->showNative(cap);
     else  // the value being typed is kept
-        quantitygrid::follow(m_holdCap, cap, servodefaults::motionOf(*m_shown).holdCap);
+        m_holdCap->follow(cap, servodefaults::motionOf(*m_shown).holdCap);
     showNumber(m_analogPerCount, settings.analog.perCount,
                before([](const AxisSettings& axis) { return axis.analog.perCount; }));
     showNumber(m_analogAtZero, settings.analog.atZero,

@@ -33,10 +33,8 @@ public:
     void addBelowUnit(QWidget* box);
 
 private:
-    [[nodiscard]] QString named(const QString& name) const;
     void build();
-    void buildAnalog(QFormLayout* form);
-    NumberField* addNumber(QFormLayout* form, const QString& label, const QString& objectName,
+    NumberField* addNumber(QFormLayout* form, const QString& label, const QString& objectName, double largest,
                            const QString& meaning);
     void connectControls();
     void workOutUnit();

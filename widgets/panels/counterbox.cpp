@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/counterbox.h"
 
-#include <QComboBox>
-#include <QGridLayout>
 #include <QLabel>
 
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -20,6 +17,8 @@ namespace {
 
 enum Mode { Off, Timer, Counter };
 
+constexpr int kDigits = 5;  // width of a field
+
 /// IO12 to IO1, most significant first, as binary numbers are written.
 QString levels(std::uint16_t pins) {
     return u"%1"_s.arg(pins, static_cast<int>(io::kPins), 2, QChar(u'0'));
@@ -30,8 +29,18 @@ QString levels(std::uint16_t pins) {
 CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
       m_context(context),
-      m_mode(new QComboBox(this)),
-      m_prescaler(new QComboBox(this)),
+      m_mode(form::newChoice(
+          {.name = u"timerModeBox"_s,
+           .accessible = tr("Counter source"),
+           .options = {{tr("off")}, {tr("timer, 5 MHz")}, {tr("counter of rising edges on IO10")}}},
+          this)),
+      m_prescaler(form::newChoice({.name = u"timerPrescalerBox"_s,
+                                   .accessible = tr("Prescaler"),
+                                   .options = {{tr("every edge")},
+                                               {tr("every 2nd edge")},
+                                               {tr("every 4th edge")},
+                                               {tr("every 8th edge")}}},
+                                  this)),
       m_set(new Command({.name = u"setTimerButton"_s,
                          .icon = u"send"_s,
                          .text = tr("Set and restart"),
@@ -45,7 +54,13 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
                                 .text = tr("Latch inputs"),
                                 .accessible = tr("Latch inputs and counter at the same time")},
                                this, [this] { m_context.ask(iointent::SynchInput{}); })),
-      m_outputs(new NumberField(0, this)),
+      m_outputs(form::newNumber(
+          {.name = u"storedOutputsField"_s,
+           .accessible = tr("Outputs to store"),
+           .max = io::kAllPins,
+           .digits = kDigits,
+           .meaning = tr("Add up the outputs: IO1 is 1, IO2 is 2, IO3 is 4, up to IO12, which is 2048.")},
+          this)),
       m_store(new Command({.name = u"storeOutputsButton"_s,
                            .icon = u"download"_s,
                            .text = tr("Store"),
@@ -58,76 +73,50 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
                                 this, [this] { m_context.ask(iointent::SynchOutput{}); })),
       m_stored(look::newMutedLabel({}, this)) {
     look::name(this, u"counterBox"_s, tr("Counter and synchronous I/O"));
-    const int unit = look::gridUnit(this);
-    auto* grid = new FoldingGrid(this);
-    grid->setContentsMargins(unit, unit, unit, unit);
-    grid->setHorizontalSpacing(unit);
-    grid->setVerticalSpacing(unit / 2);
+    auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1, .down = 0.5});
     buildTimer(*grid);
-    grid->setRowMinimumHeight(4, unit);
-    buildSynch(*grid, 5);
-    grid->setRowStretch(12, 1);
-    grid->setColumnStretch(3, 1);
+    grid->addGap(1);
+    buildSynch(*grid);
+    grid->end();
     m_context.whenSeen(this, [this] { refresh(); });
 }
 
-void CounterBox::buildTimer(QGridLayout& grid) {
-    look::name(m_mode, u"timerModeBox"_s, tr("Counter source"));
-    m_mode->addItems({tr("off"), tr("timer, 5 MHz"), tr("counter of rising edges on IO10")});
-    look::name(m_prescaler, u"timerPrescalerBox"_s, tr("Prescaler"));
-    m_prescaler->addItems(
-        {tr("every edge"), tr("every 2nd edge"), tr("every 4th edge"), tr("every 8th edge")});
+void CounterBox::buildTimer(FormGrid& grid) {
     look::nameText(m_count, u"counterValue"_s, tr("Count"));
     m_count->setFont(look::tabular(look::scaled(font(), 1.5)));
     m_rate->setObjectName(u"counterRate"_s);
-    auto* mode = new QLabel(tr("Count"), this);
-    mode->setBuddy(m_mode);
-    grid.addWidget(mode, 0, 0);
-    grid.addWidget(m_mode, 0, 1, 1, 2);
-    auto* prescaler = new QLabel(tr("Counts"), this);
-    prescaler->setBuddy(m_prescaler);
-    grid.addWidget(prescaler, 1, 0);
-    grid.addWidget(m_prescaler, 1, 1, 1, 2);
-    grid.addWidget(m_set->button(), 2, 1);
-    grid.addWidget(m_count, 3, 1);
-    grid.addWidget(m_rate, 3, 2, 1, 2);
+    for (const auto& [text, choice] : {std::pair(tr("Count"), m_mode), {tr("Counts"), m_prescaler}}) {
+        auto* label = new QLabel(text, this);
+        label->setBuddy(choice);
+        grid.addWidget(label, grid.row(), 0);
+        grid.addWide(choice, 1);
+    }
+    grid.addLine({nullptr, m_set->button()});
+    grid.addLine({nullptr, m_count, {m_rate, 1}});
 }
 
-void CounterBox::buildSynch(QGridLayout& grid, int row) {
+void CounterBox::buildSynch(FormGrid& grid) {
     look::nameText(m_latched, u"latchedInputs"_s, tr("Latched values"));
     m_latched->setFont(look::tabular(font()));
-    grid.addWidget(new QLabel(tr("Latched"), this), row, 0);
-    grid.addWidget(m_synchInput->button(), row, 1);
-    grid.addWidget(m_latched, row, 2, 1, 2);
-    look::name(m_outputs, u"storedOutputsField"_s, tr("Outputs to store"));
-    m_outputs->setRange(0, io::kAllPins);
-    m_outputs->setWords(tr("Outputs to store"), {});
-    m_outputs->setMeaning(tr("Add up the outputs: IO1 is 1, IO2 is 2, IO3 is 4, up to IO12, which is 2048."));
-    m_outputs->setDigits(5);
-    m_outputs->showValue(0);
-    auto* outputs = new QLabel(tr("Outputs"), this);
-    outputs->setBuddy(m_outputs);
-    grid.addWidget(outputs, row + 1, 0);
-    grid.addWidget(m_outputs, row + 1, 1);
+    m_stored->setObjectName(u"storedOutputs"_s);
+    grid.addLine({new QLabel(tr("Latched"), this), m_synchInput->button(), {m_latched, 1}});
+    grid.addRow(tr("Outputs"), m_outputs);
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {
         const QString label = u"PWM"_s + QString::number(i + 1);
-        m_pwm.at(i) = new NumberField(0, this);
-        look::name(m_pwm.at(i), u"storedPwm%1Field"_s.arg(i + 1), tr("%1 to store").arg(label));
-        m_pwm.at(i)->setRange(0, 255);
-        m_pwm.at(i)->setWords(label, {});
-        m_pwm.at(i)->setDigits(5);
-        m_pwm.at(i)->showValue(0);
-        auto* name = new QLabel(label, this);
-        name->setBuddy(m_pwm.at(i));
-        grid.addWidget(name, row + 2 + static_cast<int>(i), 0);
-        grid.addWidget(m_pwm.at(i), row + 2 + static_cast<int>(i), 1);
+        m_pwm.at(i) = form::newNumber({.name = u"storedPwm%1Field"_s.arg(i + 1),
+                                       .accessible = tr("%1 to store").arg(label),
+                                       .words = label,
+                                       .max = 255,
+                                       .digits = kDigits},
+                                      this);
+        grid.addRow(label, m_pwm.at(i));
     }
-    m_stored->setObjectName(u"storedOutputs"_s);
-    grid.addWidget(m_store->button(), row + 4, 1);
-    grid.addWidget(m_stored, row + 4, 2, 1, 2);
-    grid.addWidget(m_synchOutput->button(), row + 5, 1);
-    for (NumberField* field : {m_outputs, m_pwm[0], m_pwm[1]})
+    grid.addLine({nullptr, m_store->button(), {m_stored, 1}});
+    grid.addLine({nullptr, m_synchOutput->button()});
+    for (NumberField* field : {m_outputs, m_pwm[0], m_pwm[1]}) {
+        field->showValue(0);
         connect(field, &NumberField::edited, this, &CounterBox::refresh);
+    }
 }
 
 void CounterBox::setMode() {

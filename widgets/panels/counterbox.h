@@ -7,12 +7,12 @@
 #include "widgets/panels/modulecontext.h"
 
 class QComboBox;
-class QGridLayout;
 class QLabel;
 
 namespace nmc {
 
 class Command;
+class FormGrid;
 class NumberField;
 
 /// Timer and counter of one PIC-I/O, and what it does at the same moment as the other modules of its group:
@@ -24,8 +24,8 @@ public:
     CounterBox(ModuleContext& context, QWidget* parent);
 
 private:
-    void buildTimer(QGridLayout& grid);
-    void buildSynch(QGridLayout& grid, int row);
+    void buildTimer(FormGrid& grid);
+    void buildSynch(FormGrid& grid);
     void setMode();
     void store();
     void refresh();

@@ -2,14 +2,11 @@
 #include "widgets/panels/directbox.h"
 
 #include <QCheckBox>
-#include <QComboBox>
-#include <QGridLayout>
 #include <QLabel>
 
 #include "model/intent/directplan.h"
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 
@@ -63,9 +60,8 @@ void DirectBox::addRow(QWidget* left, QWidget* right) {
 }
 
 QCheckBox* DirectBox::addFlag(const QString& name, const QString& text) {
-    auto* box = new QCheckBox(text, this);
-    look::name(box, named(name), text);
-    box->setToolTip(tr("A bit of %1: %2").arg(title(), text));
+    auto* box = form::newCheck(
+        {.name = named(name), .text = text, .meaning = tr("A bit of %1: %2").arg(title(), text)}, this);
     connect(box, &QCheckBox::toggled, this, &DirectBox::refresh);
     addRow(box, nullptr);
     return box;
@@ -86,19 +82,22 @@ QComboBox* DirectBox::addChoice(const QString& name, const QString& label, const
 DirectBox::Value DirectBox::addValue(const QString& name, const QString& text, double min, double max,
                                      bool optional) {
     Value value;
-    value.field = new NumberField(0, this);
-    look::name(value.field, named(name), text);
-    value.field->setRange(min, max);
-    value.field->setDigits(9);
-    value.field->setWords(text, {});
-    value.field->setMeaning(tr("Data of %1: %2").arg(title(), text));
+    value.field = form::newNumber({.name = named(name),
+                                   .accessible = text,
+                                   .min = min,
+                                   .max = max,
+                                   .digits = 9,
+                                   .meaning = tr("Data of %1: %2").arg(title(), text)},
+                                  this);
     value.field->showValue(std::max(min, 0.0));
     connect(value.field, &NumberField::edited, this, &DirectBox::refresh);
     QWidget* left = nullptr;
     if (optional) {
-        value.loaded = new QCheckBox(text, this);
-        look::name(value.loaded, named(name) + u"Loaded"_s, tr("%1: load").arg(text));
-        value.loaded->setToolTip(tr("If cleared, the chip keeps the value loaded before."));
+        value.loaded = form::newCheck({.name = named(name) + u"Loaded"_s,
+                                       .text = text,
+                                       .accessible = tr("%1: load").arg(text),
+                                       .meaning = tr("If cleared, the chip keeps the value loaded before.")},
+                                      this);
         connect(value.loaded, &QCheckBox::toggled, value.field, &QWidget::setEnabled);
         connect(value.loaded, &QCheckBox::toggled, this, &DirectBox::refresh);
         value.field->setEnabled(false);
@@ -118,11 +117,7 @@ void DirectBox::setCommand(std::function<ModuleCommand()> command,
     m_command = std::move(command);
     m_tell = std::move(meaning);
     addRow(m_meaning, nullptr);
-    auto* last = new QHBoxLayout;
-    last->setSpacing(look::gridUnit(this));
-    last->addWidget(m_bytes, 1);
-    last->addWidget(m_send->button());
-    m_grid->addLayout(last, m_grid->rowCount(), 0, 1, 2);
+    m_grid->addLayout(form::newLine(this, {{m_bytes, 1}, m_send->button()}), m_grid->rowCount(), 0, 1, 2);
     m_context.whenSeen(this, [this] { refresh(); });
 }
 

@@ -3,14 +3,13 @@
 
 #include <QButtonGroup>
 #include <QCheckBox>
-#include <QGridLayout>
 #include <QLabel>
 #include <QRadioButton>
 #include <QSignalBlocker>
 
 #include "model/intent/homingplan.h"
 #include "widgets/common/flowlayout.h"
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 
@@ -33,15 +32,10 @@ constexpr int kFieldDigits = 8;
 
 HomingForm::HomingForm(ModuleType type, QWidget* parent) : QWidget(parent), m_type(type) {
     look::name(this, named(u"homingForm"_s), tr("Search for home"));
-    const int unit = look::gridUnit(this);
-    auto* grid = new FoldingGrid(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(unit * 2 / 3);
-    grid->setVerticalSpacing(unit / 3);
+    auto* grid = new FormGrid(this, 4, {.sides = 0, .ends = 0});
     buildConditions(grid);
     buildMotion(grid);
     buildEnd(grid);
-    grid->setColumnStretch(3, 1);
     const double slowest = type == ModuleType::Stepper ? 25.0 : kSlowestServo;
     showChip(type == ModuleType::Stepper ? AxisScale::step({}) : AxisScale::servo({}, 1), 0, slowest);
     showRecipe(firstRecipe({type, 0}));
@@ -59,15 +53,9 @@ QWidget* HomingForm::row(const QList<QWidget*>& widgets) {
     return holder;
 }
 
-void HomingForm::addTitle(QGridLayout* grid, const QString& text, QWidget* content) {
-    grid->addWidget(new QLabel(text, this), m_line, 0);
-    grid->addWidget(content, m_line++, 1, 1, 3);
-}
-
 QAbstractButton* HomingForm::addBox(const QString& name, const QString& text, Flag flag,
                                     const QString& meaning) {
-    auto* box = new QCheckBox(text, this);
-    look::name(box, named(name), text);
+    auto* box = form::newCheck({.name = named(name), .text = text}, this);
     m_boxes.append({box, flag, meaning});
     connect(box, &QCheckBox::toggled, this, [this, flag](bool on) {
         m_recipe.*flag = on;
@@ -76,13 +64,7 @@ QAbstractButton* HomingForm::addBox(const QString& name, const QString& text, Fl
     return box;
 }
 
-QAbstractButton* HomingForm::addChoice(const QString& name, const QString& text, const QString& accessible) {
-    auto* button = new QRadioButton(text, this);
-    look::name(button, named(name), accessible);
-    return button;
-}
-
-void HomingForm::buildConditions(QGridLayout* grid) {
+void HomingForm::buildConditions(FormGrid* grid) {
     QList<QWidget*> conditions;
     const QString change = tr(
         "Home is where this switch changes. If it is active at the start, the motor first backs off in the other direction.");
@@ -90,7 +72,7 @@ void HomingForm::buildConditions(QGridLayout* grid) {
         conditions << addBox(u"onHomeSwitchBox"_s, tr("Home switch"), &HomingRecipe::onHomeSwitch, change)
                    << addBox(u"onLimit1Box"_s, tr("Limit 1 (forward)"), &HomingRecipe::onLimit1, change)
                    << addBox(u"onLimit2Box"_s, tr("Limit 2 (reverse)"), &HomingRecipe::onLimit2, change);
-        addTitle(grid, tr("Home is at"), row(conditions));
+        grid->addTitled(tr("Home is at"), row(conditions));
         return;
     }
     conditions
@@ -104,17 +86,23 @@ void HomingForm::buildConditions(QGridLayout* grid) {
         << addBox(
                u"onCurrentLimitBox"_s, tr("Current limit"), &HomingRecipe::onCurrentLimit,
                tr("Home is at a hard stop: the motor runs against it until the current limit is reached. Alone, it takes effect only at full speed; with other conditions from the start, so the starting current must stay below it. Sticky bits are cleared first."));
-    addTitle(grid, tr("Home is at"), row(conditions));
-    addTitle(
-        grid, QString(),
+    grid->addTitled(tr("Home is at"), row(conditions));
+    grid->addTitled(
+        QString(),
         addBox(
             u"thenIndexBox"_s, tr("then at the index, going back"), &HomingRecipe::thenIndex,
             tr("The conditions above find the approximate place; a second, slower search finds the index, which is more exact.")));
 }
 
-void HomingForm::buildMotion(QGridLayout* grid) {
-    m_reverse = addChoice(u"homingReverseButton"_s, tr("Reverse"), tr("Reverse: search direction"));
-    m_forward = addChoice(u"homingForwardButton"_s, tr("Forward"), tr("Forward: search direction"));
+void HomingForm::buildMotion(FormGrid* grid) {
+    m_reverse = form::newRadio({.name = named(u"homingReverseButton"_s),
+                                .text = tr("Reverse"),
+                                .accessible = tr("Reverse: search direction")},
+                               this);
+    m_forward = form::newRadio({.name = named(u"homingForwardButton"_s),
+                                .text = tr("Forward"),
+                                .accessible = tr("Forward: search direction")},
+                               this);
     auto* directions = new QButtonGroup(this);
     directions->addButton(m_reverse);
     directions->addButton(m_forward);
@@ -122,7 +110,7 @@ void HomingForm::buildMotion(QGridLayout* grid) {
         m_recipe.reverse = on != m_reversed;
         tell();
     });
-    addTitle(grid, tr("Direction"), row({m_reverse, m_forward}));
+    grid->addTitled(tr("Direction"), row({m_reverse, m_forward}));
 
     using Kind = QuantityField::Kind;
     addQuantity(grid, Kind::Velocity, u"homingVelocityField"_s, tr("Velocity"), &HomingRecipe::velocity,
@@ -136,44 +124,40 @@ void HomingForm::buildMotion(QGridLayout* grid) {
     addQuantity(grid, Kind::Distance, u"homingTravelField"_s, tr("Search distance"),
                 &HomingRecipe::travelLimit,
                 tr("A search, or backing off, stops and fails after this distance."));
-    m_time = new QLabel(tr("Time limit"), this);
-    m_timeLimit = new NumberField(1, this);
-    m_time->setBuddy(m_timeLimit);
-    look::name(m_timeLimit, named(u"homingTimeField"_s), tr("Time limit of a search"));
-    m_timeLimit->setWords(tr("Time limit"), u"s"_s);
-    m_timeLimit->setDigits(kFieldDigits);
-    m_timeLimit->setRange(0.1, kLongestTime);
-    m_timeLimit->setMeaning(tr("A search stops and fails after this time."));
+    m_timeLimit = form::newNumber({.name = named(u"homingTimeField"_s),
+                                   .accessible = tr("Time limit of a search"),
+                                   .words = tr("Time limit"),
+                                   .unit = u"s"_s,
+                                   .min = 0.1,
+                                   .max = kLongestTime,
+                                   .decimals = 1,
+                                   .digits = kFieldDigits,
+                                   .meaning = tr("A search stops and fails after this time.")},
+                                  this);
+    grid->addRow(tr("Time limit"), m_timeLimit, {new QLabel(u"s"_s, this)});
     connect(m_timeLimit, &NumberField::edited, this, [this] {
         m_recipe.timeLimit = m_timeLimit->value().value_or(m_recipe.timeLimit);
         tell();
     });
-    grid->addWidget(m_time, m_line, 0);
-    grid->addWidget(m_timeLimit, m_line, 1);
-    grid->addWidget(new QLabel(u"s"_s, this), m_line++, 2);
 }
 
-void HomingForm::addQuantity(QGridLayout* grid, QuantityField::Kind kind, const QString& name,
+void HomingForm::addQuantity(FormGrid* grid, QuantityField::Kind kind, const QString& name,
                              const QString& text, Number value, const QString& meaning) {
-    auto* field = new QuantityField(kind, this);
-    field->setName(named(name), tr("%1 of the search for home").arg(text));
-    field->setQuantity(text);
-    field->setMeaning(meaning);
-    field->setDigits(kFieldDigits);
-    auto* label = new QLabel(text, this);
-    label->setBuddy(field);
-    m_quantities.append({field, value, label});
-    grid->addWidget(label, m_line, 0);
-    grid->addWidget(field, m_line, 1);
-    grid->addWidget(field->unitLabel(), m_line, 2);
-    grid->addWidget(field->otherView(), m_line++, 3);
+    auto* field = form::newQuantity({.kind = kind,
+                                     .name = named(name),
+                                     .accessible = tr("%1 of the search for home").arg(text),
+                                     .words = text,
+                                     .digits = kFieldDigits,
+                                     .meaning = meaning},
+                                    this);
+    m_quantities.append({field, value, grid->addRow(text, field)});
     connect(field, &QuantityField::nativeEdited, this, [this, field, value] {
         m_recipe.*value = field->native().value_or(m_recipe.*value);
         tell();
     });
 }
 
-void HomingForm::buildEnd(QGridLayout* grid) {
+void HomingForm::buildEnd(FormGrid* grid) {
     const std::array names{u"homingAbruptlyButton"_s, u"homingSmoothlyButton"_s, u"homingMotorOffButton"_s};
     const std::array texts{tr("Abruptly"), tr("Smoothly"), tr("Motor off")};
     const std::array accessible{tr("Abruptly: stop at home"), tr("Smoothly: stop at home"),
@@ -181,7 +165,7 @@ void HomingForm::buildEnd(QGridLayout* grid) {
     auto* group = new QButtonGroup(this);
     QList<QWidget*> stops;
     for (std::size_t i = 0; i < kStops.size(); ++i) {
-        m_stops[i] = addChoice(names[i], texts[i], accessible[i]);
+        m_stops[i] = form::newRadio({named(names[i]), texts[i], accessible[i]}, this);
         group->addButton(m_stops[i]);
         stops << m_stops[i];
         connect(m_stops[i], &QAbstractButton::toggled, this, [this, i](bool on) {
@@ -191,9 +175,9 @@ void HomingForm::buildEnd(QGridLayout* grid) {
             tell();
         });
     }
-    addTitle(grid, tr("Stop there"), row(stops));
-    addTitle(
-        grid, tr("Then"),
+    grid->addTitled(tr("Stop there"), row(stops));
+    grid->addTitled(
+        tr("Then"),
         row({addBox(
                  u"goToHomeBox"_s, tr("Go to home"), &HomingRecipe::goToHome,
                  tr("The motor stops past home; this moves it back. If the search has switched the servo or amplifier off, it is switched on again.")),

@@ -8,10 +8,11 @@
 #include "widgets/common/quantityfield.h"
 
 class QAbstractButton;
-class QGridLayout;
 class QLabel;
 
 namespace nmc {
+
+class FormGrid;
 
 /// The fields of a home search. The form always has a complete recipe: a typed value that is not a number
 /// within its range changes nothing, and is reported by problemText().
@@ -50,15 +51,13 @@ private:
         QLabel* label;
     };
 
-    void buildConditions(QGridLayout* grid);
-    void buildMotion(QGridLayout* grid);
-    void buildEnd(QGridLayout* grid);
+    void buildConditions(FormGrid* grid);
+    void buildMotion(FormGrid* grid);
+    void buildEnd(FormGrid* grid);
     QWidget* row(const QList<QWidget*>& widgets);
     QAbstractButton* addBox(const QString& name, const QString& text, Flag flag, const QString& meaning);
-    QAbstractButton* addChoice(const QString& name, const QString& text, const QString& accessible);
-    void addQuantity(QGridLayout* grid, QuantityField::Kind kind, const QString& name, const QString& text,
+    void addQuantity(FormGrid* grid, QuantityField::Kind kind, const QString& name, const QString& text,
                      Number value, const QString& meaning);
-    void addTitle(QGridLayout* grid, const QString& text, QWidget* content);
     [[nodiscard]] QString named(const QString& name) const;
     void refresh();
     void refreshStops();
@@ -69,14 +68,12 @@ private:
     HomingRecipe m_recipe;
     bool m_reversed = false;  ///< the axis is reversed: forward here is reverse for the chip
     int m_version = 0;
-    int m_line = 0;
     bool m_locked = false;
     QList<Box> m_boxes;
     QList<Quantity> m_quantities;
     QAbstractButton* m_forward = nullptr;
     QAbstractButton* m_reverse = nullptr;
     std::array<QAbstractButton*, 3> m_stops{};  ///< by HomingRecipe::Stop
-    QLabel* m_time = nullptr;
     NumberField* m_timeLimit = nullptr;
 };
 

@@ -2,12 +2,10 @@
 #include "widgets/panels/iobox.h"
 
 #include <QCheckBox>
-#include <QComboBox>
-#include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
@@ -28,45 +26,39 @@ Use useOf(const servo::IoControl& io, int pin) {
 
 IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_context(context) {
     look::name(this, u"ioBox"_s, tr("Limits and I/O"));
-    const int unit = look::gridUnit(this);
-    auto* grid = new FoldingGrid(this);
-    grid->setContentsMargins(unit, unit, unit, unit);
-    grid->setHorizontalSpacing(unit);
-    grid->setVerticalSpacing(unit / 2);
-    int line = 0;
-    m_pins[0] = addPin(grid, line++, 1);
-    m_pins[1] = addPin(grid, line++, 2);
+    auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1, .down = 0.5});
+    m_pins[0] = addPin(grid, 1);
+    m_pins[1] = addPin(grid, 2);
     if (const ModuleIdentity& module = context.state().info.identity;
         hasPathBuffer(module) && !isSc(module)) {
-        m_fastPath = new QCheckBox(tr("Fast path"), this);
-        look::name(m_fastPath, u"ioFastPathBox"_s, tr("Fast path"));
+        m_fastPath = form::newCheck({.name = u"ioFastPathBox"_s, .text = tr("Fast path")}, this);
         connect(m_fastPath, &QCheckBox::clicked, this, &IoBox::control);
-        grid->addWidget(m_fastPath, line++, 0, 1, 4);
+        grid->addWide(m_fastPath);
     }
-    m_index = addInput(grid, line++, tr("Index"), u"indexValue"_s,
+    m_index = addInput(grid, tr("Index"), u"indexValue"_s,
                        tr("The encoder's index pulse, once per turn with most encoders."));
-    m_power = addInput(grid, line++, tr("Motor power"), u"powerValue"_s,
+    m_power = addInput(grid, tr("Motor power"), u"powerValue"_s,
                        tr("Without motor power the servo switches off, and stays off when power returns."));
     m_analog = new QLabel(u"–"_s, this);
     m_analog->setObjectName(u"analogValue"_s);
     m_analog->setFont(look::tabular(font()));
     m_analog->setToolTip(
         tr("The A/D input; with most amplifiers, the motor current. Set its scale on the Axis page."));
-    grid->addWidget(new QLabel(tr("A/D"), this), line, 0);
-    grid->addWidget(m_analog, line++, 2, 1, 2);
-    m_amplifier = new QCheckBox(tr("Amplifier enabled (&AMP_EN)"), this);
-    look::name(m_amplifier, u"amplifierBox"_s, tr("Amplifier enabled (AMP_EN)"));
-    grid->addWidget(m_amplifier, line++, 0, 1, 4);
+    grid->addLine({new QLabel(tr("A/D"), this), nullptr, {m_analog, 1}});
+    m_amplifier = form::newCheck({.name = u"amplifierBox"_s,
+                                  .text = tr("Amplifier enabled (&AMP_EN)"),
+                                  .accessible = tr("Amplifier enabled (AMP_EN)")},
+                                 this);
+    grid->addWide(m_amplifier);
     m_remark = look::newMutedLabel(
-        tr("On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page."),
+        isSc(context.state().info.identity)
+            ? tr("The Amplifier page sets what the module does when a limit closes.")
+            : tr("On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page."),
         this);
-    if (isSc(context.state().info.identity))
-        m_remark->setText(tr("The Amplifier page sets what the module does when a limit closes."));
     m_remark->setObjectName(u"limitRemark"_s);
     m_remark->setWordWrap(true);
-    grid->addWidget(m_remark, line++, 0, 1, 4);
-    grid->setRowStretch(line, 1);
-    grid->setColumnStretch(3, 1);
+    grid->addWide(m_remark);
+    grid->end();
     connect(m_amplifier, &QCheckBox::clicked, this, [this](bool enable) {
         refresh();  // the box follows the module, not the click
         m_context.ask(intent::SetAmplifier{enable});
@@ -74,39 +66,29 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
-IoBox::Pin IoBox::addPin(QGridLayout* grid, int line, int number) {
+IoBox::Pin IoBox::addPin(FormGrid* grid, int number) {
     Pin pin;
-    auto* label = new QLabel(number == 1 ? tr("Limit &1") : tr("Limit &2"), this);
-    pin.use = new QComboBox(this);
-    look::name(pin.use, u"limit%1UseBox"_s.arg(number), tr("Limit %1: input or output").arg(number));
-    pin.use->addItem(tr("input"), Input);
-    pin.use->addItem(tr("output, low"), OutputLow);
-    pin.use->addItem(tr("output, high"), OutputHigh);
-    label->setBuddy(pin.use);
+    pin.use = form::newChoice(
+        {.name = u"limit%1UseBox"_s.arg(number),
+         .accessible = tr("Limit %1: input or output").arg(number),
+         .options = {{tr("input"), Input}, {tr("output, low"), OutputLow}, {tr("output, high"), OutputHigh}}},
+        this);
     pin.glyph = new GlyphLabel(this);
     pin.value = new QLabel(u"–"_s, this);
     pin.value->setObjectName(u"limit%1Value"_s.arg(number));
-    grid->addWidget(label, line, 0);
-    grid->addWidget(pin.use, line, 1);
-    grid->addWidget(pin.glyph, line, 2);
-    grid->addWidget(pin.value, line, 3);
+    grid->addRow(number == 1 ? tr("Limit &1") : tr("Limit &2"), pin.use, {pin.glyph, pin.value});
     connect(pin.use, &QComboBox::activated, this, &IoBox::control);
     return pin;
 }
 
-IoBox::Indicator IoBox::addInput(QGridLayout* grid, int line, const QString& label, const QString& objectName,
+IoBox::Indicator IoBox::addInput(FormGrid* grid, const QString& label, const QString& objectName,
                                  const QString& meaning) {
-    Indicator input;
     auto* name = new QLabel(label, this);
-    input.glyph = new GlyphLabel(this);
-    input.value = new QLabel(u"–"_s, this);
+    const Indicator input{.glyph = new GlyphLabel(this), .value = new QLabel(u"–"_s, this)};
     input.value->setObjectName(objectName);
-    for (QWidget* widget : {static_cast<QWidget*>(name), static_cast<QWidget*>(input.glyph),
-                            static_cast<QWidget*>(input.value)})
-        widget->setToolTip(meaning);
-    grid->addWidget(name, line, 0);
-    grid->addWidget(input.glyph, line, 2);
-    grid->addWidget(input.value, line, 3);
+    for (QWidget* part : std::initializer_list<QWidget*>{name, input.glyph, input.value})
+        part->setToolTip(meaning);
+    grid->addLine({name, nullptr, input.glyph, input.value});
     return input;
 }
 
@@ -122,7 +104,7 @@ void IoBox::showModule() {
     for (int i = 0; i < 2; ++i) {
         QComboBox* use = m_pins[static_cast<std::size_t>(i)].use;
         const QSignalBlocker blocker(use);
-        use->setCurrentIndex(use->findData(useOf(io, i)));
+        form::choose(use, useOf(io, i));
     }
     if (m_fastPath != nullptr)
         m_fastPath->setChecked(io.fastPath);
@@ -131,7 +113,7 @@ void IoBox::showModule() {
 
 void IoBox::control() {
     servo::IoControl io;
-    const auto use = [this](std::size_t pin) { return m_pins[pin].use->currentData().toInt(); };
+    const auto use = [this](std::size_t pin) { return form::chosen<Use>(m_pins[pin].use); };
     io.limit1IsInput = use(0) == Input;
     io.limit1Output = use(0) == OutputHigh;
     io.limit2IsInput = use(1) == Input;

@@ -8,11 +8,11 @@
 
 class QCheckBox;
 class QComboBox;
-class QGridLayout;
 class QLabel;
 
 namespace nmc {
 
+class FormGrid;
 class GlyphLabel;
 
 /// Inputs and outputs of a PIC-SERVO: the limit pins, which may be inputs or outputs (DS-V 5.2 I/O Control),
@@ -34,8 +34,8 @@ private:
         QLabel* value = nullptr;
     };
 
-    Pin addPin(QGridLayout* grid, int line, int number);
-    Indicator addInput(QGridLayout* grid, int line, const QString& label, const QString& objectName,
+    Pin addPin(FormGrid* grid, int number);
+    Indicator addInput(FormGrid* grid, const QString& label, const QString& objectName,
                        const QString& meaning);
     static void show(const Indicator& input, std::optional<bool> set, const QString& on, const QString& off);
     void control();

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/iohead.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
+#include <QVBoxLayout>
 
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/boxparts.h"
 
 namespace nmc {
 
@@ -22,23 +23,17 @@ IoHead::IoHead(ModuleContext& context, QWidget* parent)
       m_type(look::newMutedLabel({}, this)),
       m_state(new QLabel(this)),
       m_meaning(new QLabel(this)),
-      m_name(new QLineEdit(this)) {
+      m_name(newNameField(u"ioNameField"_s, tr("Name of this module"), this)) {
     look::name(this, u"ioHead"_s, tr("State of the selected module"));
     m_module->setObjectName(u"ioModuleName"_s);
     m_type->setObjectName(u"ioModuleType"_s);
     m_state->setObjectName(u"ioStateLabel"_s);
     m_meaning->setObjectName(u"ioStateMeaning"_s);
-    look::name(m_name, u"ioNameField"_s, tr("Name of this module"));
-    m_name->setPlaceholderText(tr("Name"));
-    m_name->setMaxLength(40);
-    m_name->setToolTip(tr("Its name on this machine. Sends nothing."));
     QFont large = look::scaled(font(), 1.5);
     large.setBold(true);
     m_state->setFont(large);
     m_glyph->setFont(look::scaled(font(), 1.7));
-    QFont bold = font();
-    bold.setBold(true);
-    m_module->setFont(bold);
+    form::setBold(m_module);
     const int unit = look::gridUnit(this);
     auto* who = new FlowLayout(unit);
     who->addWidget(m_module);
@@ -48,15 +43,10 @@ IoHead::IoHead(ModuleContext& context, QWidget* parent)
     who->addWidget(label);
     who->addWidget(m_name);
     m_meaning->setWordWrap(true);
-    auto* what = new QHBoxLayout;
-    what->setSpacing(unit / 2);
-    what->addWidget(m_glyph);
-    what->addWidget(m_state);
-    what->addWidget(m_meaning, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit / 2, unit, unit / 2);
     layout->addLayout(who);
-    layout->addLayout(what);
+    layout->addLayout(form::newLine(this, {m_glyph, m_state, {m_meaning, 1}}, 0.5));
     connect(m_name, &QLineEdit::textEdited, this, [this](const QString& text) {
         m_context.edit([text](AxisSettings& axis) { axis.name = text.toStdString(); });
     });
@@ -73,9 +63,7 @@ void IoHead::refresh() {
     look::setText(m_state, texts::activity(activity));
     look::setText(m_meaning, texts::activityMeaning(activity));
     m_glyph->showActivity(activity);
-    const QString name = QString::fromStdString(m_context.settings().name);
-    if (m_name->text() != name && !m_name->hasFocus())
-        m_name->setText(name);
+    showUnlessTyped(m_name, m_context.settings().name);
 }
 
 }  // namespace nmc

@@ -4,12 +4,10 @@
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLineEdit>
 
 #include "model/settings/pinsof.h"
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/panels/boxparts.h"
 
@@ -21,17 +19,7 @@ namespace {
 
 constexpr int kLongestAnalogUnit = 8;
 constexpr double kLargestScale = 1e6;
-
-void showUnlessTyped(QLineEdit& edit, const std::string& text) {
-    const QString words = QString::fromStdString(text);
-    if (edit.text() != words && !edit.hasFocus())
-        edit.setText(words);
-}
-
-void showUnlessTyped(NumberField& field, double value) {
-    if (field.value() != value && !field.hasFocus())
-        field.showValue(value);
-}
+constexpr int kDigits = 8;  // width of a field
 
 }  // namespace
 
@@ -50,24 +38,22 @@ IoValuesBox::IoValuesBox(ModuleContext& context, QWidget* parent) : QWidget(pare
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
-QLineEdit* IoValuesBox::newText(const QString& objectName, const QString& accessibleName,
-                                const QString& hint) {
-    auto* edit = new QLineEdit(this);
-    look::name(edit, objectName, accessibleName);
-    edit->setPlaceholderText(hint);
-    edit->setToolTip(tr("Its name on this machine. Sends nothing."));
-    edit->setMaxLength(kMaxNameLength);
+QLineEdit* IoValuesBox::newText(const QString& objectName, const QString& accessibleName) {
+    auto* edit = newNameField(objectName, accessibleName, this);
     edit->setMinimumWidth(look::gridUnit(this) * 6);
     return edit;
 }
 
-NumberField* IoValuesBox::newNumber(const QString& objectName, const QString& accessibleName, double most) {
-    auto* field = new NumberField(most > 255 ? 6 : 0, this);
-    look::name(field, objectName, accessibleName);
-    field->setRange(most > 255 ? -most : 0, most);
-    field->setWords(accessibleName, {});
-    field->setDigits(8);
-    return field;
+NumberField* IoValuesBox::newNumber(const QString& objectName, const QString& accessibleName,
+                                    const QString& meaning) {
+    return form::newNumber({.name = objectName,
+                            .accessible = accessibleName,
+                            .min = -kLargestScale,
+                            .max = kLargestScale,
+                            .decimals = 6,
+                            .digits = kDigits,
+                            .meaning = meaning},
+                           this);
 }
 
 void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
@@ -79,16 +65,16 @@ void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
         Analog& input = m_analog.at(i);
         const QString number = QString::number(i + 1);
         const QString label = u"AD"_s + number;
-        input.name = newText(u"analog%1Name"_s.arg(number), tr("Name of %1").arg(label), tr("name"));
+        input.name = newText(u"analog%1Name"_s.arg(number), tr("Name of %1").arg(label));
         input.value = new QLabel(this);
         look::nameText(input.value, u"analog%1Value"_s.arg(number), tr("Value of %1").arg(label));
         input.value->setFont(look::tabular(font()));
-        input.perCount =
-            newNumber(u"analog%1PerCount"_s.arg(number), tr("%1, each step").arg(label), kLargestScale);
-        input.perCount->setMeaning(tr("The value of one A/D count."));
-        input.atZero = newNumber(u"analog%1AtZero"_s.arg(number), tr("%1 at 0").arg(label), kLargestScale);
-        input.atZero->setMeaning(tr("The value at an A/D reading of 0."));
-        input.unit = newText(u"analog%1Unit"_s.arg(number), tr("Unit of %1").arg(label), u"V"_s);
+        input.perCount = newNumber(u"analog%1PerCount"_s.arg(number), tr("%1, each step").arg(label),
+                                   tr("The value of one A/D count."));
+        input.atZero = newNumber(u"analog%1AtZero"_s.arg(number), tr("%1 at 0").arg(label),
+                                 tr("The value at an A/D reading of 0."));
+        input.unit = newText(u"analog%1Unit"_s.arg(number), tr("Unit of %1").arg(label));
+        input.unit->setPlaceholderText(u"V"_s);
         input.unit->setMaxLength(kLongestAnalogUnit);
         input.unit->setMaximumWidth(look::gridUnit(this) * 5);
         auto* name = new QLabel(label, this);
@@ -125,16 +111,21 @@ void IoValuesBox::buildPwm(QGridLayout& grid, int row) {
         Pwm& output = m_pwm.at(i);
         const QString number = QString::number(i + 1);
         const QString label = u"PWM"_s + number;
-        output.name = newText(u"ioPwm%1Name"_s.arg(number), tr("Name of %1").arg(label), tr("name"));
+        output.name = newText(u"ioPwm%1Name"_s.arg(number), tr("Name of %1").arg(label));
         output.state = new QLabel(this);
         look::nameText(output.state, u"ioPwm%1State"_s.arg(number), tr("Last value sent to %1").arg(label));
-        output.field = newNumber(u"ioPwm%1Field"_s.arg(number), tr("Value of %1").arg(label), 255);
-        output.field->setMeaning(tr("255 is always on. Press Enter to send."));
-        output.offAtStop = new QCheckBox(this);
-        look::name(output.offAtStop, u"ioPwm%1OffAtStop"_s.arg(number),
-                   tr("Switch %1 off on STOP ALL").arg(label));
-        output.offAtStop->setToolTip(
-            tr("STOP ALL switches this output off. If cleared, the output stays as it is."));
+        output.field = form::newNumber({.name = u"ioPwm%1Field"_s.arg(number),
+                                        .accessible = tr("Value of %1").arg(label),
+                                        .max = 255,
+                                        .digits = kDigits,
+                                        .meaning = tr("255 is always on. Press Enter to send.")},
+                                       this);
+        output.offAtStop = form::newCheck(
+            {.name = u"ioPwm%1OffAtStop"_s.arg(number),
+             .text = {},
+             .accessible = tr("Switch %1 off on STOP ALL").arg(label),
+             .meaning = tr("STOP ALL switches this output off. If cleared, the output stays as it is.")},
+            this);
         auto* name = new QLabel(label, this);
         name->setBuddy(output.field);
         const int line = row + 1 + static_cast<int>(i);
@@ -173,14 +164,14 @@ void IoValuesBox::showModule() {
     const PinSettings& settings = pinsOf(m_context.settings());
     for (std::size_t i = 0; i < m_analog.size(); ++i) {
         const AnalogInput input = PinSettings::of(settings.analog, i);
-        showUnlessTyped(*m_analog.at(i).name, input.name);
-        showUnlessTyped(*m_analog.at(i).unit, input.scale.unit);
-        showUnlessTyped(*m_analog.at(i).perCount, input.scale.perCount);
-        showUnlessTyped(*m_analog.at(i).atZero, input.scale.atZero);
+        showUnlessTyped(m_analog.at(i).name, input.name);
+        showUnlessTyped(m_analog.at(i).unit, input.scale.unit);
+        showUnlessTyped(m_analog.at(i).perCount, input.scale.perCount);
+        showUnlessTyped(m_analog.at(i).atZero, input.scale.atZero);
     }
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {
         const OutputSettings output = PinSettings::of(settings.pwm, i);
-        showUnlessTyped(*m_pwm.at(i).name, output.name);
+        showUnlessTyped(m_pwm.at(i).name, output.name);
         m_pwm.at(i).offAtStop->setChecked(output.offAtStop);
     }
     refresh();

@@ -10,7 +10,6 @@ class QCheckBox;
 class QGridLayout;
 class QLabel;
 class QLineEdit;
-class QSlider;
 
 namespace nmc {
 
@@ -40,8 +39,8 @@ private:
 
     void buildAnalog(QGridLayout& grid, int row);
     void buildPwm(QGridLayout& grid, int row);
-    QLineEdit* newText(const QString& objectName, const QString& accessibleName, const QString& hint);
-    NumberField* newNumber(const QString& objectName, const QString& accessibleName, double most);
+    QLineEdit* newText(const QString& objectName, const QString& accessibleName);
+    NumberField* newNumber(const QString& objectName, const QString& accessibleName, const QString& meaning);
     void editAnalog(std::size_t number, const std::function<void(AnalogInput&)>& change);
     void editPwm(std::size_t number, const std::function<void(OutputSettings&)>& change);
     void sendPwm(unsigned output);

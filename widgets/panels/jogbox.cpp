@@ -1,94 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/jogbox.h"
 
-#include <QGridLayout>
-#include <QLabel>
-
-#include "model/intent/travel.h"
-#include "model/module/servodefaults.h"
 #include "widgets/common/elidedlabel.h"
+#include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
-#include "widgets/common/quantityfield.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/holdbutton.h"
-#include "widgets/panels/motionbox.h"
-#include "widgets/panels/quantitygrid.h"
+#include "widgets/panels/stepperwords.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-JogBox::JogBox(ModuleContext& context, const MotionBox& motion, QWidget* parent)
+JogBox::JogBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(parent),
       m_context(context),
-      m_motionBox(motion),
-      m_motion(servodefaults::motionOf(context.settings())) {
-    look::name(this, u"jogBox"_s, tr("Jog"));
-    build();
-    m_velocity->setScale(m_context.scale());
-    showVelocity();
+      m_reverse(newHold(true)),
+      m_forward(newHold(false)),
+      m_outcome(new ElidedLabel(1, this)) {
+    look::name(this, m_context.named(u"jogBox"_s), tr("Jog"));
+    m_speed = form::newQuantity({.kind = QuantityField::Kind::Velocity,
+                                 .name = m_context.named(u"holdVelocityField"_s),
+                                 .accessible = tr("Jog speed"),
+                                 .step = m_context.state().isStepper() ? 25 : 0.05},
+                                this);
+    m_outcome->setObjectName(m_context.named(u"jogHint"_s));
+    auto* grid = new FormGrid(this);
+    form::setBold(grid->addRow(tr("J&og speed"), m_speed, {form::newLine(this, {m_reverse, m_forward})}));
+    grid->addWide(m_outcome);
+    m_speed->setScale(m_context.scale());
+    connect(m_speed, &QuantityField::nativeEdited, this, [this] {
+        endHold();
+        if (const auto speed = m_speed->native())
+            m_typed = speed;
+        refresh();
+    });
     connect(&m_context, &ModuleContext::holdMustEnd, this, &JogBox::endHold);
     connect(&m_context, &ModuleContext::lookedForAnew, this, &JogBox::lookedForAnew);
-    connect(&m_motionBox, &MotionBox::accelerationEdited, this, &JogBox::endHold);
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
-void JogBox::build() {
-    QGridLayout* grid = quantitygrid::newGrid(this);
-    int line = 0;
-    m_velocity = new QuantityField(QuantityField::Kind::Velocity, this);
-    m_velocity->setName(u"holdVelocityField"_s, tr("Jog speed"));
-    m_velocity->setQuantity(tr("Jog speed"));
-    m_velocity->setNativeStep(0.05);
-    m_velocity->setMeaning(tr(
-        "How fast the motor turns while you hold a button, or Space on it. Returns to a low value on every connect; set the max jog speed on the Axis page."));
-    quantitygrid::addFirstRow(grid, line, tr("J&og speed"), m_velocity);
-    m_reverse = new HoldButton(this);
-    m_reverse->setIcon(icons::tinted(u"hand-stop"_s));
-    m_reverse->setText(tr("◂ Hold"));
-    look::name(m_reverse, u"holdReverseButton"_s, tr("Hold to move in reverse"));
-    m_forward = new HoldButton(this);
-    m_forward->setIcon(icons::tinted(u"hand-stop"_s));
-    m_forward->setText(tr("Hold ▸"));
-    look::name(m_forward, u"holdForwardButton"_s, tr("Hold to move forward"));
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(look::gridUnit(this));
-    buttons->addWidget(m_reverse);
-    buttons->addWidget(m_forward);
-    grid->addLayout(buttons, line++, quantitygrid::kButtonColumn);
-    m_hint = new ElidedLabel(1, this);
-    m_hint->setObjectName(u"jogHint"_s);
-    grid->addWidget(m_hint, line++, 0, 1, quantitygrid::kColumns);
-
-    connect(m_velocity, &QuantityField::nativeEdited, this, [this] {
-        // A hold in progress was requested at another speed.
-        endHold();
-        if (const auto velocity = m_velocity->native())
-            m_typed = velocity;
-        refresh();
-    });
-    m_forward->setDirection(HoldButton::Direction::Forward);
-    m_reverse->setDirection(HoldButton::Direction::Reverse);
-    connect(m_forward, &HoldButton::held, this, [this] { hold(*m_forward, false); });
-    connect(m_reverse, &HoldButton::held, this, [this] { hold(*m_reverse, true); });
-    for (HoldButton* button : {m_forward, m_reverse}) {
-        connect(button, &HoldButton::holdEnded, &m_context, &ModuleContext::release);
-        connect(&m_context, &ModuleContext::holdIntervalChanged, button, &HoldButton::setInterval);
-    }
+HoldButton* JogBox::newHold(bool reverse) {
+    auto* button = new HoldButton(this);
+    button->setIcon(icons::tinted(u"hand-stop"_s));
+    button->setText(reverse ? tr("◂ Hold") : tr("Hold ▸"));
+    look::name(button, m_context.named(reverse ? u"holdReverseButton"_s : u"holdForwardButton"_s),
+               reverse ? tr("Hold to move in reverse") : tr("Hold to move forward"));
+    button->setDirection(reverse ? HoldButton::Direction::Reverse : HoldButton::Direction::Forward);
+    connect(button, &HoldButton::held, this, [this, button, reverse] { hold(*button, reverse); });
+    connect(button, &HoldButton::holdEnded, &m_context, &ModuleContext::release);
+    connect(&m_context, &ModuleContext::holdIntervalChanged, button, &HoldButton::setInterval);
+    return button;
 }
 
-void JogBox::showVelocity() {
-    m_velocity->setNativeRange(servodefaults::kSmallest, m_motion.holdCap);
-    m_velocity->setRangeReason(texts::jogReason());
-    m_velocity->showNative(m_typed.value_or(qMin(m_motion.holdVelocity, m_motion.holdCap)));
+void JogBox::showSpeed() {
+    m_speed->showNative(std::clamp(m_typed.value_or(m_range.first), m_range.slowest, m_range.cap));
 }
 
 void JogBox::lookedForAnew() {
     endHold();
     m_typed.reset();
-    showVelocity();
+    showSpeed();
     refresh();
 }
 
@@ -98,16 +72,25 @@ void JogBox::endHold() {
 }
 
 void JogBox::showModule() {
-    const MotionSettings motion = servodefaults::motionOf(m_context.settings());
-    const bool otherCap = motion.holdCap != m_motion.holdCap;
-    const bool others = otherCap || motion.holdVelocity != m_motion.holdVelocity;
-    // A hold in progress was requested with another cap or scale.
-    if (otherCap || m_context.scale() != m_velocity->scale())
+    const JogRange range = jogRange(m_context.state(), m_context.settings());
+    const AxisScale scale = m_context.scale();
+    const bool otherRange = range != m_range;
+    if (otherRange || scale != m_speed->scale())
         endHold();
-    m_motion = motion;
-    m_velocity->setScale(m_context.scale());
-    if (others)
-        showVelocity();
+    m_range = range;
+    m_speed->setScale(scale);
+    m_speed->setNativeRange(range.slowest, range.cap);
+    if (m_context.state().isStepper()) {
+        m_speed->setMeaning(
+            tr("How fast the motor turns while you hold a button, or Space on it: %1 to %2. Set the max jog speed on the Parameters page.")
+                .arg(texts::stepsPerSecond(range.slowest, scale), texts::stepsPerSecond(range.cap, scale)));
+    } else {
+        m_speed->setRangeReason(texts::jogReason());
+        m_speed->setMeaning(tr(
+            "How fast the motor turns while you hold a button, or Space on it. Returns to a low value on every connect; set the max jog speed on the Axis page."));
+    }
+    if (otherRange)
+        showSpeed();
     refresh();
 }
 
@@ -115,7 +98,16 @@ void JogBox::refresh() {
     // Never "busy": a hold in progress must not end because it waits for the answers to its own commands.
     look::setPossible(m_forward, reasonFor(false), tr("Moves forward while held, then stops."));
     look::setPossible(m_reverse, reasonFor(true), tr("Moves in reverse while held, then stops."));
-    look::setText(m_hint, m_velocity->problemText());
+    look::setText(m_outcome, outcome());
+}
+
+QString JogBox::outcome() const {
+    const auto hold = wanted(false);
+    if (!hold || !hold->pace)
+        return m_speed->problemText();
+    const stepper::SetParameters& parameters = *m_context.state().stepper.parameters();
+    return texts::profiledSpeed(StepperSpeed(parameters.speedMode), hold->pace->speed,
+                                parameters.minimumProfileSpeed, m_speed->scale());
 }
 
 QString JogBox::reasonFor(bool reverse) const {
@@ -123,23 +115,17 @@ QString JogBox::reasonFor(bool reverse) const {
         return reason;
     const auto hold = wanted(reverse);
     if (!hold)
-        return m_motionBox.acceleration() ? m_velocity->problemText()
-                                          : texts::refusal(Refusal::NoAcceleration);
-    const auto within = withinTravel(*hold, m_context.state());
-    return within ? QString() : texts::travelProblem(within.error(), m_velocity->scale());
+        return m_speed->problemText();
+    const auto refusal = whyNot(*hold, m_context.state());
+    return refusal
+               ? texts::refusal(*refusal, intent::Move{runOf(*hold)}, m_context.state(), m_context.scale())
+               : QString();
 }
 
 std::optional<bus::HoldToMove> JogBox::wanted(bool reverse) const {
-    const auto velocity = m_velocity->native();
-    const auto acceleration = m_motionBox.acceleration();
-    if (!velocity || !acceleration)
-        return std::nullopt;
-    bus::HoldToMove hold;
-    hold.module = m_context.state().info.index;
-    hold.velocity = CountsPerTick(servodefaults::toFixed(*velocity));
-    hold.acceleration = *acceleration;
-    hold.reverse = m_context.chipReverse(reverse);
-    return hold;
+    const auto speed = m_speed->native();
+    return speed ? jog(m_context.state(), m_context.settings(), *speed, m_context.chipReverse(reverse))
+                 : std::nullopt;
 }
 
 void JogBox::hold(const HoldButton& button, bool reverse) {

@@ -3,6 +3,7 @@
 
 #include <QGroupBox>
 
+#include "model/intent/jog.h"
 #include "widgets/panels/modulecontext.h"
 
 class QLabel;
@@ -10,37 +11,38 @@ class QLabel;
 namespace nmc {
 
 class HoldButton;
-class MotionBox;
 class QuantityField;
 
-/// Hold to move: motion only while a button is held, at a velocity that is low after every connect and never
+/// Hold to move: motion only while a button is held, at a speed that is low after every connect and never
 /// above the axis's cap.
 class JogBox : public QGroupBox {
     Q_OBJECT
 
 public:
-    /// The acceleration is that of `motion`.
-    JogBox(ModuleContext& context, const MotionBox& motion, QWidget* parent);
+    /// The object names of a stepper's controls begin with "stepper".
+    JogBox(ModuleContext& context, QWidget* parent);
+
+    /// To be called whenever a hold in progress was requested with a value that has changed since.
+    void endHold();
 
 private:
-    void build();
+    [[nodiscard]] HoldButton* newHold(bool reverse);
     void hold(const HoldButton& button, bool reverse);
     [[nodiscard]] std::optional<bus::HoldToMove> wanted(bool reverse) const;
     [[nodiscard]] QString reasonFor(bool reverse) const;
-    void endHold();
+    [[nodiscard]] QString outcome() const;
     void lookedForAnew();
-    void showVelocity();
+    void showSpeed();
     void showModule();
     void refresh();
 
     ModuleContext& m_context;
-    const MotionBox& m_motionBox;
-    QuantityField* m_velocity = nullptr;
-    HoldButton* m_forward = nullptr;
-    HoldButton* m_reverse = nullptr;
-    QLabel* m_hint = nullptr;
-    std::optional<double> m_typed;  ///< native velocity, if it was typed since the last search for the chain
-    MotionSettings m_motion;        ///< as shown
+    QuantityField* m_speed;
+    HoldButton* m_reverse;
+    HoldButton* m_forward;
+    QLabel* m_outcome;
+    std::optional<double> m_typed;  ///< native speed, if it was typed since the last search for the chain
+    JogRange m_range;               ///< as shown
 };
 
 }  // namespace nmc

@@ -3,13 +3,11 @@
 
 #include <QButtonGroup>
 #include <QCheckBox>
-#include <QGridLayout>
-#include <QLabel>
 #include <QRadioButton>
 
 #include "model/intent/homingplan.h"
 #include "widgets/common/flowlayout.h"
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -43,11 +41,21 @@ QString limits(const HomeWatch& watch) {
 LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(tr("Limit stop"), parent),
       m_context(context),
-      m_limit1(new QCheckBox(tr("Limit 1"), this)),
-      m_limit2(new QCheckBox(tr("Limit 2"), this)),
-      m_positionError(new QCheckBox(tr("Position error"), this)),
-      m_currentLimit(new QCheckBox(tr("Current"), this)),
-      m_each(new QCheckBox(tr("for each motion of this axis"), this)),
+      m_limit1(form::newCheck(
+          {.name = u"armLimit1Box"_s, .text = tr("Limit 1"), .accessible = tr("Limit 1: stop there")}, this)),
+      m_limit2(form::newCheck(
+          {.name = u"armLimit2Box"_s, .text = tr("Limit 2"), .accessible = tr("Limit 2: stop there")}, this)),
+      m_positionError(form::newCheck({.name = u"armPositionErrorBox"_s,
+                                      .text = tr("Position error"),
+                                      .accessible = tr("Position error stops the motor")},
+                                     this)),
+      m_currentLimit(form::newCheck(
+          {.name = u"armCurrentBox"_s, .text = tr("Current"), .accessible = tr("Current stops the motor")},
+          this)),
+      m_each(form::newCheck({.name = u"armEachMotionBox"_s,
+                             .text = tr("for each motion of this axis"),
+                             .accessible = tr("For each motion of this axis, arm the limit stop")},
+                            this)),
       m_arm(new Command({.name = u"armLimitStopButton"_s,
                          .icon = {},
                          .text = tr("Arm limit stop"),
@@ -60,17 +68,8 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
                             .accessible = tr("Disarm limit stop"),
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_D},
                            this, [this] { m_context.ask(intent::ArmLimitStop{}); })),
-      m_state(new QLabel(this)) {
+      m_state(form::newParagraph(u"limitStopState"_s, tr("State of the limit stop"), this)) {
     look::name(this, u"limitStopBox"_s, tr("Limit stop"));
-    look::name(m_limit1, u"armLimit1Box"_s, tr("Limit 1: stop there"));
-    look::name(m_limit2, u"armLimit2Box"_s, tr("Limit 2: stop there"));
-    look::name(m_positionError, u"armPositionErrorBox"_s, tr("Position error stops the motor"));
-    look::name(m_currentLimit, u"armCurrentBox"_s, tr("Current stops the motor"));
-    look::name(m_each, u"armEachMotionBox"_s, tr("For each motion of this axis, arm the limit stop"));
-    look::nameText(m_state, u"limitStopState"_s, tr("State of the limit stop"));
-    m_state->setWordWrap(true);
-    m_state->setTextFormat(Qt::PlainText);
-
     const int unit = look::gridUnit(this);
     auto* limitRow = new FlowLayout(unit * 2);
     for (QAbstractButton* box : conditions())
@@ -82,27 +81,16 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     auto* mannerRow = new FlowLayout(unit * 2);
     auto* group = new QButtonGroup(this);
     for (std::size_t i = 0; i < kManners.size(); ++i) {
-        m_manners[i] = new QRadioButton(texts[i], this);
-        look::name(m_manners[i], names[i], accessible[i]);
+        m_manners[i] = form::newRadio({names[i], texts[i], accessible[i]}, this);
         group->addButton(m_manners[i]);
         mannerRow->addWidget(m_manners[i]);
     }
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(unit);
-    buttons->addStretch(1);
-    buttons->addWidget(m_disarm->button());
-    buttons->addWidget(m_arm->button());
-    auto* grid = new FoldingGrid(this);
-    grid->setHorizontalSpacing(unit);
-    grid->setVerticalSpacing(unit / 3);
-    grid->addWidget(new QLabel(tr("Stop at"), this), 0, 0);
-    grid->addLayout(limitRow, 0, 1);
-    grid->addWidget(new QLabel(tr("How"), this), 1, 0);
-    grid->addLayout(mannerRow, 1, 1);
-    grid->addWidget(new QLabel(tr("Armed"), this), 2, 0);
-    grid->addWidget(m_each, 2, 1);
-    grid->addWidget(m_state, 3, 0, 1, 2);
-    grid->addLayout(buttons, 4, 0, 1, 2);
+    auto* grid = new FormGrid(this, 2, {.across = 1});
+    grid->addTitled(tr("Stop at"), limitRow);
+    grid->addTitled(tr("How"), mannerRow);
+    grid->addTitled(tr("Armed"), m_each);
+    grid->addWide(m_state);
+    grid->addWide(form::newLine(this, {nullptr, m_disarm->button(), m_arm->button()}));
     grid->setColumnStretch(1, 1);
 
     for (QAbstractButton* box : {m_limit1, m_limit2, m_positionError, m_currentLimit, m_each})

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/intent/rights.h"
+#include "widgets/common/look.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
 
@@ -69,6 +70,10 @@ void ModuleContext::show(const PanelView& view) {
         m_askedAt.reset();
     adopt(view);
     emit changed();
+}
+
+QString ModuleContext::named(const QString& objectName) const {
+    return look::nameFor(m_state.info.identity.type, objectName);
 }
 
 std::optional<ProcedureReport> ModuleContext::procedure(ProcedureKind kind) const {

@@ -27,6 +27,8 @@ public:
     /// The chip's direction for a direction as the user sees it.
     [[nodiscard]] bool chipReverse(bool reverse) const { return reverse != scale().reversed(); }
     [[nodiscard]] bool connected() const { return m_connected; }
+    /// The object name of a control that the window may have once for each type of module.
+    [[nodiscard]] QString named(const QString& objectName) const;
     /// Age in s of a state that is older than it should be.
     [[nodiscard]] std::optional<double> age() const { return m_age; }
     /// The last procedure of that kind on this module.

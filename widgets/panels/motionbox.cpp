@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/motionbox.h"
 
-#include <QComboBox>
-#include <QGridLayout>
-#include <QLabel>
 #include <limits>
 #include <utility>
 
@@ -11,19 +8,17 @@
 #include "model/intent/travel.h"
 #include "model/module/servodefaults.h"
 #include "widgets/common/elidedlabel.h"
+#include "widgets/common/form.h"
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
-#include "widgets/common/quantityfield.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
-#include "widgets/panels/quantitygrid.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
-using quantitygrid::kButtonColumn;
 
 namespace {
 enum GoalKind { Absolute, Relative };
@@ -33,7 +28,12 @@ constexpr double kMostCounts = std::numeric_limits<std::int32_t>::max();
 MotionBox::MotionBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(parent), m_context(context), m_motion(servodefaults::motionOf(context.settings())) {
     look::name(this, u"motionBox"_s, tr("Motion"));
-    build();
+    auto* grid = new FormGrid(this);
+    buildMove(grid);
+    buildRun(grid);
+    m_hint = new ElidedLabel(1, this);
+    m_hint->setObjectName(u"motionHint"_s);
+    grid->addWide(m_hint);
     for (QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})
         field->setScale(m_context.scale());
     m_goal->showNative(0);
@@ -45,55 +45,47 @@ MotionBox::MotionBox(ModuleContext& context, QWidget* parent)
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
-QuantityField* MotionBox::addQuantity(QGridLayout* grid, int line, const QString& label,
-                                      const QString& objectName, const QString& accessibleName,
-                                      double MotionSettings::*part) {
+QuantityField* MotionBox::newField(const QString& objectName, const QString& name, const QString& meaning,
+                                   double MotionSettings::*part) {
     const bool acceleration = part == &MotionSettings::acceleration;
-    const auto kind = acceleration ? QuantityField::Kind::Acceleration : QuantityField::Kind::Velocity;
-    auto* field = new QuantityField(kind, this);
-    field->setName(objectName, accessibleName);
-    field->setQuantity(accessibleName);
-    field->setNativeRange(servodefaults::kSmallest, servodefaults::kLargest);
-    field->setNativeStep(acceleration ? 0.0005 : 0.05);
-    field->setMeaning(acceleration ? tr("Used by every motion here, and by a smooth stop.")
-                                   : tr("How fast the motor turns."));
-    if (part == &MotionSettings::runVelocity)
-        quantitygrid::addFirstRow(grid, line, label, field);
-    else
-        quantitygrid::addRow(grid, line, label, field);
+    auto* field = form::newQuantity(
+        {.kind = acceleration ? QuantityField::Kind::Acceleration : QuantityField::Kind::Velocity,
+         .name = objectName,
+         .accessible = name,
+         .min = servodefaults::kSmallest,
+         .max = servodefaults::kLargest,
+         .step = acceleration ? 0.0005 : 0.05,
+         .meaning = meaning},
+        this);
     connect(field, &QuantityField::nativeEdited, this, [this, field, part] { keep(*field, part); });
     return field;
 }
 
-void MotionBox::build() {
-    QGridLayout* grid = quantitygrid::newGrid(this);
-    int line = 0;
-    buildMove(grid, line);
-    buildRun(grid, line);
-    m_hint = new ElidedLabel(1, this);
-    m_hint->setObjectName(u"motionHint"_s);
-    grid->addWidget(m_hint, line++, 0, 1, quantitygrid::kColumns);
-}
-
-void MotionBox::buildMove(QGridLayout* grid, int& line) {
-    m_goal = new QuantityField(QuantityField::Kind::Position, this);
-    m_goal->setName(u"goalField"_s, tr("Goal position"));
-    m_goal->setQuantity(tr("The goal position"));
-    m_goal->setNativeRange(static_cast<double>(servo::kPositionRange.min),
-                           static_cast<double>(servo::kPositionRange.max));
-    m_goal->setNativeStep(100);
-    m_goal->setMeaning(tr("The goal of a trapezoidal move from standstill. Press Enter to start."));
-    quantitygrid::addFirstRow(grid, line, tr("Go to &position"), m_goal);
-    m_goalKind = new QComboBox(this);
-    look::name(m_goalKind, u"goalKindBox"_s, tr("Position or distance"));
-    m_goalKind->addItem(tr("position"), Absolute);
-    m_goalKind->addItem(tr("distance"), Relative);
-    m_goalKind->setToolTip(tr("Whether the number is a position, or a distance from the present position."));
-    grid->addWidget(m_goalKind, line++, kButtonColumn);
-    m_velocity = addQuantity(grid, line++, tr("Ve&locity"), u"velocityField"_s, tr("Velocity of the move"),
-                             &MotionSettings::velocity);
-    m_acceleration = addQuantity(grid, line++, tr("Acceleratio&n"), u"accelerationField"_s,
-                                 tr("Acceleration"), &MotionSettings::acceleration);
+void MotionBox::buildMove(FormGrid* grid) {
+    m_goal = form::newQuantity(
+        {.kind = QuantityField::Kind::Position,
+         .name = u"goalField"_s,
+         .accessible = tr("Goal position"),
+         .words = tr("The goal position"),
+         .min = static_cast<double>(servo::kPositionRange.min),
+         .max = static_cast<double>(servo::kPositionRange.max),
+         .step = 100,
+         .meaning = tr("The goal of a trapezoidal move from standstill. Press Enter to start.")},
+        this);
+    m_goalKind = form::newChoice(
+        {.name = u"goalKindBox"_s,
+         .accessible = tr("Position or distance"),
+         .options = {{tr("position"), Absolute}, {tr("distance"), Relative}},
+         .meaning = tr("Whether the number is a position, or a distance from the present position.")},
+        this);
+    m_velocity = newField(u"velocityField"_s, tr("Velocity of the move"), tr("How fast the motor turns."),
+                          &MotionSettings::velocity);
+    m_acceleration =
+        newField(u"accelerationField"_s, tr("Acceleration"),
+                 tr("Used by every motion here, and by a smooth stop."), &MotionSettings::acceleration);
+    form::setBold(grid->addRow(tr("Go to &position"), m_goal, {m_goalKind}));
+    grid->addRow(tr("Ve&locity"), m_velocity);
+    grid->addRow(tr("Acceleratio&n"), m_acceleration);
     m_forecast = newMutedLine(this);
     m_forecast->setObjectName(u"forecastLabel"_s);
     m_nearest = new Command({.name = u"nearestGoalButton"_s,
@@ -101,12 +93,8 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
                              .text = tr("Use nearest"),
                              .accessible = tr("Use nearest allowed position")},
                             this, [this] { takeNearest(); });
-    auto* remark = new QHBoxLayout;
-    remark->setSpacing(look::gridUnit(this));
-    remark->addWidget(m_forecast, 1);
-    remark->addWidget(m_nearest->button());
     look::keepRoom(m_nearest->button());
-    grid->addLayout(remark, line++, 1, 1, quantitygrid::kColumns - 1);
+    grid->addWide(form::newLine(this, {{m_forecast, 1}, m_nearest->button()}), 1);
 
     m_zero = new Command({.name = u"zeroHereButton"_s,
                           .icon = u"eraser"_s,
@@ -136,25 +124,18 @@ void MotionBox::buildMove(QGridLayout* grid, int& line) {
                         .text = tr("&Go"),
                         .accessible = tr("Go to the position")},
                        this, [this] { move(false); });
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(look::gridUnit(this));
-    buttons->addWidget(m_zero->button());
-    buttons->addWidget(m_goHome->button());
-    buttons->addStretch(1);
-    buttons->addWidget(m_load->button());
-    buttons->addWidget(m_start->button());
-    buttons->addWidget(m_go->button());
-    grid->addLayout(buttons, line++, 0, 1, quantitygrid::kColumns);
+    grid->addWide(form::newLine(this, {m_zero->button(), m_goHome->button(), nullptr, m_load->button(),
+                                       m_start->button(), m_go->button()}));
     connect(m_goal, &QuantityField::nativeEdited, this, &MotionBox::refresh);
     connect(m_goal, &QuantityField::returnPressed, m_go, &Command::act);
     connect(m_goalKind, &QComboBox::currentIndexChanged, this, &MotionBox::refresh);
 }
 
-void MotionBox::buildRun(QGridLayout* grid, int& line) {
-    m_runVelocity = addQuantity(grid, line, tr("Run at velocit&y"), u"runVelocityField"_s,
-                                tr("Velocity of running"), &MotionSettings::runVelocity);
-    m_runVelocity->setMeaning(
-        tr("The velocity of a run. Press Enter to run, or to change the velocity during a run."));
+void MotionBox::buildRun(FormGrid* grid) {
+    m_runVelocity =
+        newField(u"runVelocityField"_s, tr("Velocity of running"),
+                 tr("The velocity of a run. Press Enter to run, or to change the velocity during a run."),
+                 &MotionSettings::runVelocity);
     m_runReverse = new Command({.name = u"runReverseButton"_s,
                                 .icon = u"arrow-left"_s,
                                 .text = tr("Run &reverse"),
@@ -165,11 +146,8 @@ void MotionBox::buildRun(QGridLayout* grid, int& line) {
                                 .text = tr("R&un forward"),
                                 .accessible = tr("Run forward until stopped")},
                                this, [this] { run(false); });
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(look::gridUnit(this));
-    buttons->addWidget(m_runReverse->button());
-    buttons->addWidget(m_runForward->button());
-    grid->addLayout(buttons, line++, kButtonColumn);
+    form::setBold(grid->addRow(tr("Run at velocit&y"), m_runVelocity,
+                               {form::newLine(this, {m_runReverse->button(), m_runForward->button()})}));
     // During a run, Enter changes the velocity but not the direction.
     connect(m_runVelocity, &QuantityField::returnPressed, this, [this] {
         const ModuleState& module = m_context.state();
@@ -180,7 +158,7 @@ void MotionBox::buildRun(QGridLayout* grid, int& line) {
 }
 
 bool MotionBox::relative() const {
-    return m_goalKind->currentData().toInt() == Relative;
+    return form::chosen<GoalKind>(m_goalKind) == Relative;
 }
 
 std::optional<CountsPerTickSquared> MotionBox::acceleration() const {
@@ -234,9 +212,9 @@ void MotionBox::showModule() {
         field->setNativeRange(servodefaults::kSmallest, servodefaults::fastest(m_context.settings()));
         field->setRangeReason(texts::fastestReason(m_context.settings().travel));
     }
-    quantitygrid::follow(m_velocity, m_motion.velocity, before.velocity);
-    quantitygrid::follow(m_acceleration, m_motion.acceleration, before.acceleration);
-    quantitygrid::follow(m_runVelocity, m_motion.runVelocity, before.runVelocity);
+    m_velocity->follow(m_motion.velocity, before.velocity);
+    m_acceleration->follow(m_motion.acceleration, before.acceleration);
+    m_runVelocity->follow(m_motion.runVelocity, before.runVelocity);
     refresh();
 }
 

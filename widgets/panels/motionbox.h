@@ -8,12 +8,12 @@
 #include "widgets/panels/movebybox.h"
 
 class QComboBox;
-class QGridLayout;
 class QLabel;
 
 namespace nmc {
 
 class Command;
+class FormGrid;
 class QuantityField;
 
 /// Moves to a position, at once or when the move is started later, and runs at a velocity. Each value is
@@ -24,10 +24,6 @@ class MotionBox : public QGroupBox, public MovesBy {
 public:
     MotionBox(ModuleContext& context, QWidget* parent);
 
-    /// Empty while the field has no valid value.
-    [[nodiscard]] std::optional<CountsPerTickSquared> acceleration() const;
-    /// The velocity of a move to a position.
-    [[nodiscard]] std::optional<CountsPerTick> velocity() const;
     [[nodiscard]] QString whyNoMovesBy() const override;
     [[nodiscard]] std::optional<Intent> movesBy(const Rounds& moves) const override;
 
@@ -36,13 +32,14 @@ signals:
     void accelerationEdited();
 
 private:
-    void build();
-    void buildMove(QGridLayout* grid, int& line);
-    void buildRun(QGridLayout* grid, int& line);
-    QuantityField* addQuantity(QGridLayout* grid, int line, const QString& label, const QString& objectName,
-                               const QString& accessibleName, double MotionSettings::*part);
+    void buildMove(FormGrid* grid);
+    void buildRun(FormGrid* grid);
+    [[nodiscard]] QuantityField* newField(const QString& objectName, const QString& name,
+                                          const QString& meaning, double MotionSettings::*part);
     [[nodiscard]] std::optional<servomotion::Trapezoid> entered() const;
     [[nodiscard]] std::optional<servomotion::VelocityProfile> enteredRun(bool reverse) const;
+    [[nodiscard]] std::optional<CountsPerTick> velocity() const;
+    [[nodiscard]] std::optional<CountsPerTickSquared> acceleration() const;
     [[nodiscard]] std::optional<ServoPace> pace() const;
     void offerNearest();
     void takeNearest();

@@ -2,17 +2,14 @@
 #include "widgets/panels/movebybox.h"
 
 #include <QCheckBox>
-#include <QGridLayout>
 #include <QLabel>
 #include <utility>
 
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
-#include "widgets/common/quantityfield.h"
 #include "widgets/common/texts.h"
 #include "widgets/panels/command.h"
-#include "widgets/panels/quantitygrid.h"
 
 namespace nmc {
 
@@ -22,46 +19,41 @@ namespace {
 constexpr double kFirstDistance = 100;
 constexpr double kMaxRounds = 100'000;
 constexpr double kLongestPause = 3'600;  // s
+constexpr int kDigits = 6;
 }  // namespace
 
 MoveByBox::MoveByBox(ModuleContext& context, const MovesBy& motion, QWidget* parent)
     : QGroupBox(parent), m_context(context), m_motion(motion) {
-    look::name(this, named(u"moveByBox"_s), tr("Step by a distance"));
-    QGridLayout* grid = quantitygrid::newGrid(this);
-    int line = 0;
-    buildDistance(grid, line);
-    buildRepeat(grid, line);
+    look::name(this, m_context.named(u"moveByBox"_s), tr("Step by a distance"));
+    auto* grid = new FormGrid(this);
+    buildDistance(grid);
+    buildRepeat(grid);
     m_distance->setScale(m_context.scale());
     m_distance->showNative(m_shown = kept());
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
-QString MoveByBox::named(const QString& name) const {
-    return look::nameFor(m_context.state().info.identity.type, name);
-}
-
-void MoveByBox::buildDistance(QGridLayout* grid, int& line) {
-    m_distance = new QuantityField(QuantityField::Kind::Distance, this);
-    m_distance->setName(named(u"moveByDistanceField"_s), tr("Distance of a step"));
-    m_distance->setQuantity(tr("The distance of a step"));
-    m_distance->setNativeRange(1, static_cast<double>(servo::kPositionRange.max));
-    m_distance->setMeaning(tr("Distance per click, at the velocity of Go to."));
-    quantitygrid::addFirstRow(grid, line, tr("Step by"), m_distance);
-    m_reverse = new Command({.name = named(u"moveByReverseButton"_s),
+void MoveByBox::buildDistance(FormGrid* grid) {
+    m_distance = form::newQuantity({.kind = QuantityField::Kind::Distance,
+                                    .name = m_context.named(u"moveByDistanceField"_s),
+                                    .accessible = tr("Distance of a step"),
+                                    .words = tr("The distance of a step"),
+                                    .min = 1,
+                                    .max = static_cast<double>(servo::kPositionRange.max),
+                                    .meaning = tr("Distance per click, at the velocity of Go to.")},
+                                   this);
+    m_reverse = new Command({.name = m_context.named(u"moveByReverseButton"_s),
                              .icon = {},
                              .text = tr("◂| Step"),
                              .accessible = tr("Step in reverse")},
                             this, [this] { step(true); });
-    m_forward = new Command({.name = named(u"moveByForwardButton"_s),
+    m_forward = new Command({.name = m_context.named(u"moveByForwardButton"_s),
                              .icon = {},
                              .text = tr("Step |▸"),
                              .accessible = tr("Step forward")},
                             this, [this] { step(false); });
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(look::gridUnit(this));
-    buttons->addWidget(m_reverse->button());
-    buttons->addWidget(m_forward->button());
-    grid->addLayout(buttons, line++, quantitygrid::kButtonColumn);
+    form::setBold(grid->addRow(tr("Step by"), m_distance,
+                               {form::newLine(this, {m_reverse->button(), m_forward->button()})}));
     connect(m_distance, &QuantityField::nativeEdited, this, [this] {
         refresh();
         if (const auto counts = m_distance->native()) {
@@ -71,34 +63,38 @@ void MoveByBox::buildDistance(QGridLayout* grid, int& line) {
     });
 }
 
-void MoveByBox::buildRepeat(QGridLayout* grid, int& line) {
-    const auto newField = [this](int decimals, const QString& objectName, const QString& name, double min,
-                                 double max, double value, const QString& meaning) {
-        auto* field = new NumberField(decimals, this);
-        look::name(field, objectName, name);
-        field->setWords(name, {});
-        field->setRange(min, max);
-        field->setDigits(6);
-        field->setMeaning(meaning);
-        field->showValue(value);
+void MoveByBox::buildRepeat(FormGrid* grid) {
+    m_rounds = form::newNumber({.name = m_context.named(u"moveByRoundsField"_s),
+                                .accessible = tr("The number of steps"),
+                                .min = 1,
+                                .max = kMaxRounds,
+                                .digits = kDigits,
+                                .meaning = tr("Number of steps per click.")},
+                               this);
+    m_rounds->showValue(1);
+    m_pause = form::newNumber({.name = m_context.named(u"moveByPauseField"_s),
+                               .accessible = tr("The pause between steps"),
+                               .max = kLongestPause,
+                               .decimals = 2,
+                               .digits = kDigits,
+                               .meaning = tr("Time to wait after each move, in seconds.")},
+                              this);
+    m_pause->showValue(0);
+    for (NumberField* field : {m_rounds, m_pause})
         connect(field, &NumberField::edited, this, &MoveByBox::refresh);
-        return field;
-    };
-    m_rounds = newField(0, named(u"moveByRoundsField"_s), tr("The number of steps"), 1, kMaxRounds, 1,
-                        tr("Number of steps per click."));
-    m_pause = newField(2, named(u"moveByPauseField"_s), tr("The pause between steps"), 0, kLongestPause, 0,
-                       tr("Time to wait after each move, in seconds."));
-    m_backAndForth = new QCheckBox(tr("there and back"), this);
-    look::name(m_backAndForth, named(u"moveByBackAndForthBox"_s), tr("There and back with each step"));
-    m_backAndForth->setToolTip(tr("Each step goes there and back."));
+    m_backAndForth = form::newCheck({.name = m_context.named(u"moveByBackAndForthBox"_s),
+                                     .text = tr("there and back"),
+                                     .accessible = tr("There and back with each step"),
+                                     .meaning = tr("Each step goes there and back.")},
+                                    this);
     connect(m_backAndForth, &QCheckBox::toggled, this, &MoveByBox::refresh);
-    m_end = new Command({.name = named(u"moveByEndButton"_s),
+    m_end = new Command({.name = m_context.named(u"moveByEndButton"_s),
                          .icon = u"player-stop"_s,
                          .text = tr("End steps"),
                          .accessible = tr("End steps and stop")},
                         this, [this] { m_context.ask(intent::CancelProcedure{}); });
     m_progress = look::newMutedLabel({}, this);
-    m_progress->setObjectName(named(u"moveByProgress"_s));
+    m_progress->setObjectName(m_context.named(u"moveByProgress"_s));
     auto* pause = new QLabel(tr("times, pause"), this);
     pause->setBuddy(m_pause);
     auto* repeat = new FlowLayout(look::gridUnit(this));
@@ -108,8 +104,8 @@ void MoveByBox::buildRepeat(QGridLayout* grid, int& line) {
     auto* title = new QLabel(tr("Repeat"), this);
     // The title is beside the first row if there are two.
     title->setMinimumHeight(m_rounds->sizeHint().height());
-    grid->addWidget(title, line, 0, Qt::AlignTop);
-    grid->addLayout(repeat, line++, 1, 1, quantitygrid::kColumns - 1);
+    grid->addWidget(title, grid->row(), 0, Qt::AlignTop);
+    grid->addWide(repeat, 1);
 }
 
 double MoveByBox::kept() const {
@@ -120,7 +116,7 @@ double MoveByBox::kept() const {
 void MoveByBox::showModule() {
     m_distance->setScale(m_context.scale());
     const double before = std::exchange(m_shown, kept());
-    quantitygrid::follow(m_distance, m_shown, before);
+    m_distance->follow(m_shown, before);
     refresh();
 }
 

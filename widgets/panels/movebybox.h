@@ -6,12 +6,12 @@
 #include "widgets/panels/modulecontext.h"
 
 class QCheckBox;
-class QGridLayout;
 class QLabel;
 
 namespace nmc {
 
 class Command;
+class FormGrid;
 class NumberField;
 class QuantityField;
 
@@ -33,9 +33,8 @@ public:
     MoveByBox(ModuleContext& context, const MovesBy& motion, QWidget* parent);
 
 private:
-    [[nodiscard]] QString named(const QString& name) const;
-    void buildDistance(QGridLayout* grid, int& line);
-    void buildRepeat(QGridLayout* grid, int& line);
+    void buildDistance(FormGrid* grid);
+    void buildRepeat(FormGrid* grid);
     void step(bool reverse);
     void showModule();
     void refresh();

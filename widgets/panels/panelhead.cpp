@@ -43,19 +43,20 @@ PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
       m_velocity(new QLabel(this)),
       m_home(new ElidedLabel(1, this)),
       m_current(new QLabel(this)) {
-    look::name(this, named(u"panelHead"_s), tr("State of the selected module"));
-    m_name->setObjectName(named(u"moduleName"_s));
-    m_type->setObjectName(named(u"moduleType"_s));
-    m_state->setObjectName(named(u"stateLabel"_s));
-    m_meaning->setObjectName(named(u"stateMeaning"_s));
-    look::nameText(m_procedure, named(u"procedureLabel"_s), tr("Task running on this module"));
-    m_position->setObjectName(named(u"positionLabel"_s));
-    m_positionUnit->setObjectName(named(u"positionUnit"_s));
-    m_otherPosition->setObjectName(named(u"otherPosition"_s));
-    look::nameText(m_velocity, named(u"velocityLabel"_s), tr("Measured velocity"));
+    look::name(this, m_context.named(u"panelHead"_s), tr("State of the selected module"));
+    m_name->setObjectName(m_context.named(u"moduleName"_s));
+    m_type->setObjectName(m_context.named(u"moduleType"_s));
+    m_state->setObjectName(m_context.named(u"stateLabel"_s));
+    m_meaning->setObjectName(m_context.named(u"stateMeaning"_s));
+    look::nameText(m_procedure, m_context.named(u"procedureLabel"_s), tr("Task running on this module"));
+    m_position->setObjectName(m_context.named(u"positionLabel"_s));
+    m_positionUnit->setObjectName(m_context.named(u"positionUnit"_s));
+    m_otherPosition->setObjectName(m_context.named(u"otherPosition"_s));
+    look::nameText(m_velocity, m_context.named(u"velocityLabel"_s), tr("Measured velocity"));
     m_velocity->setToolTip(tr("Velocity measured from positions over 0.2 s."));
-    m_home->setObjectName(named(u"homeState"_s));
-    look::nameText(m_current, named(u"currentLabel"_s), isServo() ? tr("Motor current") : tr("A/D input"));
+    m_home->setObjectName(m_context.named(u"homeState"_s));
+    look::nameText(m_current, m_context.named(u"currentLabel"_s),
+                   isServo() ? tr("Motor current") : tr("A/D input"));
     const bool servo = isServo();
     m_enable = servo ? addCommand(u"power"_s, tr("&Enable servo"), u"enableButton"_s,
                                   tr("Enable servo of this module"), intent::Enable{})
@@ -92,7 +93,7 @@ void PanelHead::build() {
         label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 
     m_travel = new QLabel(this);
-    look::nameText(m_travel, named(u"headTravel"_s), tr("Travel limits"));
+    look::nameText(m_travel, m_context.named(u"headTravel"_s), tr("Travel limits"));
     // If there is little room, these shrink and their tool tips show the full text, so that the window does
     // not become wider.
     for (QLabel* words : {m_home, m_travel})
@@ -217,19 +218,15 @@ void PanelHead::arrangeNarrow(QGridLayout& grid, QHBoxLayout* what) {
     grid.addLayout(buttons, 7, 0);
 }
 
-QString PanelHead::named(const QString& name) const {
-    return look::nameFor(m_context.state().info.identity.type, name);
-}
-
 Command* PanelHead::addCommand(const QString& icon, const QString& text, const QString& objectName,
                                const QString& accessibleName, const Intent& intent, const QKeySequence& key) {
-    return new Command({named(objectName), icon, text, accessibleName, key}, this,
+    return new Command({m_context.named(objectName), icon, text, accessibleName, key}, this,
                        [this, intent] { m_context.ask(intent); });
 }
 
 PanelHead::Sign PanelHead::newSign(const QString& objectName, const QString& meaning) {
     Sign sign{new GlyphLabel(this), new QLabel(this)};
-    look::nameText(sign.word, named(objectName), meaning);
+    look::nameText(sign.word, m_context.named(objectName), meaning);
     sign.glyph->setToolTip(meaning);
     sign.word->setToolTip(meaning);
     return sign;

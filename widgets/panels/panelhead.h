@@ -37,7 +37,6 @@ private:
     };
 
     [[nodiscard]] bool isServo() const { return m_context.state().isServo(); }
-    [[nodiscard]] QString named(const QString& name) const;
     Command* addCommand(const QString& icon, const QString& text, const QString& objectName,
                         const QString& accessibleName, const Intent& intent, const QKeySequence& key = {});
     Sign newSign(const QString& objectName, const QString& meaning);

@@ -2,7 +2,6 @@
 #include "widgets/panels/pinbox.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -11,7 +10,7 @@
 
 #include "model/settings/pinsof.h"
 #include "widgets/common/askdialog.h"
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/panels/boxparts.h"
@@ -50,10 +49,7 @@ void PinBox::build(QGridLayout& grid) {
     for (unsigned i = 0; i < io::kPins; ++i)
         buildPin(grid, i);
     const int below = static_cast<int>(io::kPins) + 1;
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_allInputs->button());
-    row->addStretch(1);
-    grid.addLayout(row, below, 0, 1, 7);
+    grid.addLayout(form::newLine(this, {m_allInputs->button(), nullptr}), below, 0, 1, 7);
     grid.addWidget(m_hint, below + 1, 0, 1, 7);
     grid.setColumnStretch(Name, 1);
     grid.setRowStretch(below + 2, 1);
@@ -64,36 +60,35 @@ void PinBox::buildPin(QGridLayout& grid, unsigned number) {
     const QString digits = QString::number(number + 1);
     const QString label = u"IO"_s + digits;
     const int row = static_cast<int>(number) + 1;
-    pin.direction = new QComboBox(this);
-    pin.direction->addItems({tr("input"), tr("output"), tr("? unknown")});
-    look::name(pin.direction, u"pin%1Direction"_s.arg(digits), tr("Direction of %1").arg(label));
+    pin.direction = form::newChoice({.name = u"pin%1Direction"_s.arg(digits),
+                                     .accessible = tr("Direction of %1").arg(label),
+                                     .options = {{tr("input")}, {tr("output")}, {tr("? unknown")}}},
+                                    this);
     pin.glyph = new GlyphLabel(this);
     pin.level = new QLabel(this);
     pin.level->setObjectName(u"pin%1Level"_s.arg(digits));
-    pin.high = new QCheckBox(tr("high"), this);
-    look::name(pin.high, u"pin%1Box"_s.arg(digits), tr("high: output %1").arg(label));
-    pin.name = new QLineEdit(this);
-    look::name(pin.name, u"pin%1Name"_s.arg(digits), tr("Name of %1").arg(label));
-    pin.name->setMaxLength(kMaxNameLength);
-    pin.name->setPlaceholderText(tr("name"));
-    pin.name->setToolTip(tr("Its name on this machine. Sends nothing."));
-    pin.asks = new QCheckBox(this);
-    look::name(pin.asks, u"pin%1Asks"_s.arg(digits), tr("Ask first before %1 changes").arg(label));
-    pin.asks->setToolTip(tr("Asks before the panel switches this output."));
-    pin.offAtStop = new QCheckBox(this);
-    look::name(pin.offAtStop, u"pin%1OffAtStop"_s.arg(digits), tr("Take %1 low on STOP ALL").arg(label));
-    pin.offAtStop->setToolTip(tr("STOP ALL takes this output low. If cleared, the output stays as it is."));
+    pin.high = form::newCheck({.name = u"pin%1Box"_s.arg(digits),
+                               .text = tr("high"),
+                               .accessible = tr("high: output %1").arg(label)},
+                              this);
+    pin.name = newNameField(u"pin%1Name"_s.arg(digits), tr("Name of %1").arg(label), this);
+    pin.asks = form::newCheck({.name = u"pin%1Asks"_s.arg(digits),
+                               .text = {},
+                               .accessible = tr("Ask first before %1 changes").arg(label),
+                               .meaning = tr("Asks before the panel switches this output.")},
+                              this);
+    pin.offAtStop = form::newCheck(
+        {.name = u"pin%1OffAtStop"_s.arg(digits),
+         .text = {},
+         .accessible = tr("Take %1 low on STOP ALL").arg(label),
+         .meaning = tr("STOP ALL takes this output low. If cleared, the output stays as it is.")},
+        this);
 
     auto* name = new QLabel(label, this);
     name->setBuddy(pin.direction);
-    auto* level = new QHBoxLayout;
-    level->setSpacing(look::gridUnit(this) / 2);
-    level->addWidget(pin.glyph);
-    level->addWidget(pin.level);
-    level->addStretch(1);
     grid.addWidget(name, row, Label);
     grid.addWidget(pin.direction, row, Direction);
-    grid.addLayout(level, row, Level);
+    grid.addLayout(form::newLine(this, {pin.glyph, pin.level, nullptr}, 0.5), row, Level);
     grid.addWidget(pin.high, row, High);
     grid.addWidget(pin.name, row, Name);
     grid.addWidget(pin.asks, row, Asks, Qt::AlignHCenter);
@@ -172,9 +167,7 @@ void PinBox::showSettings() {
     for (unsigned i = 0; i < io::kPins; ++i) {
         const OutputSettings output = PinSettings::of(settings.pins, i);
         const Pin& pin = m_pins.at(i);
-        const QString name = QString::fromStdString(output.name);
-        if (pin.name->text() != name && !pin.name->hasFocus())
-            pin.name->setText(name);
+        showUnlessTyped(pin.name, output.name);
         pin.asks->setChecked(output.asks);
         pin.offAtStop->setChecked(output.offAtStop);
     }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/pwmbox.h"
 
-#include <QGridLayout>
 #include <QLabel>
 
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 #include "widgets/panels/command.h"
 
 namespace nmc {
@@ -17,7 +16,15 @@ using namespace Qt::StringLiterals;
 PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
       m_context(context),
-      m_value(new NumberField(0, this)),
+      m_value(form::newNumber(
+          {.name = u"pwmField"_s,
+           .accessible = tr("PWM value"),
+           .words = tr("The PWM value"),
+           .min = servo::kByteRange.min,
+           .max = servo::kByteRange.max,
+           .digits = 8,
+           .meaning = tr("The share of the supply that drives the motor; 255 is full power.")},
+          this)),
       m_percent(look::newMutedLabel({}, this)),
       m_reverse(new Command({.name = u"pwmReverseButton"_s,
                              .icon = u"arrow-left"_s,
@@ -35,11 +42,6 @@ PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
                          .accessible = tr("Motor off: this module")},
                         this, [this] { m_context.ask(intent::MotorOff{}); })) {
     look::name(this, u"pwmBox"_s, tr("PWM"));
-    look::name(m_value, u"pwmField"_s, tr("PWM value"));
-    m_value->setRange(servo::kByteRange.min, servo::kByteRange.max);
-    m_value->setWords(tr("The PWM value"), {});
-    m_value->setMeaning(tr("The share of the supply that drives the motor; 255 is full power."));
-    m_value->setDigits(8);
     m_value->showValue(0);
 
     auto* sign = new GlyphLabel(this);
@@ -49,25 +51,15 @@ PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
         this);
     warning->setObjectName(u"pwmWarning"_s);
     warning->setWordWrap(true);
-    auto* label = new QLabel(tr("PWM value"), this);
-    label->setBuddy(m_value);
-
-    const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(unit, unit, unit, unit);
-    grid->setHorizontalSpacing(unit);
-    grid->setVerticalSpacing(unit);
-    grid->addWidget(sign, 0, 0, Qt::AlignTop | Qt::AlignRight);
-    grid->addWidget(warning, 0, 1, 1, 3);
-    grid->addWidget(label, 1, 0);
-    grid->addWidget(m_value, 1, 1);
-    grid->addWidget(m_percent, 1, 2);
-    auto* buttons = new FlowLayout(unit);
+    auto* buttons = new FlowLayout(look::gridUnit(this));
     for (const Command* command : {m_reverse, m_forward, m_off})
         buttons->addWidget(command->button());
-    grid->addLayout(buttons, 2, 0, 1, 4);
-    grid->setRowStretch(3, 1);
-    grid->setColumnStretch(3, 1);
+    auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1, .down = 1});
+    grid->addWidget(sign, 0, 0, Qt::AlignTop | Qt::AlignRight);
+    grid->addWide(warning, 1);
+    grid->addRow(tr("PWM value"), m_value, {m_percent});
+    grid->addWide(buttons);
+    grid->end();
 
     connect(m_value, &NumberField::edited, this, &PwmBox::refresh);
     m_context.whenSeen(this, [this] { refresh(); });

@@ -4,6 +4,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/panels/amplifierbox.h"
 #include "widgets/panels/axisbox.h"
@@ -20,7 +21,6 @@
 #include "widgets/panels/movebybox.h"
 #include "widgets/panels/panelhead.h"
 #include "widgets/panels/pwmbox.h"
-#include "widgets/panels/quantitygrid.h"
 #include "widgets/panels/travelbox.h"
 
 namespace nmc {
@@ -33,11 +33,12 @@ ServoPanel::ServoPanel(const PanelView& view, QWidget* parent) : ModulePage(view
     auto* motion = new MotionBox(m_context, this);
     auto* left = new QVBoxLayout;
     left->setSpacing(look::gridUnit(this) / 2);
-    auto* jog = new JogBox(m_context, *motion, this);
+    auto* jog = new JogBox(m_context, this);
     auto* moveBy = new MoveByBox(m_context, *motion, this);
     for (QWidget* box : std::initializer_list<QWidget*>{motion, jog, moveBy})
         left->addWidget(box);
-    quantitygrid::align({motion, jog, moveBy});
+    FormGrid::align({motion, jog, moveBy});
+    connect(motion, &MotionBox::accelerationEdited, jog, &JogBox::endHold);
     left->addStretch(1);
 
     m_pages = new QTabWidget(this);

@@ -2,12 +2,10 @@
 #include "widgets/panels/stepperiobox.h"
 
 #include <QCheckBox>
-#include <QGridLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QSignalBlocker>
 
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
@@ -29,14 +27,6 @@ std::string& inputName(AxisSettings& axis, std::size_t number) {
     return axis.inputNames.at(number);
 }
 
-QLabel* newHeading(const QString& text, QWidget* parent) {
-    auto* heading = new QLabel(text, parent);
-    QFont bold = parent->font();
-    bold.setBold(true);
-    heading->setFont(bold);
-    return heading;
-}
-
 }  // namespace
 
 StepperIoBox::StepperIoBox(ModuleContext& context, QWidget* parent)
@@ -53,59 +43,45 @@ StepperIoBox::StepperIoBox(ModuleContext& context, QWidget* parent)
     m_hint->setObjectName(u"stepperOutputsHint"_s);
     m_hint->setWordWrap(true);
     m_analog->setObjectName(u"stepperIoAnalog"_s);
-    const int unit = look::gridUnit(this);
-    auto* grid = new FoldingGrid(this);
-    grid->setContentsMargins(unit, unit, unit, unit);
-    grid->setHorizontalSpacing(unit);
-    grid->setVerticalSpacing(unit / 3);
+    auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1});
     buildOutputs(grid);
-    grid->setRowMinimumHeight(8, unit);
-    buildInputs(grid, 9);
-    grid->setRowStretch(18, 1);
-    grid->setColumnStretch(3, 1);
+    grid->addGap(1);
+    buildInputs(grid);
+    grid->end();
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
 QLineEdit* StepperIoBox::newName(const QString& objectName, const QString& accessibleName, Name name,
                                  std::size_t number) {
-    auto* field = new QLineEdit(this);
-    look::name(field, objectName, accessibleName);
-    field->setMaxLength(kMaxNameLength);
-    field->setPlaceholderText(tr("name"));
-    field->setToolTip(tr("Its name on this machine. Sends nothing."));
+    auto* field = newNameField(objectName, accessibleName, this);
     connect(field, &QLineEdit::textEdited, this, [this, name, number](const QString& text) {
         m_context.edit([=](AxisSettings& axis) { name(axis, number) = text.toStdString(); });
     });
     return field;
 }
 
-void StepperIoBox::buildOutputs(QGridLayout* grid) {
-    grid->addWidget(newHeading(tr("Outputs"), this), 0, 0, 1, 4);
+void StepperIoBox::buildOutputs(FormGrid* grid) {
+    grid->addWide(form::newHeading(tr("Outputs"), this));
     for (std::size_t i = 0; i < kOutputs; ++i) {
         Output& output = m_outputs[i];
         const QString number = QString::number(i + 1);
-        const int line = static_cast<int>(i) + 1;
-        output.box = new QCheckBox(u"OUT"_s + number, this);
-        look::name(output.box, u"stepperOutput%1Box"_s.arg(number), tr("OUT%1").arg(number));
+        output.box = form::newCheck({.name = u"stepperOutput%1Box"_s.arg(number),
+                                     .text = u"OUT"_s + number,
+                                     .accessible = tr("OUT%1").arg(number)},
+                                    this);
         output.state = look::newMutedLabel({}, this);
         output.state->setObjectName(u"stepperOutput%1State"_s.arg(number));
         output.name =
             newName(u"stepperOutput%1Name"_s.arg(number), tr("Name of output %1").arg(number), outputName, i);
-        grid->addWidget(output.box, line, 0);
-        grid->addWidget(output.state, line, 1);
-        grid->addWidget(output.name, line, 2, 1, 2);
+        grid->addLine({output.box, output.state, {output.name, 1}});
         connect(output.box, &QCheckBox::clicked, this, [this, i](bool on) { choose(i, on); });
     }
-    auto* row = new QHBoxLayout;
-    row->setSpacing(look::gridUnit(this));
-    row->addWidget(m_send->button());
-    row->addStretch(1);
-    grid->addLayout(row, 6, 0, 1, 4);
-    grid->addWidget(m_hint, 7, 0, 1, 4);
+    grid->addWide(form::newLine(this, {m_send->button(), nullptr}));
+    grid->addWide(m_hint);
 }
 
-void StepperIoBox::buildInputs(QGridLayout* grid, int line) {
-    grid->addWidget(newHeading(tr("Inputs"), this), line, 0, 1, 4);
+void StepperIoBox::buildInputs(FormGrid* grid) {
+    grid->addWide(form::newHeading(tr("Inputs"), this));
     const std::array<QString, kInputs> names{tr("E-stop input"), u"IN1"_s,      u"IN2"_s,
                                              tr("Limit 1"),      tr("Limit 2"), tr("Home switch")};
     const std::array<QString, kInputs> objects{u"stepperEstopInput"_s,  u"stepperIn1Input"_s,
@@ -113,43 +89,32 @@ void StepperIoBox::buildInputs(QGridLayout* grid, int line) {
                                                u"stepperLimit2Input"_s, u"stepperHomeInput"_s};
     for (std::size_t i = 0; i < kInputs; ++i) {
         Input& input = m_inputs[i];
-        const int row = line + 1 + static_cast<int>(i);
         input.glyph = new GlyphLabel(this);
         input.glyph->showBit(std::nullopt);
         input.state = look::newMutedLabel(u"–"_s, this);
         input.state->setObjectName(objects[i]);
-        auto* who = new QHBoxLayout;
-        who->setSpacing(look::gridUnit(this) / 2);
-        who->addWidget(input.glyph);
-        who->addWidget(new QLabel(names[i], this));
-        who->addStretch(1);
-        grid->addLayout(who, row, 0);
-        grid->addWidget(input.state, row, 1);
+        QWidget* last = nullptr;
         if (i == 1 || i == 2) {
             input.name =
                 newName(u"stepperInput%1Name"_s.arg(i), tr("Name of input %1").arg(i), inputName, i - 1);
-            grid->addWidget(input.name, row, 2, 1, 2);
+            last = input.name;
         } else {
             input.effect = look::newMutedLabel({}, this);
             input.effect->setObjectName(objects[i] + u"Effect"_s);
-            grid->addWidget(input.effect, row, 2, 1, 2);
+            last = input.effect;
         }
+        grid->addLine({form::newLine(this, {input.glyph, new QLabel(names[i], this), nullptr}, 0.5),
+                       input.state,
+                       {last, 1}});
     }
-    const int row = line + 1 + static_cast<int>(kInputs);
-    grid->addWidget(new QLabel(tr("A/D (temperature)"), this), row, 0);
-    grid->addWidget(m_analog, row, 1, 1, 3);
+    grid->addTitled(tr("A/D (temperature)"), m_analog);
 }
 
 void StepperIoBox::showNames() {
-    const auto show = [](QLineEdit* edit, const std::string& name) {
-        const QString text = QString::fromStdString(name);
-        if (edit->text() != text && !edit->hasFocus())
-            edit->setText(text);
-    };
     for (std::size_t i = 0; i < kOutputs; ++i)
-        show(m_outputs[i].name, m_context.settings().outputNames[i]);
+        showUnlessTyped(m_outputs[i].name, m_context.settings().outputNames[i]);
     for (std::size_t i = 0; i < m_context.settings().inputNames.size(); ++i)
-        show(m_inputs[i + 1].name, m_context.settings().inputNames[i]);
+        showUnlessTyped(m_inputs[i + 1].name, m_context.settings().inputNames[i]);
 }
 
 void StepperIoBox::showModule() {

@@ -8,13 +8,13 @@
 #include "widgets/panels/modulecontext.h"
 
 class QCheckBox;
-class QGridLayout;
 class QLabel;
 class QLineEdit;
 
 namespace nmc {
 
 class Command;
+class FormGrid;
 class GlyphLabel;
 
 /// Outputs and inputs of one PIC-STEP. The chip sets all five outputs at once and does not report them: while
@@ -40,8 +40,8 @@ private:
         QLineEdit* name = nullptr;  ///< IN1 and IN2 only
     };
 
-    void buildOutputs(QGridLayout* grid);
-    void buildInputs(QGridLayout* grid, int line);
+    void buildOutputs(FormGrid* grid);
+    void buildInputs(FormGrid* grid);
     using Name = std::string& (*)(AxisSettings& axis, std::size_t number);
     QLineEdit* newName(const QString& objectName, const QString& accessibleName, Name name,
                        std::size_t number);

@@ -2,22 +2,18 @@
 #include "widgets/panels/steppermotionbox.h"
 
 #include <QCheckBox>
-#include <QGridLayout>
-#include <QLabel>
 #include <cmath>
 
 #include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
 #include "model/module/stepperdefaults.h"
 #include "widgets/common/elidedlabel.h"
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/quantityfield.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
-#include "widgets/panels/stepperholdbox.h"
 #include "widgets/panels/steppermodechoice.h"
 #include "widgets/panels/stepperwords.h"
 
@@ -28,22 +24,12 @@ using namespace Qt::StringLiterals;
 StepperMotionBox::StepperMotionBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(tr("Motion"), parent), m_context(context) {
     look::name(this, u"stepperMotionBox"_s, tr("Motion"));
-    const int unit = look::gridUnit(this);
-    auto* grid = new FoldingGrid(this);
-    grid->setContentsMargins(unit, unit, unit, unit);
-    grid->setHorizontalSpacing(unit);
-    grid->setVerticalSpacing(unit / 2);
+    auto* grid = new FormGrid(this);
     m_mode = new StepperModeChoice(this);
-    grid->addWidget(m_mode, 0, 0, 1, 5);
-    grid->setRowMinimumHeight(2, unit / 2);
-    buildFields(grid, 3);
-    buildButtons(grid, 9);
-    grid->setRowMinimumHeight(12, unit);
-    m_hold = new StepperHoldBox(m_context, this);
-    grid->addWidget(m_hold, 13, 0, 1, 5);
-    grid->setColumnMinimumWidth(0, m_hold->labelWidth());
-    grid->setRowStretch(14, 1);
-    grid->setColumnStretch(3, 1);
+    grid->addWide(m_mode);
+    grid->addGap(0.5);
+    buildFields(grid);
+    buildButtons(grid);
     connectControls();
     m_mode->showMode(StepperModeChoice::Mode::Trapezoid);
     m_goal->setScale(m_context.scale());
@@ -51,40 +37,34 @@ StepperMotionBox::StepperMotionBox(ModuleContext& context, QWidget* parent)
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
-void StepperMotionBox::buildFields(QGridLayout* grid, int line) {
-    m_goal = new QuantityField(QuantityField::Kind::Position, this);
-    m_goal->setName(u"stepperGoalField"_s, tr("Goal position"));
-    m_goal->setQuantity(tr("The goal position"));
-    m_goal->setNativeRange(static_cast<double>(stepper::kPositionRange.min),
-                           static_cast<double>(stepper::kPositionRange.max));
-    m_goal->setNativeStep(100);
-    m_relative = new QCheckBox(tr("b&y this distance"), this);
-    look::name(m_relative, u"stepperRelativeBox"_s, tr("By this distance from the present position"));
-    m_speed = new QuantityField(QuantityField::Kind::Velocity, this);
-    m_speed->setName(u"stepperSpeedField"_s, tr("Speed"));
-    m_speed->setQuantity(tr("The speed"));
-    m_speed->setNativeStep(25);
-    const auto addRow = [&](QuantityField* field, const QString& text) {
-        auto* label = new QLabel(text, this);
-        label->setBuddy(field);
-        grid->addWidget(label, line, 0);
-        grid->addWidget(field, line, 1);
-        grid->addWidget(field->unitLabel(), line, 2);
-        grid->addWidget(field->otherView(), line++, 3, 1, 2);
-    };
-    addRow(m_goal, tr("&Position"));
-    grid->addWidget(m_relative, line++, 1, 1, 4);
-    addRow(m_speed, tr("Trave&l speed"));
+void StepperMotionBox::buildFields(FormGrid* grid) {
+    m_goal = form::newQuantity({.kind = QuantityField::Kind::Position,
+                                .name = u"stepperGoalField"_s,
+                                .accessible = tr("Goal position"),
+                                .words = tr("The goal position"),
+                                .min = static_cast<double>(stepper::kPositionRange.min),
+                                .max = static_cast<double>(stepper::kPositionRange.max),
+                                .step = 100},
+                               this);
+    m_relative = form::newCheck({.name = u"stepperRelativeBox"_s,
+                                 .text = tr("b&y this distance"),
+                                 .accessible = tr("By this distance from the present position")},
+                                this);
+    m_speed = form::newQuantity({.kind = QuantityField::Kind::Velocity,
+                                 .name = u"stepperSpeedField"_s,
+                                 .accessible = tr("Speed"),
+                                 .words = tr("The speed"),
+                                 .step = 25},
+                                this);
+    grid->addRow(tr("&Position"), m_goal);
+    grid->addWide(m_relative, 1);
+    grid->addRow(tr("Trave&l speed"), m_speed);
     m_outcome = look::newMutedLabel({}, this);
     m_outcome->setObjectName(u"stepperSpeedOutcome"_s);
     m_outcome->setBuddy(m_speed);  // as a label with a buddy, it wraps if there is little room
     m_ramp = newMutedLine(this);
     m_ramp->setObjectName(u"stepperRampOutcome"_s);
-    auto* outcome = new QHBoxLayout;
-    outcome->setSpacing(look::gridUnit(this));
-    outcome->addWidget(m_outcome);
-    outcome->addWidget(m_ramp, 1);
-    grid->addLayout(outcome, line++, 1, 1, 4);
+    grid->addWide(form::newLine(this, {m_outcome, {m_ramp, 1}}), 1);
     m_forecast = newMutedLine(this);
     m_forecast->setObjectName(u"stepperForecast"_s);
     m_nearest = new Command({.name = u"stepperNearestGoalButton"_s,
@@ -92,15 +72,11 @@ void StepperMotionBox::buildFields(QGridLayout* grid, int line) {
                              .text = tr("Use nearest"),
                              .accessible = tr("Use nearest allowed position")},
                             this, [this] { takeNearest(); });
-    auto* remark = new QHBoxLayout;
-    remark->setSpacing(look::gridUnit(this));
-    remark->addWidget(m_forecast, 1);
-    remark->addWidget(m_nearest->button());
     look::keepRoom(m_nearest->button());
-    grid->addLayout(remark, line++, 1, 1, 4);
+    grid->addWide(form::newLine(this, {{m_forecast, 1}, m_nearest->button()}), 1);
 }
 
-void StepperMotionBox::buildButtons(QGridLayout* grid, int line) {
+void StepperMotionBox::buildButtons(FormGrid* grid) {
     m_go = new Command({.name = u"stepperGoButton"_s,
                         .icon = u"arrow-bar-to-right"_s,
                         .text = tr("&Go"),
@@ -122,16 +98,19 @@ void StepperMotionBox::buildButtons(QGridLayout* grid, int line) {
                                 .text = tr("R&un forward"),
                                 .accessible = tr("Run forward until stopped")},
                                this, [this] { request(false); });
-    m_loadOnly = new QCheckBox(tr("Load o&nly"), this);
-    look::name(m_loadOnly, u"stepperLoadOnlyBox"_s, tr("Load only, start later"));
+    m_loadOnly = form::newCheck(
+        {.name = u"stepperLoadOnlyBox"_s,
+         .text = tr("Load o&nly"),
+         .accessible = tr("Load only, start later"),
+         .meaning =
+             tr("The buttons only load the motion. Choose Start loaded, or start the module's group.")},
+        this);
     m_startLoaded = new Command({.name = u"stepperStartLoadedButton"_s,
                                  .icon = {},
                                  .text = tr("Start loaded"),
                                  .accessible = tr("Start loaded motion"),
                                  .key = Qt::CTRL | Qt::Key_G},
                                 this, [this] { m_context.ask(intent::StartLoaded{}); });
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(look::gridUnit(this));
     for (const Command* command : {m_go, m_runReverse, m_runForward}) {
         QPushButton* button = command->button();
         // As wide as its longest text, so that the button for the other direction does not move under the
@@ -140,20 +119,13 @@ void StepperMotionBox::buildButtons(QGridLayout* grid, int line) {
         button->setText(tr("Stop, wait: %1").arg(text));
         button->setMinimumWidth(button->sizeHint().width());
         button->setText(text);
-        buttons->addWidget(button);
     }
-    buttons->addStretch(1);
-    auto* later = new QHBoxLayout;
-    later->setSpacing(look::gridUnit(this));
-    later->addWidget(m_loadOnly);
-    later->addWidget(m_startLoaded->button());
-    later->addStretch(1);
-    later->addWidget(m_goHome->button());
     m_hint = new ElidedLabel(2, this);
     m_hint->setObjectName(u"stepperMotionHint"_s);
-    grid->addLayout(buttons, line, 1, 1, 4);
-    grid->addLayout(later, line + 1, 1, 1, 4);
-    grid->addWidget(m_hint, line + 2, 0, 1, 5);
+    grid->addWide(
+        form::newLine(this, {m_go->button(), m_runReverse->button(), m_runForward->button(), nullptr}), 1);
+    grid->addWide(form::newLine(this, {m_loadOnly, m_startLoaded->button(), nullptr, m_goHome->button()}), 1);
+    grid->addWide(m_hint);
 }
 
 void StepperMotionBox::connectControls() {
@@ -171,7 +143,7 @@ double MotionSettings::*StepperMotionBox::speedSetting() const {
 }
 
 void StepperMotionBox::chooseMode() {
-    m_hold->endHold();
+    emit modeChosen();
     showSpeed();
     refresh();
 }
@@ -404,8 +376,6 @@ void StepperMotionBox::refresh() {
     m_goal->setMeaning(m_mode->hasGoal() ? tr("The goal of the move. Press Enter to start.") : unused);
     m_goal->setEnabled(m_mode->hasGoal());
     look::setPossible(m_relative, unused, tr("The distance counts from where the motor is at the start."));
-    m_loadOnly->setToolTip(
-        tr("The buttons only load the motion. Choose Start loaded, or start the module's group."));
     look::setText(m_outcome, outcome());
     look::setText(
         m_ramp, m_mode->profiled()

@@ -10,16 +10,15 @@
 #include "widgets/panels/steppermodechoice.h"
 
 class QCheckBox;
-class QGridLayout;
 class QLabel;
 
 namespace nmc {
 
 class Command;
+class FormGrid;
 class QuantityField;
-class StepperHoldBox;
 
-/// The four kinds of motion of a PIC-STEP, and hold to move. A change that the chip does not allow during a
+/// The four kinds of motion of a PIC-STEP. A change that the chip does not allow during a
 /// motion is offered as "Stop, wait: Go".
 class StepperMotionBox : public QGroupBox, public MovesBy {
     Q_OBJECT
@@ -31,9 +30,12 @@ public:
     /// The moves have a ramp and the speed of moves to a position, whatever mode is selected.
     [[nodiscard]] std::optional<Intent> movesBy(const Rounds& moves) const override;
 
+signals:
+    void modeChosen();
+
 private:
-    void buildFields(QGridLayout* grid, int line);
-    void buildButtons(QGridLayout* grid, int line);
+    void buildFields(FormGrid* grid);
+    void buildButtons(FormGrid* grid);
     void connectControls();
 
     /// The part of the settings that the speed field shows now.
@@ -78,7 +80,6 @@ private:
     QCheckBox* m_loadOnly = nullptr;
     Command* m_startLoaded = nullptr;
     QLabel* m_hint = nullptr;
-    StepperHoldBox* m_hold = nullptr;
 
     std::optional<double> m_shownSpeed;         ///< speed in the settings, as last shown
     std::optional<double> m_shownFastest;       ///< fastest speed in the settings, as last shown

@@ -4,10 +4,12 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/panels/axisbox.h"
 #include "widgets/panels/expertbox.h"
 #include "widgets/panels/homingbox.h"
+#include "widgets/panels/jogbox.h"
 #include "widgets/panels/movebybox.h"
 #include "widgets/panels/panelhead.h"
 #include "widgets/panels/stepperdetailsbox.h"
@@ -23,11 +25,16 @@ using namespace Qt::StringLiterals;
 StepperPanel::StepperPanel(const PanelView& view, QWidget* parent) : ModulePage(view, parent) {
     look::name(this, u"stepperPanel"_s, tr("Stepper module"));
     auto* head = new PanelHead(m_context, this);
-    auto* motion = new QVBoxLayout;
-    auto* moves = new StepperMotionBox(m_context, this);
-    motion->addWidget(moves);
-    motion->addWidget(new MoveByBox(m_context, *moves, this));
-    motion->addStretch(1);
+    auto* motion = new StepperMotionBox(m_context, this);
+    auto* jog = new JogBox(m_context, this);
+    auto* moveBy = new MoveByBox(m_context, *motion, this);
+    connect(motion, &StepperMotionBox::modeChosen, jog, &JogBox::endHold);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(look::gridUnit(this) / 2);
+    for (QWidget* box : std::initializer_list<QWidget*>{motion, jog, moveBy})
+        left->addWidget(box);
+    FormGrid::align({motion, jog, moveBy});
+    left->addStretch(1);
     auto* pages = new QTabWidget(this);
     look::name(pages, u"stepperPages"_s, tr("Pages of the module"));
     m_parameters = new StepperParametersBox(m_context, this);
@@ -39,7 +46,7 @@ StepperPanel::StepperPanel(const PanelView& view, QWidget* parent) : ModulePage(
     pages->addTab(axis, tr("Axis"));
     pages->addTab(new StepperDetailsBox(m_context, this), tr("Details"));
     pages->addTab(new ExpertBox(m_context, this), tr("Expert"));
-    layOut(head, motion, pages);
+    layOut(head, left, pages);
 }
 
 void StepperPanel::fitPages(int width) {

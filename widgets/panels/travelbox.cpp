@@ -26,14 +26,14 @@ constexpr int kDigits = 8;  // width of each field
 
 TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(tr("Travel and speed limits"), parent), m_context(context) {
-    look::name(this, named(u"travelBox"_s), tr("Travel and speed limits"));
-    auto* grid = new FormGrid(this, 5, {.around = 1, .across = 0.5, .down = 0.5});
+    look::name(this, m_context.named(u"travelBox"_s), tr("Travel and speed limits"));
+    auto* grid = new FormGrid(this, 5, {.across = 0.5, .down = 0.5});
     buildLimit(grid, Lowest);
     buildLimit(grid, Highest);
     buildFastest(grid);
     buildBacklash(grid);
-    m_hint = form::newParagraph(named(u"travelHint"_s), {}, this);
-    m_state = form::newParagraph(named(u"travelState"_s), tr("State of the travel limits"), this);
+    m_hint = form::newParagraph(m_context.named(u"travelHint"_s), {}, this);
+    m_state = form::newParagraph(m_context.named(u"travelState"_s), tr("State of the travel limits"), this);
     grid->addWide(m_hint);
     grid->addWide(m_state);
     buildWord(grid);
@@ -41,16 +41,12 @@ TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
-QString TravelBox::named(const QString& name) const {
-    return look::nameFor(m_context.state().info.identity.type, name);
-}
-
 void TravelBox::buildLimit(FormGrid* grid, Limit limit) {
     const bool lowest = limit == Lowest;
     const QString name = lowest ? tr("Lowest position") : tr("Highest position");
     QuantityField* field = form::newQuantity(
         {.kind = QuantityField::Kind::Position,
-         .name = named(lowest ? u"lowestField"_s : u"highestField"_s),
+         .name = m_context.named(lowest ? u"lowestField"_s : u"highestField"_s),
          .accessible = name,
          .min = layout::kPlace.min,
          .max = layout::kPlace.max,
@@ -59,12 +55,13 @@ void TravelBox::buildLimit(FormGrid* grid, Limit limit) {
          .meaning = tr("Counted from home. No motion passes it while home is known. Empty: no limit.")},
         this);
     m_limits[limit] = field;
-    m_here[limit] = new Command({.name = named(lowest ? u"lowestHereButton"_s : u"highestHereButton"_s),
-                                 .icon = {},
-                                 .text = tr("Here"),
-                                 .accessible = lowest ? tr("Here: make the present position the lowest")
-                                                      : tr("Here: make the present position the highest")},
-                                this, [this, limit] { takePosition(limit); });
+    m_here[limit] =
+        new Command({.name = m_context.named(lowest ? u"lowestHereButton"_s : u"highestHereButton"_s),
+                     .icon = {},
+                     .text = tr("Here"),
+                     .accessible = lowest ? tr("Here: make the present position the lowest")
+                                          : tr("Here: make the present position the highest")},
+                    this, [this, limit] { takePosition(limit); });
     grid->addRow(name, field, {m_here[limit]->button()});
     connect(field, &QuantityField::nativeEdited, this, &TravelBox::refresh);
     // Only when editing has finished: a limit is in force at once and stops a motor beyond it, which half of
@@ -75,7 +72,7 @@ void TravelBox::buildLimit(FormGrid* grid, Limit limit) {
 void TravelBox::buildFastest(FormGrid* grid) {
     m_fastest = form::newQuantity(
         {.kind = QuantityField::Kind::Velocity,
-         .name = named(u"fastestField"_s),
+         .name = m_context.named(u"fastestField"_s),
          .accessible = tr("Highest velocity"),
          .digits = kDigits,
          .meaning = tr("Limits moves, runs, steps, jog and homing. Empty: the module's maximum.")},
@@ -88,7 +85,7 @@ void TravelBox::buildFastest(FormGrid* grid) {
 void TravelBox::buildBacklash(FormGrid* grid) {
     m_backlash = form::newQuantity(
         {.kind = QuantityField::Kind::Distance,
-         .name = named(u"backlashField"_s),
+         .name = m_context.named(u"backlashField"_s),
          .accessible = tr("Backlash"),
          .min = 1,
          .max = layout::kPlace.max,
@@ -97,7 +94,7 @@ void TravelBox::buildBacklash(FormGrid* grid) {
              "Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none.")},
         this);
     m_side = form::newChoice(
-        {.name = named(u"backlashSideBox"_s),
+        {.name = m_context.named(u"backlashSideBox"_s),
          .accessible = tr("Approach direction of every goal"),
          .options = {{tr("from below"), false}, {tr("from above"), true}},
          .meaning =
@@ -119,12 +116,12 @@ void TravelBox::keepBacklash() {
 }
 
 void TravelBox::buildWord(FormGrid* grid) {
-    m_declare = new Command({.name = named(u"declarePositionButton"_s),
+    m_declare = new Command({.name = m_context.named(u"declarePositionButton"_s),
                              .icon = {},
                              .text = tr("Confirm position…"),
                              .accessible = tr("Confirm position as correct")},
                             this, [this] { askToDeclare(); });
-    m_doubt = new Command({.name = named(u"doubtPositionButton"_s),
+    m_doubt = new Command({.name = m_context.named(u"doubtPositionButton"_s),
                            .icon = {},
                            .text = tr("Position in doubt"),
                            .accessible = tr("Position in doubt: it may be wrong")},

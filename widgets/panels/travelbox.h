@@ -27,7 +27,6 @@ public:
 private:
     enum Limit : std::size_t { Lowest, Highest };
 
-    [[nodiscard]] QString named(const QString& name) const;
     void buildLimit(FormGrid* grid, Limit limit);
     void buildFastest(FormGrid* grid);
     void buildBacklash(FormGrid* grid);

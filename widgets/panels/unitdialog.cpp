@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/unitdialog.h"
 
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <cmath>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 
@@ -24,15 +23,18 @@ constexpr int kDecimals = 6;
 }  // namespace
 
 UnitDialog::UnitDialog(ModuleContext& context, QWidget* parent)
-    : QDialog(parent), m_context(context), m_form(new QFormLayout(this)), m_kind(new QComboBox(this)) {
+    : QDialog(parent), m_context(context), m_form(new QFormLayout(this)) {
     look::name(this, u"unitDialog"_s, tr("Calculate the unit"));
     setWindowTitle(tr("Calculate the unit"));
     setAttribute(Qt::WA_DeleteOnClose);
-    look::name(m_kind, u"unitDialogKind"_s, tr("Type of axis"));
-    m_kind->addItem(tr("rotary, in turns"), static_cast<int>(UnitKind::Turns));
-    m_kind->addItem(tr("rotary, in degrees"), static_cast<int>(UnitKind::Degrees));
-    m_kind->addItem(tr("linear, in millimetres"), static_cast<int>(UnitKind::Millimetres));
-    m_kind->setToolTip(tr("The unit to display for this axis."));
+    m_kind =
+        form::newChoice({.name = u"unitDialogKind"_s,
+                         .accessible = tr("Type of axis"),
+                         .options = {{tr("rotary, in turns"), static_cast<int>(UnitKind::Turns)},
+                                     {tr("rotary, in degrees"), static_cast<int>(UnitKind::Degrees)},
+                                     {tr("linear, in millimetres"), static_cast<int>(UnitKind::Millimetres)}},
+                         .meaning = tr("The unit to display for this axis.")},
+                        this);
     m_form->addRow(tr("The axis"), m_kind);
     if (m_context.state().isStepper()) {
         m_perTurn = addField(u"unitDialogSteps"_s, tr("Full steps per motor turn"), 200,
@@ -69,11 +71,13 @@ UnitDialog::UnitDialog(ModuleContext& context, QWidget* parent)
 
 NumberField* UnitDialog::addField(const QString& name, const QString& label, double value,
                                   const QString& meaning) {
-    auto* field = new NumberField(kDecimals, this);
-    look::name(field, name, label);
-    field->setRange(1 / kLargestEntry, kLargestEntry);
-    field->setWords(label, {});
-    field->setMeaning(meaning);
+    auto* field = form::newNumber({.name = name,
+                                   .accessible = label,
+                                   .min = 1 / kLargestEntry,
+                                   .max = kLargestEntry,
+                                   .decimals = kDecimals,
+                                   .meaning = meaning},
+                                  this);
     field->showValue(value);
     connect(field, &NumberField::edited, this, &UnitDialog::refresh);
     m_form->addRow(label, field);
@@ -81,7 +85,7 @@ NumberField* UnitDialog::addField(const QString& name, const QString& label, dou
 }
 
 UnitKind UnitDialog::kind() const {
-    return static_cast<UnitKind>(m_kind->currentData().toInt());
+    return form::chosen<UnitKind>(m_kind);
 }
 
 DriveTrain UnitDialog::drive() const {

@@ -32,7 +32,7 @@ private:
 
     ModuleContext& m_context;
     QFormLayout* m_form;
-    QComboBox* m_kind;
+    QComboBox* m_kind = nullptr;
     NumberField* m_perTurn;  ///< lines of an encoder, full steps of a stepper
     NumberField* m_microsteps = nullptr;
     NumberField* m_motorTurns;

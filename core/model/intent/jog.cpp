@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "model/intent/jog.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/intent/stepperplan.h"
+#include "model/intent/travel.h"
+#include "model/module/servodefaults.h"
+#include "model/module/stepperdefaults.h"
+
+namespace nmc {
+
+namespace {
+
+/// Absorbs the rounding of a speed that is a whole number of the chip's units.
+constexpr double kGrain = 1e-9;
+constexpr double kMostUnits = 250;  // DS-S 5.1, Load Trajectory
+
+}  // namespace
+
+JogRange jogRange(const ModuleState& module, const AxisSettings& axis) {
+    if (module.isStepper()) {
+        const double slowest = stepperdefaults::slowestProfile(module.stepper, axis);
+        const double cap = stepperdefaults::holdCap(module.stepper, axis);
+        return {slowest, cap, std::clamp(stepperdefaults::kHold, slowest, cap)};
+    }
+    const MotionSettings motion = servodefaults::motionOf(axis);
+    return {servodefaults::kSmallest, motion.holdCap, std::min(motion.holdVelocity, motion.holdCap)};
+}
+
+std::optional<bus::HoldToMove> jog(const ModuleState& module, const AxisSettings& axis, double speed,
+                                   bool reverse) {
+    bus::HoldToMove hold;
+    hold.module = module.info.index;
+    hold.reverse = reverse;
+    if (!module.isStepper()) {
+        hold.velocity = CountsPerTick(servodefaults::toFixed(speed));
+        hold.acceleration =
+            CountsPerTickSquared(servodefaults::toFixed(servodefaults::motionOf(axis).acceleration));
+        return hold;
+    }
+    const auto& parameters = module.stepper.parameters();
+    if (!parameters)
+        return std::nullopt;
+    const double units = std::floor(speed / StepperSpeed(parameters->speedMode).unit() + kGrain);
+    hold.pace = bus::StepperPace{static_cast<std::uint8_t>(std::clamp(units, 1.0, kMostUnits)),
+                                 stepperdefaults::accelerationTime(axis)};
+    return hold;
+}
+
+std::optional<Refusal> whyNot(const bus::HoldToMove& hold, const ModuleState& module) {
+    if (const auto refusal = whyNot(IntentKind::Hold, module))
+        return refusal;
+    const MotionSpec run = runOf(hold);
+    if (const auto* steps = std::get_if<StepperMotion>(&run))
+        // Towards a travel limit, the bus first stops a motor that moves.
+        return travelEnd(module, hold.reverse) ? whyNotFromStandstill(*steps, module, IntentKind::Hold)
+                                               : whyNot(*steps, module, IntentKind::Hold);
+    const auto problem = travelProblem(intent::Move{run}, module);
+    return problem ? std::optional(problem->refusal) : std::nullopt;
+}
+
+MotionSpec runOf(const bus::HoldToMove& hold) {
+    if (hold.pace)
+        return StepperMotion(
+            steppermotion::VelocityProfile{hold.pace->speed, hold.pace->accelerationTime, hold.reverse});
+    return ServoMotion(servomotion::VelocityProfile{hold.velocity, hold.acceleration, hold.reverse});
+}
+
+Pace paceOf(const bus::HoldToMove& hold) {
+    if (hold.pace)
+        return *hold.pace;
+    return ServoPace{hold.velocity, hold.acceleration};
+}
+
+}  // namespace nmc
