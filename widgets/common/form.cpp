@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QRadioButton>
 #include <algorithm>
 #include <vector>
@@ -27,9 +28,22 @@ Field* set(Field* field, const Spec& spec) {
 template <typename Button>
 Button* newButton(const Check& check, QWidget* box) {
     auto* button = new Button(check.text, box);
-    look::name(button, check.name, check.accessible.isEmpty() ? check.text : check.accessible);
+    look::name(button, check.name,
+               check.accessible.isEmpty() ? QString(check.text).remove(u'&') : check.accessible);
     button->setToolTip(check.meaning);
     return button;
+}
+
+int pixels(const QWidget* box, double units) {
+    return static_cast<int>(look::gridUnit(box) * units);
+}
+
+template <typename Layout>
+Layout* filled(Layout* layout, const QWidget* box, std::initializer_list<Item> items, double spacing) {
+    layout->setSpacing(pixels(box, spacing));
+    for (const Item& item : items)
+        item.addTo(*layout);
+    return layout;
 }
 
 }  // namespace
@@ -59,6 +73,10 @@ QRadioButton* newRadio(const Check& check, QWidget* box) {
     return newButton<QRadioButton>(check, box);
 }
 
+QPushButton* newPush(const Check& check, QWidget* box) {
+    return newButton<QPushButton>(check, box);
+}
+
 QComboBox* newChoice(const Choice& choice, QWidget* box) {
     auto* field = new QComboBox(box);
     look::name(field, choice.name, choice.accessible);
@@ -77,6 +95,12 @@ QLineEdit* newText(const Text& text, QWidget* box) {
     return field;
 }
 
+QLabel* newLabel(const QString& text, QWidget* control) {
+    auto* label = new QLabel(text, control->parentWidget());
+    label->setBuddy(control);
+    return label;
+}
+
 void setBold(QLabel* label) {
     QFont bold = label->font();
     bold.setBold(true);
@@ -89,7 +113,7 @@ QLabel* newHeading(const QString& text, QWidget* box) {
     return label;
 }
 
-QLabel* newParagraph(const QString& name, const QString& what, QWidget* box) {
+QLabel* newParagraph(const QString& name, const QString& what, QWidget* box, int lines) {
     auto* label = new QLabel(box);
     if (what.isEmpty())
         label->setObjectName(name);
@@ -97,6 +121,10 @@ QLabel* newParagraph(const QString& name, const QString& what, QWidget* box) {
         look::nameText(label, name, what);
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
+    if (lines > 0) {
+        label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
+        label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    }
     return label;
 }
 
@@ -104,7 +132,7 @@ void Item::addTo(QBoxLayout& line) const {
     if (m_widget != nullptr)
         line.addWidget(m_widget, m_stretch);
     else if (m_layout != nullptr)
-        line.addLayout(m_layout);
+        line.addLayout(m_layout, m_stretch);
     else
         line.addStretch(1);
 }
@@ -117,22 +145,27 @@ void Item::addTo(QGridLayout& grid, int row, int column, int columns) const {
 }
 
 QHBoxLayout* newLine(QWidget* box, std::initializer_list<Item> items, double spacing) {
-    auto* line = new QHBoxLayout;
-    line->setSpacing(static_cast<int>(look::gridUnit(box) * spacing));
-    for (const Item& item : items)
-        item.addTo(*line);
-    return line;
+    return filled(new QHBoxLayout, box, items, spacing);
+}
+
+QVBoxLayout* newColumn(QWidget* box, std::initializer_list<Item> items, double spacing) {
+    return filled(new QVBoxLayout, box, items, spacing);
+}
+
+void fill(QWidget* box, QLayout* content, double around) {
+    const int side = pixels(box, around);
+    content->setContentsMargins(side, side, side, side);
+    box->setLayout(content);
 }
 
 }  // namespace form
 
 FormGrid::FormGrid(QWidget* box, int columns, const Spacing& spacing) : FoldingGrid(box), m_columns(columns) {
-    const auto pixels = [unit = look::gridUnit(box)](double units) { return static_cast<int>(unit * units); };
-    const int side = pixels(spacing.sides);
-    const int end = pixels(spacing.ends);
+    const int side = form::pixels(box, spacing.sides);
+    const int end = form::pixels(box, spacing.ends);
     setContentsMargins(side, end, side, end);
-    setHorizontalSpacing(pixels(spacing.across));
-    setVerticalSpacing(pixels(spacing.down));
+    setHorizontalSpacing(form::pixels(box, spacing.across));
+    setVerticalSpacing(form::pixels(box, spacing.down));
     if (columns > 3)
         setColumnStretch(3, 1);
 }
@@ -173,9 +206,10 @@ void FormGrid::addLine(std::initializer_list<form::Item> items) {
     addFrom(0, items);
 }
 
-void FormGrid::addTitled(const QString& label, const form::Item& content) {
-    addLabel(label, nullptr);
+QLabel* FormGrid::addTitled(const QString& label, const form::Item& content) {
+    QLabel* name = addLabel(label, nullptr);
     addWide(content, 1);
+    return name;
 }
 
 void FormGrid::addWide(const form::Item& content, int column) {
@@ -183,7 +217,7 @@ void FormGrid::addWide(const form::Item& content, int column) {
 }
 
 void FormGrid::addGap(double height) {
-    setRowMinimumHeight(m_row++, static_cast<int>(look::gridUnit(parentWidget()) * height));
+    setRowMinimumHeight(m_row++, form::pixels(parentWidget(), height));
 }
 
 void FormGrid::align(std::initializer_list<const QWidget*> boxes) {

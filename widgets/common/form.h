@@ -12,6 +12,7 @@
 
 class QCheckBox;
 class QLabel;
+class QPushButton;
 class QRadioButton;
 
 namespace nmc {
@@ -50,15 +51,16 @@ struct Quantity {
 };
 [[nodiscard]] QuantityField* newQuantity(const Quantity& quantity, QWidget* box);
 
-/// A check box or radio button.
+/// A check box, radio button or push button.
 struct Check {
     QString name;  ///< object name
     QString text;
-    QString accessible{};  ///< read out; empty: `text`
+    QString accessible{};  ///< read out; empty: `text` without its &
     QString meaning{};     ///< tool tip
 };
 [[nodiscard]] QCheckBox* newCheck(const Check& check, QWidget* box);
 [[nodiscard]] QRadioButton* newRadio(const Check& check, QWidget* box);
+[[nodiscard]] QPushButton* newPush(const Check& check, QWidget* box);
 
 struct Option {
     QString text;
@@ -93,18 +95,20 @@ struct Text {
 };
 [[nodiscard]] QLineEdit* newText(const Text& text, QWidget* box);
 
+/// A label that names the control beside it.
+[[nodiscard]] QLabel* newLabel(const QString& text, QWidget* control);
 void setBold(QLabel* label);
 [[nodiscard]] QLabel* newHeading(const QString& text, QWidget* box);
 /// A label of plain text in as many lines as it needs. Without `what`, it is a remark that is read out only
-/// with its text.
-[[nodiscard]] QLabel* newParagraph(const QString& name, const QString& what, QWidget* box);
+/// with its text. It keeps room for that many `lines`, so that nothing moves when its text changes.
+[[nodiscard]] QLabel* newParagraph(const QString& name, const QString& what, QWidget* box, int lines = 0);
 
-/// What a line or a row of a grid is filled with: a widget, a layout, or nullptr for empty room. With
-/// `stretch`, it takes the room that is left: in a grid, all columns that follow.
+/// What a line, a column or a row of a grid is filled with: a widget, a layout, or nullptr for empty room.
+/// With `stretch`, it takes the room that is left: in a grid, all columns that follow.
 class Item {
 public:
     Item(QWidget* widget, int stretch = 0) : m_widget(widget), m_stretch(stretch) {}
-    Item(QLayout* layout) : m_layout(layout) {}
+    Item(QLayout* layout, int stretch = 0) : m_layout(layout), m_stretch(stretch) {}
     Item(std::nullptr_t /*room*/) {}
 
     void addTo(QBoxLayout& line) const;
@@ -116,8 +120,14 @@ private:
     QLayout* m_layout = nullptr;
     int m_stretch = 0;
 };
+/// A spacing: that of the layout around, or else of the style.
+inline constexpr double kUsual = -1;
 /// Makes a line of items, from left to right. `spacing` is in units of look::gridUnit(box).
 [[nodiscard]] QHBoxLayout* newLine(QWidget* box, std::initializer_list<Item> items, double spacing = 1);
+/// Makes a column of items, from top to bottom.
+[[nodiscard]] QVBoxLayout* newColumn(QWidget* box, std::initializer_list<Item> items, double spacing = 1);
+/// Fills the box with `content`, and leaves a margin of `around` units.
+void fill(QWidget* box, QLayout* content, double around = 0);
 
 }  // namespace form
 
@@ -145,8 +155,8 @@ public:
     QLabel* addRow(const QString& label, QuantityField* field, std::initializer_list<form::Item> beside = {});
     /// Adds a row of items, one in each column.
     void addLine(std::initializer_list<form::Item> items);
-    /// Adds a row whose label names all of `content`, which takes the columns after it.
-    void addTitled(const QString& label, const form::Item& content);
+    /// Adds a row whose label names all of `content`, which takes the columns after it; returns the label.
+    QLabel* addTitled(const QString& label, const form::Item& content);
     /// Adds a row that `content` takes from that column on.
     void addWide(const form::Item& content, int column = 0);
     /// Leaves a gap of that height, in units of look::gridUnit(box).
