@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "model/sequence/sequencecheck.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -26,16 +27,14 @@ constexpr int kUsualStep = 4;
 
 AxesPage::AxesPage(QWidget* parent)
     : QWidget(parent),
-      m_slow(new QRadioButton(tr("Slow"), this)),
-      m_fast(new QRadioButton(tr("Fast"), this)),
-      m_step(new QComboBox(this)) {
+      m_slow(form::newRadio(
+          {u"jogSlowButton"_s, tr("Slow"), tr("Slow jog"), tr("Each axis at its own jog speed.")}, this)),
+      m_fast(form::newRadio({u"jogFastButton"_s, tr("Fast"), tr("Fast jog"),
+                             tr("Each axis at its own max jog speed, set on its Axis page.")},
+                            this)),
+      m_step(form::newChoice({u"jogStepBox"_s, tr("Step of all axes"), {}}, this)) {
     look::name(this, u"axesPage"_s, tr("All axes"));
-    look::name(m_slow, u"jogSlowButton"_s, tr("Slow jog"));
-    look::name(m_fast, u"jogFastButton"_s, tr("Fast jog"));
-    look::name(m_step, u"jogStepBox"_s, tr("Step of all axes"));
     m_slow->setChecked(true);
-    m_slow->setToolTip(tr("Each axis at its own jog speed."));
-    m_fast->setToolTip(tr("Each axis at its own max jog speed, set on its Axis page."));
     m_step->setToolTip(tr("Distance that one click on Step moves an axis, in its own unit."));
     for (const double step : kSteps)
         m_step->addItem(tr("%1 units").arg(QLocale().toString(step)), step);
@@ -57,16 +56,12 @@ AxesPage::AxesPage(QWidget* parent)
     head->addWidget(m_slow);
     head->addWidget(m_fast);
     head->addSpacing(look::gridUnit(this));
-    auto* stepLabel = new QLabel(tr("Step"), this);
-    stepLabel->setBuddy(m_step);
-    head->addWidget(stepLabel);
+    head->addWidget(form::newLabel(tr("Step"), m_step));
     head->addWidget(m_step);
     head->addStretch(1);
     auto* table = new QWidget(this);
-    auto* fromTop = new QVBoxLayout(table);
     m_grid = new QGridLayout;
-    fromTop->addLayout(m_grid);
-    fromTop->addStretch(1);
+    table->setLayout(form::newColumn(table, {m_grid, nullptr}, form::kUsual));
     m_grid->setHorizontalSpacing(look::gridUnit(this));
     m_grid->setColumnStretch(1, 1);
     auto* area = new QScrollArea(this);
@@ -74,9 +69,7 @@ AxesPage::AxesPage(QWidget* parent)
     area->setWidget(table);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
-    auto* layout = new QVBoxLayout(this);
-    layout->addLayout(head);
-    layout->addWidget(area, 1);
+    setLayout(form::newColumn(this, {head, {area, 1}}, form::kUsual));
     connect(m_slow, &QRadioButton::toggled, this, &AxesPage::showJog);
     connect(m_step, &QComboBox::currentIndexChanged, this, &AxesPage::showJog);
     refresh();

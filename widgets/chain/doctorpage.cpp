@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chain/doctorpage.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -9,6 +8,7 @@
 #include <algorithm>
 
 #include "widgets/common/doctortexts.h"
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
@@ -24,15 +24,11 @@ DoctorPage::DoctorPage(QWidget* parent) : QWidget(parent) {
 }
 
 void DoctorPage::build() {
-    const int unit = look::gridUnit(this);
     m_glyph = new GlyphLabel(this);
     m_glyph->setFont(look::scaled(font(), 1.6));
-    m_finding = new QLabel(this);
+    m_finding = form::newHeading({}, this);
     m_finding->setObjectName(u"chainFinding"_s);
     m_finding->setWordWrap(true);
-    QFont bold = font();
-    bold.setBold(true);
-    m_finding->setFont(bold);
     m_advice = new QLabel(this);
     m_advice->setObjectName(u"chainAdvice"_s);
     m_advice->setWordWrap(true);
@@ -45,30 +41,15 @@ void DoctorPage::build() {
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setTabKeyNavigation(false);
-    m_scan = new QPushButton(tr("&Scan again"), this);
-    look::name(m_scan, u"scanButton"_s, tr("Scan again: look for modules"));
-    m_accept = new QPushButton(tr("Accep&t as found"), this);
-    look::name(m_accept, u"acceptChainButton"_s, tr("Accept as found"));
-    m_restart = new QPushButton(tr("&Restart the network…"), this);
-    look::name(m_restart, u"restartChainButton"_s, tr("Restart the network: positions and gains are lost"));
+    m_scan = form::newPush({u"scanButton"_s, tr("&Scan again"), tr("Scan again: look for modules")}, this);
+    m_accept = form::newPush({u"acceptChainButton"_s, tr("Accep&t as found"), tr("Accept as found")}, this);
+    m_restart = form::newPush({u"restartChainButton"_s, tr("&Restart the network…"),
+                               tr("Restart the network: positions and gains are lost")},
+                              this);
 
-    auto* head = new QHBoxLayout;
-    head->setSpacing(unit);
-    head->addWidget(m_glyph);
-    head->addWidget(m_finding, 1);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(unit);
-    buttons->addWidget(m_scan);
-    buttons->addWidget(m_accept);
-    buttons->addStretch(1);
-    buttons->addWidget(m_restart);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit, unit, unit, unit);
-    layout->setSpacing(unit);
-    layout->addLayout(head);
-    layout->addWidget(m_advice);
-    layout->addWidget(m_table, 1);
-    layout->addLayout(buttons);
+    auto* head = form::newLine(this, {m_glyph, {m_finding, 1}});
+    auto* buttons = form::newLine(this, {m_scan, m_accept, nullptr, m_restart});
+    form::fill(this, form::newColumn(this, {head, m_advice, {m_table, 1}, buttons}), 1);
     connect(m_scan, &QPushButton::clicked, this, &DoctorPage::scanRequested);
     connect(m_accept, &QPushButton::clicked, this, &DoctorPage::acceptRequested);
     connect(m_restart, &QPushButton::clicked, this, &DoctorPage::restartRequested);

@@ -13,9 +13,9 @@
 
 #include "widgets/common/askdialog.h"
 #include "widgets/common/doctortexts.h"
+#include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -50,13 +50,9 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     m_grid->setVerticalSpacing(unit / 2);
     m_grid->setColumnStretch(Load, 1);
 
-    m_group = new QComboBox(this);
-    look::name(m_group, u"groupBox"_s, tr("Group to command"));
-    m_group->setToolTip(tr("The group that the buttons command."));
-    m_name = new QLineEdit(this);
-    look::name(m_name, u"groupNameField"_s, tr("Name of the group"));
-    m_name->setMaxLength(40);
-    m_name->setPlaceholderText(tr("Name"));
+    m_group = form::newChoice(
+        {u"groupBox"_s, tr("Group to command"), {}, tr("The group that the buttons command.")}, this);
+    m_name = form::newText({u"groupNameField"_s, tr("Name of the group"), 40, {}, tr("Name")}, this);
     using enum bus::GroupCommand::Action;
     m_start = newCommand(tr("St&art loaded moves"), u"groupStartButton"_s,
                          tr("Start the loaded moves of this group"), StartMotion);
@@ -72,33 +68,16 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
         newCommand(tr("Motors o&ff"), u"groupMotorOffButton"_s, tr("Motors off in this group"), MotorOff);
     m_clear = newCommand(tr("C&lear sticky bits"), u"groupClearButton"_s,
                          tr("Clear the sticky bits of this group"), ClearStickyBits);
-    m_reset = new QPushButton(tr("Set &position to 0…"), this);
+    m_reset = form::newPush(
+        {u"groupResetButton"_s, tr("Set &position to 0…"), tr("Set position to 0 for this group")}, this);
     m_reset->setAutoDefault(false);
-    look::name(m_reset, u"groupResetButton"_s, tr("Set position to 0 for this group"));
     connect(m_reset, &QPushButton::clicked, this, &GroupsPage::askBeforeReset);
-    const auto row = [this, unit](std::initializer_list<QWidget*> widgets) {
-        auto* line = new QHBoxLayout;
-        line->setSpacing(unit);
-        for (QWidget* widget : widgets)
-            line->addWidget(widget, widget == m_name ? 1 : 0);
-        return line;
-    };
-    auto* stops = row({m_stopSmoothly, m_stopAbruptly, m_motorOff});
-    stops->addStretch(1);
-    auto* others = row({m_saveHome, m_reset, m_clear});
-    others->addStretch(1);
-
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit, unit, unit, unit);
-    layout->setSpacing(unit);
-    layout->addWidget(remark);
-    layout->addWidget(m_none);
-    layout->addLayout(m_grid);
-    layout->addWidget(m_addressReason);
-    layout->addLayout(row({m_group, m_name, m_start}));
-    layout->addLayout(stops);
-    layout->addLayout(others);
-    layout->addStretch(1);
+    auto* first = form::newLine(this, {m_group, {m_name, 1}, m_start});
+    auto* stops = form::newLine(this, {m_stopSmoothly, m_stopAbruptly, m_motorOff, nullptr});
+    auto* others = form::newLine(this, {m_saveHome, m_reset, m_clear, nullptr});
+    form::fill(
+        this, form::newColumn(this, {remark, m_none, m_grid, m_addressReason, first, stops, others, nullptr}),
+        1);
     connect(m_group, &QComboBox::currentIndexChanged, this, &GroupsPage::refreshCommands);
     connect(m_name, &QLineEdit::editingFinished, this, &GroupsPage::nameGroup);
     showLink({}, {});
@@ -106,8 +85,7 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
 
 QPushButton* GroupsPage::newCommand(const QString& text, const QString& objectName,
                                     const QString& accessibleName, bus::GroupCommand::Action action) {
-    auto* button = new QPushButton(text, this);
-    look::name(button, objectName, accessibleName);
+    auto* button = form::newPush({objectName, text, accessibleName}, this);
     button->setAutoDefault(false);  // Enter confirms addresses and names
     connect(button, &QPushButton::clicked, this, [this, action] { command(action); });
     return button;
@@ -123,8 +101,7 @@ void GroupsPage::addMember() {
     member.address->setRange(kFirstAddress, kLastAddress);
     member.address->setDigits(5);
     member.address->setWords(tr("The address"), {});
-    member.addressLabel = new QLabel(tr("address"), this);
-    member.addressLabel->setBuddy(member.address);
+    member.addressLabel = form::newLabel(tr("address"), member.address);
     member.group = new QComboBox(this);
     look::name(member.group, u"group%1Box"_s.arg(number), tr("Group of module %1").arg(number));
     member.group->setToolTip(tr("The group that this module listens to. Sent at once; nothing moves."));

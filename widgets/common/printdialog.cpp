@@ -4,13 +4,11 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 #include "widgets/common/printtexts.h"
 
 namespace nmc {
@@ -25,25 +23,19 @@ constexpr int kStateWidth = 20;  ///< line heights
 PrintDialog::PrintDialog(const QString& last, QWidget* window)
     : QDialog(window),
       m_chosen(last),
-      m_printer(new QComboBox(this)),
+      m_printer(form::newChoice({u"printerBox"_s, tr("Printer"), {}}, this)),
       m_copies(new NumberField(0, this)),
-      m_state(new QLabel(this)),
-      m_print(new QPushButton(tr("&Print"), this)),
-      m_save(new QPushButton(tr("Save as P&DF…"), this)) {
+      m_state(form::newParagraph(u"printState"_s, tr("Printers"), this)),
+      m_print(form::newPush({u"printButton"_s, tr("&Print"), tr("Print")}, this)),
+      m_save(form::newPush({u"printSaveButton"_s, tr("Save as P&DF…"), tr("Save as PDF…")}, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Print"));
     look::name(this, u"printDialog"_s, windowTitle());
-    look::name(m_printer, u"printerBox"_s, tr("Printer"));
     look::name(m_copies, u"copiesField"_s, tr("Copies"));
-    look::nameText(m_state, u"printState"_s, tr("Printers"));
-    look::name(m_print, u"printButton"_s, tr("Print"));
-    look::name(m_save, u"printSaveButton"_s, tr("Save as PDF…"));
     m_copies->setRange(1, kMostCopies);
     m_copies->setDigits(3);
     m_copies->setWords(tr("Copies"), {});
     m_copies->showValue(1);
-    m_state->setTextFormat(Qt::PlainText);
-    m_state->setWordWrap(true);
     m_state->setMinimumWidth(fontMetrics().height() * kStateWidth);
     m_print->setDefault(true);
     m_save->setAutoDefault(false);
@@ -57,24 +49,14 @@ PrintDialog::PrintDialog(const QString& last, QWidget* window)
 }
 
 void PrintDialog::layOut() {
-    const int unit = look::gridUnit(this);
-    auto* cancel = new QPushButton(tr("&Cancel"), this);
-    look::name(cancel, u"printCancelButton"_s, tr("Cancel"));
+    auto* cancel = form::newPush({u"printCancelButton"_s, tr("&Cancel"), tr("Cancel")}, this);
     cancel->setAutoDefault(false);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-    auto* form = new QFormLayout;
-    form->addRow(tr("P&rinter"), m_printer);
-    form->addRow(tr("C&opies"), m_copies);
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    for (QPushButton* button : {m_print, m_save, cancel})
-        buttons->addWidget(button);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit * 2, unit * 2, unit * 2, unit * 2);
-    layout->setSpacing(unit);
-    layout->addLayout(form);
-    layout->addWidget(m_state);
-    layout->addLayout(buttons);
+    auto* rows = new QFormLayout;
+    rows->addRow(tr("P&rinter"), m_printer);
+    rows->addRow(tr("C&opies"), m_copies);
+    auto* buttons = form::newLine(this, {nullptr, m_print, m_save, cancel});
+    form::fill(this, form::newColumn(this, {rows, m_state, buttons}), 2);
 }
 
 void PrintDialog::showPrinters(const QStringList& printers, const QString& standard, bool all) {

@@ -14,8 +14,8 @@
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QTextBrowser>
-#include <QVBoxLayout>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/help/placing.h"
 
@@ -87,14 +87,8 @@ ManualWindow::ManualWindow(const Manual& manual, QWidget* parent)
     look::name(m_browser, u"manualBrowser"_s, tr("Page of the manual"));
     for (const Manual::Page& page : m_manual.pages())
         m_pages->addItem(page.title);
-    auto* layout = new QVBoxLayout(this);
-    auto* top = new QHBoxLayout;
-    auto* content = new QHBoxLayout;
-    buildTop(*top);
-    content->addWidget(m_pages);
-    content->addWidget(m_browser, 1);
-    layout->addLayout(top);
-    layout->addLayout(content, 1);
+    auto* content = form::newLine(this, {m_pages, {m_browser, 1}}, form::kUsual);
+    setLayout(form::newColumn(this, {buildTop(), {content, 1}}, form::kUsual));
     m_pages->setFixedWidth(fontMetrics().height() * kPagesWidth);
     connect(m_pages, &QListWidget::currentRowChanged, this, [this](int row) {
         if (row >= 0)
@@ -106,15 +100,14 @@ ManualWindow::ManualWindow(const Manual& manual, QWidget* parent)
 
 QPushButton* ManualWindow::newButton(const QString& objectName, const QString& text, const QString& toolTip,
                                      const QKeySequence& key) {
-    auto* button = new QPushButton(text, this);
-    look::name(button, objectName, text);
-    button->setToolTip(toolTip.arg(key.toString(QKeySequence::NativeText)));
+    auto* button =
+        form::newPush({objectName, text, {}, toolTip.arg(key.toString(QKeySequence::NativeText))}, this);
     button->setShortcut(key);
     button->setAutoDefault(false);  // Enter in the field searches
     return button;
 }
 
-void ManualWindow::buildTop(QHBoxLayout& top) {
+QHBoxLayout* ManualWindow::buildTop() {
     m_back = newButton(u"manualBackButton"_s, tr("Back"), tr("Goes back to the previous page (%1)."),
                        Qt::ALT | Qt::Key_Left);
     m_forward = newButton(u"manualForwardButton"_s, tr("Forward"), tr("Goes forward again (%1)."),
@@ -127,11 +120,6 @@ void ManualWindow::buildTop(QHBoxLayout& top) {
     m_search->installEventFilter(this);
     m_found = look::newMutedLabel({}, this);
     m_found->setObjectName(u"manualFoundLabel"_s);
-    top.addWidget(m_back);
-    top.addWidget(m_forward);
-    top.addStretch(1);
-    top.addWidget(m_found);
-    top.addWidget(m_search);
     connect(m_back, &QPushButton::clicked, m_browser, &QTextBrowser::backward);
     connect(m_forward, &QPushButton::clicked, m_browser, &QTextBrowser::forward);
     connect(m_browser, &QTextBrowser::backwardAvailable, m_back, &QWidget::setEnabled);
@@ -142,6 +130,7 @@ void ManualWindow::buildTop(QHBoxLayout& top) {
         m_search->setFocus(Qt::ShortcutFocusReason);
         m_search->selectAll();
     });
+    return form::newLine(this, {m_back, m_forward, nullptr, m_found, m_search}, form::kUsual);
 }
 
 bool ManualWindow::eventFilter(QObject* watched, QEvent* event) {

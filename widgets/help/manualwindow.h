@@ -35,7 +35,7 @@ protected:
 private:
     QPushButton* newButton(const QString& objectName, const QString& text, const QString& toolTip,
                            const QKeySequence& key);
-    void buildTop(QHBoxLayout& top);
+    [[nodiscard]] QHBoxLayout* buildTop();
     [[nodiscard]] QUrl urlOf(const QString& page) const;
     void follow(const QUrl& url);
     void search(bool backwards);

@@ -4,12 +4,11 @@
 #include <QDate>
 #include <QFileDialog>
 #include <QFontDatabase>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QVBoxLayout>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/help/placing.h"
 
@@ -39,20 +38,12 @@ ReportDialog::ReportDialog(const QString& report, QWidget* parent) : QDialog(par
     text->setLineWrapMode(QPlainTextEdit::NoWrap);
     text->setTabChangesFocus(true);
     text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-    auto* save = new QPushButton(tr("&Save as…"), this);
-    look::name(save, u"reportSaveButton"_s, tr("Save as…"));
-    auto* close = new QPushButton(tr("&Close"), this);
-    look::name(close, u"reportCloseButton"_s, tr("Close"));
+    auto* save = form::newPush({u"reportSaveButton"_s, tr("&Save as…"), tr("Save as…")}, this);
+    auto* close = form::newPush({u"reportCloseButton"_s, tr("&Close"), tr("Close")}, this);
     connect(save, &QPushButton::clicked, this, [this, report] { chooseFile(report); });
     connect(close, &QPushButton::clicked, this, &QDialog::close);
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(save);
-    buttons->addWidget(close);
-    auto* layout = new QVBoxLayout(this);
-    layout->addWidget(advice);
-    layout->addWidget(text, 1);
-    layout->addLayout(buttons);
+    auto* buttons = form::newLine(this, {nullptr, save, close}, form::kUsual);
+    setLayout(form::newColumn(this, {advice, {text, 1}, buttons}, form::kUsual));
     placeBelowTop(*this, QSize(kReportWidth, kReportHeight) * fontMetrics().height());
 }
 

@@ -3,13 +3,12 @@
 
 #include <QDir>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 
 #include "model/intent/looptestplan.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/quantityfield.h"
 #include "widgets/looptests/bodeplot.h"
 #include "widgets/looptests/looptestwords.h"
 #include "widgets/looptests/testform.h"
@@ -42,27 +41,12 @@ FrequencyPage::FrequencyPage(QWidget* parent) : QWidget(parent) {
         return intent::FrequencyResponse{static_cast<std::int32_t>(*m_amplitude->native()), *m_from->value(),
                                          *m_to->value()};
     });
-    m_figures = new QLabel(this);
-    look::nameText(m_figures, u"frequencyFigures"_s, tr("Results of the frequency response"));
-    m_figures->setTextFormat(Qt::PlainText);
-    m_figures->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_figures->setWordWrap(true);
-    m_figures->setMinimumHeight(6 * fontMetrics().lineSpacing());
-    m_save = new QPushButton(tr("Export CSV…"), this);
-    look::name(m_save, u"frequencyExportButton"_s, tr("Export CSV of the frequency response"));
+    m_figures = form::newParagraph(u"frequencyFigures"_s, tr("Results of the frequency response"), this, 6);
+    m_save = form::newPush(
+        {u"frequencyExportButton"_s, tr("Export CSV…"), tr("Export CSV of the frequency response")}, this);
     m_plot = new BodePlot(this);
-    const int unit = look::gridUnit(this);
-    auto* left = new QVBoxLayout;
-    left->setSpacing(unit);
-    left->addWidget(m_form);
-    left->addWidget(m_figures);
-    left->addWidget(m_save, 0, Qt::AlignLeft);
-    left->addStretch(1);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
-    row->setSpacing(unit);
-    row->addLayout(left);
-    row->addWidget(m_plot, 1);
+    auto* left = form::newColumn(this, {m_form, m_figures, form::newLine(this, {m_save, nullptr}), nullptr});
+    form::fill(this, form::newLine(this, {left, {m_plot, 1}}), 0.5);
     connect(m_form, &TestForm::asked, this, &FrequencyPage::asked);
     connect(m_save, &QPushButton::clicked, this, &FrequencyPage::chooseFile);
     refresh();

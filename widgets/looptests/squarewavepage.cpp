@@ -2,7 +2,6 @@
 #include "widgets/looptests/squarewavepage.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
@@ -10,8 +9,8 @@
 
 #include "model/intent/looptestplan.h"
 #include "model/response/edgefold.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/quantityfield.h"
 #include "widgets/looptests/squareplot.h"
 #include "widgets/looptests/testform.h"
 #include "widgets/response/responsewords.h"
@@ -65,8 +64,7 @@ SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
     m_excursion->setMeaning(
         tr("How far the motor may move past either side. Beyond that, the test stops and the motor holds."));
     m_excursion->showNative(kFirstExcursion);
-    m_method = new QComboBox(this);
-    look::name(m_method, u"squareWaveMethodBox"_s, tr("Method: how the command jumps"));
+    m_method = form::newChoice({u"squareWaveMethodBox"_s, tr("Method: how the command jumps"), {}}, this);
     for (const ResponseMethod method : {ResponseMethod::StopHere, ResponseMethod::Profile})
         m_method->addItem(texts::responseMethod(method), static_cast<int>(method));
     m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -76,29 +74,14 @@ SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
         return intent::SquareWave{static_cast<std::int32_t>(*m_counts->native()), *m_period->value(),
                                   static_cast<unsigned>(*m_rounds->value()),
                                   static_cast<std::int32_t>(*m_excursion->native()),
-                                  static_cast<ResponseMethod>(m_method->currentData().toInt())};
+                                  form::chosen<ResponseMethod>(m_method)};
     });
-    m_results = new QLabel(this);
-    look::nameText(m_results, u"squareWaveResults"_s, tr("Results of the edges"));
-    m_results->setTextFormat(Qt::PlainText);
-    m_results->setWordWrap(true);
-    m_results->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_results->setMinimumHeight(5 * fontMetrics().lineSpacing());
-    m_keep = new QPushButton(tr("Keep as a run"), this);
-    look::name(m_keep, u"squareWaveKeepButton"_s, tr("Keep as a run: the median edge"));
+    m_results = form::newParagraph(u"squareWaveResults"_s, tr("Results of the edges"), this, 5);
+    m_keep = form::newPush(
+        {u"squareWaveKeepButton"_s, tr("Keep as a run"), tr("Keep as a run: the median edge")}, this);
     m_plot = new SquarePlot(this);
-    const int unit = look::gridUnit(this);
-    auto* left = new QVBoxLayout;
-    left->setSpacing(unit);
-    left->addWidget(m_form);
-    left->addWidget(m_results);
-    left->addWidget(m_keep, 0, Qt::AlignLeft);
-    left->addStretch(1);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
-    row->setSpacing(unit);
-    row->addLayout(left);
-    row->addWidget(m_plot, 1);
+    auto* left = form::newColumn(this, {m_form, m_results, form::newLine(this, {m_keep, nullptr}), nullptr});
+    form::fill(this, form::newLine(this, {left, {m_plot, 1}}), 0.5);
     connect(m_form, &TestForm::asked, this, &SquareWavePage::asked);
     connect(m_keep, &QPushButton::clicked, this, &SquareWavePage::keep);
     refresh();

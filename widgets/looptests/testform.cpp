@@ -5,9 +5,9 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
-#include "widgets/common/quantityfield.h"
 #include "widgets/common/texts.h"
 #include "widgets/response/holdfirstbutton.h"
 
@@ -18,33 +18,21 @@ using namespace Qt::StringLiterals;
 TestForm::TestForm(ProcedureKind kind, const Words& words, QWidget* parent)
     : QWidget(parent), m_kind(kind), m_meaning(words.meaning) {
     look::name(this, words.objectName + u"Form"_s, words.start);
-    const int unit = look::gridUnit(this);
     m_start = new QPushButton(icons::tinted(u"player-play"_s), words.start, this);
     look::name(m_start, words.objectName + u"StartButton"_s, words.start);
-    m_end = new QPushButton(tr("End test"), this);
-    look::name(m_end, words.objectName + u"EndButton"_s, tr("End test"));
+    m_end = form::newPush({words.objectName + u"EndButton"_s, tr("End test")}, this);
     m_state = look::newMutedLabel({}, this);
     look::nameText(m_state, words.objectName + u"State"_s, tr("Progress of the test"));
     m_state->setWordWrap(true);
     m_state->setMinimumHeight(3 * fontMetrics().height());
     m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(unit);
-    buttons->addWidget(m_start);
-    buttons->addWidget(m_end);
     m_hold = new HoldFirstButton(words.objectName + u"HoldButton"_s, this);
-    buttons->addWidget(m_hold);
-    buttons->addStretch(1);
     m_grid = new QGridLayout;
-    m_grid->setHorizontalSpacing(unit);
-    m_grid->setVerticalSpacing(unit / 3);
+    m_grid->setHorizontalSpacing(look::gridUnit(this));
+    m_grid->setVerticalSpacing(look::gridUnit(this) / 3);
     m_grid->setColumnStretch(3, 1);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(unit / 2);
-    column->addLayout(m_grid);
-    column->addLayout(buttons);
-    column->addWidget(m_state);
+    auto* buttons = form::newLine(this, {m_start, m_end, m_hold, nullptr});
+    form::fill(this, form::newColumn(this, {m_grid, buttons, m_state}, 0.5));
     connect(m_start, &QPushButton::clicked, this, &TestForm::start);
     connect(m_hold, &HoldFirstButton::asked, this, &TestForm::asked);
     connect(m_end, &QPushButton::clicked, this, [this] {
@@ -54,10 +42,8 @@ TestForm::TestForm(ProcedureKind kind, const Words& words, QWidget* parent)
 }
 
 void TestForm::addRow(const QString& label, QWidget* field, QWidget* unit) {
-    auto* text = new QLabel(label, this);
-    text->setBuddy(field);
     const int row = m_grid->rowCount();
-    m_grid->addWidget(text, row, 0);
+    m_grid->addWidget(form::newLabel(label, field), row, 0);
     m_grid->addWidget(field, row, 1, 1, unit != nullptr ? 1 : 3);
     if (unit != nullptr)
         m_grid->addWidget(unit, row, 2);
@@ -65,10 +51,8 @@ void TestForm::addRow(const QString& label, QWidget* field, QWidget* unit) {
 
 NumberField* TestForm::addNumber(const QString& objectName, const QString& label, const QString& name,
                                  const QString& unit, int decimals) {
-    auto* field = new NumberField(decimals, this);
-    look::name(field, objectName, name);
-    field->setWords(name, unit);
-    field->setDigits(6);
+    auto* field = form::newNumber(
+        {.name = objectName, .accessible = name, .unit = unit, .decimals = decimals, .digits = 6}, this);
     addRow(label, field, unit.isEmpty() ? nullptr : new QLabel(unit, this));
     m_fields.push_back(field);
     connect(field, &NumberField::edited, this, &TestForm::refresh);
@@ -76,10 +60,8 @@ NumberField* TestForm::addNumber(const QString& objectName, const QString& label
 }
 
 QuantityField* TestForm::addDistance(const QString& objectName, const QString& label, const QString& name) {
-    auto* field = new QuantityField(QuantityField::Kind::Distance, this);
-    field->setName(objectName, name);
-    field->setQuantity(name);
-    field->setDigits(6);
+    auto* field = form::newQuantity(
+        {.kind = QuantityField::Kind::Distance, .name = objectName, .accessible = name, .digits = 6}, this);
     field->otherView()->hide();
     addRow(label, field, field->unitLabel());
     m_fields.push_back(field);

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/machine/differencesdialog.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
@@ -82,13 +81,13 @@ QString whatOf(const Difference& difference) {
 
 DifferencesDialog::DifferencesDialog(QWidget* parent)
     : QDialog(parent),
-      m_text(new QLabel(this)),
+      m_text(form::newParagraph(u"differencesText"_s, {}, this)),
       m_table(new QTreeWidget(this)),
       m_summary(new QLabel(this)),
-      m_all(new QPushButton(tr("&Select all"), this)),
-      m_none(new QPushButton(tr("Clear a&ll"), this)),
-      m_apply(new QPushButton(tr("&Apply"), this)),
-      m_cancel(new QPushButton(tr("&Cancel"), this)) {
+      m_all(form::newPush({u"tickAllButton"_s, tr("&Select all"), tr("Select all")}, this)),
+      m_none(form::newPush({u"tickNoneButton"_s, tr("Clear a&ll"), tr("Clear all")}, this)),
+      m_apply(form::newPush({u"applyDifferencesButton"_s, tr("&Apply"), tr("Apply")}, this)),
+      m_cancel(form::newPush({u"cancelDifferencesButton"_s, tr("&Cancel"), tr("Cancel")}, this)) {
     look::name(this, u"differencesDialog"_s, tr("Changes from the machine file"));
     setWindowTitle(tr("Open machine"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -102,9 +101,6 @@ DifferencesDialog::DifferencesDialog(QWidget* parent)
 }
 
 void DifferencesDialog::build() {
-    m_text->setObjectName(u"differencesText"_s);
-    m_text->setTextFormat(Qt::PlainText);
-    m_text->setWordWrap(true);
     m_summary->setObjectName(u"differencesSummary"_s);
     m_summary->setWordWrap(true);
     look::name(m_table, u"differencesTable"_s, tr("Differences between the file and the panel"));
@@ -114,32 +110,15 @@ void DifferencesDialog::build() {
     m_table->setAllColumnsShowFocus(true);
     m_table->setAlternatingRowColors(true);
     m_table->setUniformRowHeights(true);
-    look::name(m_all, u"tickAllButton"_s, tr("Select all"));
     m_all->setToolTip(tr("Selects all check boxes, including settings sent to modules that are on."));
-    look::name(m_none, u"tickNoneButton"_s, tr("Clear all"));
     m_none->setToolTip(tr("Clears all check boxes."));
-    look::name(m_apply, u"applyDifferencesButton"_s, tr("Apply"));
-    look::name(m_cancel, u"cancelDifferencesButton"_s, tr("Cancel"));
     m_cancel->setToolTip(tr("Keeps everything as it is."));
     // Sending requires a click on the button itself, not an Enter that was meant for something else.
     for (QPushButton* button : {m_all, m_none, m_apply, m_cancel})
         button->setAutoDefault(false);
 
-    const int unit = look::gridUnit(this);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(unit / 2);
-    buttons->addWidget(m_all);
-    buttons->addWidget(m_none);
-    buttons->addStretch(1);
-    buttons->addWidget(m_apply);
-    buttons->addWidget(m_cancel);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit, unit, unit, unit);
-    layout->setSpacing(unit);
-    layout->addWidget(m_text);
-    layout->addWidget(m_table, 1);
-    layout->addWidget(m_summary);
-    layout->addLayout(buttons);
+    auto* buttons = form::newLine(this, {m_all, m_none, nullptr, m_apply, m_cancel}, 0.5);
+    form::fill(this, form::newColumn(this, {m_text, {m_table, 1}, m_summary, buttons}), 1);
     const int em = fontMetrics().height();
     resize(em * 72, em * 40);
 }

@@ -14,6 +14,7 @@
 #include "protocol/baud.h"
 #include "widgets/common/accessibility.h"
 #include "widgets/common/elidedlabel.h"
+#include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
@@ -76,21 +77,13 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(unit, unit / 2, unit, unit / 2);
     layout->setSpacing(unit);
-    auto* portLabel = new QLabel(tr("Por&t"), this);
-    portLabel->setBuddy(m_port);
-    auto* baudLabel = new QLabel(tr("Baud"), this);
-    baudLabel->setBuddy(m_baud);
-    layout->addWidget(portLabel);
+    layout->addWidget(form::newLabel(tr("Por&t"), m_port));
     layout->addWidget(m_port);
-    layout->addWidget(baudLabel);
+    layout->addWidget(form::newLabel(tr("Baud"), m_baud));
     layout->addWidget(m_baud);
     layout->addWidget(new QLabel(tr("Bd"), this));
     layout->addSpacing(unit);
-    auto* connectWays = new QHBoxLayout;
-    connectWays->setSpacing(0);
-    connectWays->addWidget(m_connect);
-    connectWays->addWidget(m_moreWays);
-    layout->addLayout(connectWays);
+    layout->addLayout(form::newLine(this, {m_connect, m_moreWays}, 0));
     layout->addWidget(m_disconnect);
     layout->addSpacing(unit);
     layout->addWidget(m_stopResult, 1);

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 
 namespace nmc {
@@ -27,10 +28,7 @@ OperatorDialog::OperatorDialog(QWidget* window) : QDialog(window) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit * 2, unit * 2, unit * 2, unit);
     layout->setSpacing(unit);
-    m_problem = new QLabel(this);
-    m_problem->setObjectName(u"operatorProblem"_s);
-    m_problem->setTextFormat(Qt::PlainText);
-    m_problem->setWordWrap(true);
+    m_problem = form::newParagraph(u"operatorProblem"_s, {}, this);
 }
 
 OperatorDialog::OperatorDialog(const OperatorRights& rights, QWidget* window) : OperatorDialog(window) {
@@ -52,8 +50,7 @@ OperatorDialog::OperatorDialog(const OperatorRights& rights, QWidget* window) : 
         {"operatorOutputsBox", tr("&Outputs"), &OperatorRights::outputs},
     };
     for (const auto& one : all) {
-        auto* box = new QCheckBox(one.text, this);
-        look::name(box, QString::fromLatin1(one.name), QString(one.text).remove(u'&'));
+        auto* box = form::newCheck({QString::fromLatin1(one.name), one.text}, this);
         box->setChecked(rights.*one.right);
         layout()->addWidget(box);
         m_rights.push_back({box, one.right});
@@ -73,32 +70,23 @@ OperatorDialog::OperatorDialog(std::function<bool(const QString&)> isPin, const 
 }
 
 QLineEdit* OperatorDialog::newPinField(const QString& name, const QString& label) {
-    auto* field = new QLineEdit(this);
-    look::name(field, name, QString(label).remove(u'&'));
+    auto* field = form::newText({name, QString(label).remove(u'&'), 32}, this);
     field->setEchoMode(QLineEdit::Password);
-    field->setMaxLength(32);
-    auto* words = new QLabel(label, this);
-    words->setBuddy(field);
-    layout()->addWidget(words);
+    layout()->addWidget(form::newLabel(label, field));
     layout()->addWidget(field);
     return field;
 }
 
 void OperatorDialog::addEnd(const QString& goOn, const QString& goOnName, const std::function<void()>& act) {
-    auto* go = new QPushButton(goOn, this);
-    look::name(go, goOnName, QString(goOn).remove(u'&'));
+    auto* go = form::newPush({goOnName, goOn}, this);
     go->setDefault(true);
     connect(go, &QPushButton::clicked, this, act);
-    auto* cancel = new QPushButton(tr("&Cancel"), this);
-    look::name(cancel, u"operatorCancelButton"_s, tr("Cancel: keep the mode unchanged"));
+    auto* cancel = form::newPush(
+        {u"operatorCancelButton"_s, tr("&Cancel"), tr("Cancel: keep the mode unchanged")}, this);
     cancel->setAutoDefault(false);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(go);
-    buttons->addWidget(cancel);
     layout()->addWidget(m_problem);
-    static_cast<QVBoxLayout*>(layout())->addLayout(buttons);
+    static_cast<QVBoxLayout*>(layout())->addLayout(form::newLine(this, {nullptr, go, cancel}));
     m_pin->setFocus();
 }
 

@@ -5,12 +5,12 @@
 #include <QPushButton>
 #include <QTimer>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
 #include "widgets/common/accessibility.h"
 #include "widgets/common/elidedlabel.h"
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
@@ -29,12 +29,10 @@ bool asksForSomething(const Message& message) {
 
 Banner::Banner(QWidget* parent)
     : QFrame(parent),
-      m_first(new QHBoxLayout),
-      m_second(new QHBoxLayout),
       m_glyph(new GlyphLabel(this)),
       m_headline(new ElidedLabel(1, this)),
       m_body(new ElidedLabel(1, this)),
-      m_actions(new QHBoxLayout),
+      m_actions(form::newLine(this, {})),
       m_all(new QPushButton(this)),
       m_dismiss(new QToolButton(this)) {
     look::name(this, u"banner"_s, tr("Important message"));
@@ -56,20 +54,10 @@ Banner::Banner(QWidget* parent)
     connect(m_dismiss, &QToolButton::clicked, this, [this] { endMessage(m_shown); });
 
     const int unit = look::gridUnit(this);
-    m_first->setSpacing(unit);
-    m_first->addWidget(m_glyph);
-    m_first->addWidget(m_headline, 1);
-    m_first->addWidget(m_all);
-    m_first->addWidget(m_dismiss);
-    m_second->setSpacing(unit);
-    m_second->addWidget(m_body, 1);
-    m_actions->setSpacing(unit);
-    m_second->addLayout(m_actions);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit * 2, unit / 2, unit, unit / 2);
-    layout->setSpacing(0);
-    layout->addLayout(m_first, 1);
-    layout->addLayout(m_second, 1);
+    m_first = form::newLine(this, {m_glyph, {m_headline, 1}, m_all, m_dismiss});
+    m_second = form::newLine(this, {{m_body, 1}, m_actions});
+    setLayout(form::newColumn(this, {{m_first, 1}, {m_second, 1}}, 0));
+    layout()->setContentsMargins(unit * 2, unit / 2, unit, unit / 2);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     look::keepRoom(this);
     hide();

@@ -67,8 +67,8 @@ private:
     std::chrono::milliseconds m_newsLife = std::chrono::minutes(10);
     QString m_shown;
     bool m_compact = false;
-    QHBoxLayout* m_first;   ///< the first line
-    QHBoxLayout* m_second;  ///< the second line; empty when compact
+    QHBoxLayout* m_first = nullptr;   ///< the first line
+    QHBoxLayout* m_second = nullptr;  ///< the second line; empty when compact
     GlyphLabel* m_glyph;
     ElidedLabel* m_headline;
     ElidedLabel* m_body;

@@ -7,9 +7,9 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include "widgets/common/elidedlabel.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 #include "widgets/messages/messagelist.h"
@@ -25,33 +25,29 @@ MessagePanel::MessagePanel(QWidget* parent) : QWidget(parent) {
 }
 
 void MessagePanel::build() {
-    m_kind = new QComboBox(this);
-    look::name(m_kind, u"messageKindBox"_s, tr("Kind of messages shown"));
+    m_kind =
+        form::newChoice({u"messageKindBox"_s, tr("Kind of messages shown"), {{tr("All kinds"), {}}}}, this);
     m_kind->setToolTip(tr("Filters the messages by kind."));
-    m_kind->addItem(tr("All kinds"));
     for (const Severity severity : {Severity::Fault, Severity::Attention, Severity::Normal})
         m_kind->addItem(severity == Severity::Normal ? tr("Notes") : texts::severity(severity),
                         QVariant::fromValue(static_cast<int>(severity)));
-    m_module = new QComboBox(this);
-    look::name(m_module, u"messageModuleBox"_s, tr("Module whose messages are shown"));
+    m_module = form::newChoice(
+        {u"messageModuleBox"_s, tr("Module whose messages are shown"), {{tr("All modules"), {}}}}, this);
     m_module->setToolTip(tr("Filters the messages by module."));
-    m_module->addItem(tr("All modules"));
-    m_notOver = new QCheckBox(tr("Active only"), this);
-    look::name(m_notOver, u"messageNotOverBox"_s, tr("Active only"));
+    m_notOver = form::newCheck({u"messageNotOverBox"_s, tr("Active only")}, this);
     m_notOver->setToolTip(tr("Shows only messages whose cause persists."));
     m_text = new QLineEdit(this);
     look::name(m_text, u"messageTextField"_s, tr("Search messages"));
     m_text->setPlaceholderText(tr("Search"));
     m_text->setToolTip(tr("Shows only messages that contain these words."));
-    auto* save = new QPushButton(tr("E&xport…"), this);
-    look::name(save, u"messageExportButton"_s, tr("Export the messages shown"));
+    auto* save =
+        form::newPush({u"messageExportButton"_s, tr("E&xport…"), tr("Export the messages shown")}, this);
     save->setToolTip(tr("Saves the messages shown to a text file."));
     m_list = new MessageList(this);
     m_place = new ElidedLabel(1, this);
     m_place->setObjectName(u"messageLogLabel"_s);
     m_place->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
-    const int unit = look::gridUnit(this);
     for (QComboBox* box : {m_kind, m_module}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(2);
@@ -60,22 +56,9 @@ void MessagePanel::build() {
     connect(m_notOver, &QCheckBox::toggled, this, &MessagePanel::filter);
     connect(m_text, &QLineEdit::textChanged, this, &MessagePanel::filter);
     connect(save, &QPushButton::clicked, this, &MessagePanel::saveAs);
-    auto* first = new QHBoxLayout;
-    first->setSpacing(unit / 2);
-    first->addWidget(m_kind, 1);
-    first->addWidget(m_module, 1);
-    first->addWidget(m_notOver);
-    auto* second = new QHBoxLayout;
-    second->setSpacing(unit / 2);
-    second->addWidget(m_text, 1);
-    second->addWidget(save);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
-    layout->setSpacing(unit / 2);
-    layout->addLayout(first);
-    layout->addLayout(second);
-    layout->addWidget(m_list, 1);
-    layout->addWidget(m_place);
+    auto* first = form::newLine(this, {{m_kind, 1}, {m_module, 1}, m_notOver}, 0.5);
+    auto* second = form::newLine(this, {{m_text, 1}, save}, 0.5);
+    form::fill(this, form::newColumn(this, {first, second, {m_list, 1}, m_place}, 0.5), 0.5);
 }
 
 void MessagePanel::showMessage(const Message& message) {

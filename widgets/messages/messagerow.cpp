@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
@@ -18,16 +19,13 @@ MessageRow::MessageRow(const Message& message, const QDateTime& time, QWidget* p
       m_entry{message, time},
       m_glyph(new GlyphLabel(this)),
       m_when(look::newMutedLabel({}, this)),
-      m_headline(new QLabel(this)),
+      m_headline(form::newHeading({}, this)),
       m_body(look::newMutedLabel({}, this)),
       m_actions(new QHBoxLayout) {
     setObjectName(u"messageRow"_s);
     m_when->setObjectName(u"messageTime"_s);
     m_headline->setObjectName(u"messageHeadline"_s);
     m_body->setObjectName(u"messageBody"_s);
-    QFont bold = font();
-    bold.setBold(true);
-    m_headline->setFont(bold);
     m_when->setFont(look::tabular(font()));
     m_when->setWordWrap(true);
     for (QLabel* label : {m_headline, m_body}) {

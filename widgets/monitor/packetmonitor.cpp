@@ -10,9 +10,9 @@
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QTabWidget>
-#include <QVBoxLayout>
 
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/monitor/countertable.h"
@@ -34,8 +34,10 @@ PacketMonitor::PacketMonitor(QWidget* parent)
       m_model(new PacketModel(this)),
       m_view(new PacketView(*m_model, this)),
       m_counters(new CounterTable(this)),
-      m_module(new QComboBox(this)),
-      m_kind(new QComboBox(this)),
+      m_module(form::newChoice(
+          {u"packetModuleBox"_s, tr("Filter packets by module"), {{tr("All modules"), {}}}}, this)),
+      m_kind(
+          form::newChoice({u"packetKindBox"_s, tr("Filter packets by kind"), {{tr("All kinds"), -1}}}, this)),
       m_summary(look::newMutedLabel({}, this)) {
     look::name(this, u"packetMonitor"_s, tr("Packet monitor"));
     buildControls();
@@ -55,21 +57,16 @@ PacketMonitor::PacketMonitor(QWidget* parent)
 
 QPushButton* PacketMonitor::newButton(const QString& objectName, const QString& text, const QString& toolTip,
                                       const QKeySequence& shortcut) {
-    auto* button = new QPushButton(text, this);
-    look::name(button, objectName, text);
+    auto* button =
+        form::newPush({objectName, text, {}, toolTip.arg(shortcut.toString(QKeySequence::NativeText))}, this);
     button->setShortcut(shortcut);
-    button->setToolTip(toolTip.arg(shortcut.toString(QKeySequence::NativeText)));
     return button;
 }
 
 void PacketMonitor::buildControls() {
-    look::name(m_module, u"packetModuleBox"_s, tr("Filter packets by module"));
     m_module->setToolTip(tr("Shows only packets of one module (Ctrl+M)."));
     m_module->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_module->addItem(tr("All modules"));
-    look::name(m_kind, u"packetKindBox"_s, tr("Filter packets by kind"));
     m_kind->setToolTip(tr("Shows only packets of one kind (Ctrl+T)."));
-    m_kind->addItem(tr("All kinds"), -1);
     m_kind->addItem(tr("Polls"), static_cast<int>(PacketKind::Poll));
     m_kind->addItem(tr("Commands"), static_cast<int>(PacketKind::Command));
     m_kind->addItem(tr("Stops"), static_cast<int>(PacketKind::Stop));
@@ -101,11 +98,7 @@ void PacketMonitor::buildContent() {
           static_cast<QWidget*>(m_clear), static_cast<QWidget*>(m_copy), static_cast<QWidget*>(m_save)})
         controls->addWidget(widget);
     auto* packets = new QWidget(this);
-    auto* layout = new QVBoxLayout(packets);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addLayout(controls);
-    layout->addWidget(m_view, 1);
+    form::fill(packets, form::newColumn(packets, {controls, {m_view, 1}}, 0));
     auto* tabs = new QTabWidget(this);
     look::name(tabs, u"monitorTabs"_s, tr("Packets and counters"));
     tabs->setDocumentMode(true);
@@ -113,9 +106,7 @@ void PacketMonitor::buildContent() {
     tabs->addTab(m_counters, tr("Counters"));
     m_summary->setMargin(unit / 3);
     tabs->setCornerWidget(m_summary);
-    auto* page = new QVBoxLayout(this);
-    page->setContentsMargins(0, 0, 0, 0);
-    page->addWidget(tabs);
+    form::fill(this, form::newColumn(this, {tabs}));
 }
 
 void PacketMonitor::begin(const PacketSession& session) {

@@ -5,11 +5,9 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -20,6 +18,7 @@
 #include "model/path/pathdrawing.h"
 #include "model/sequence/sequencecheck.h"
 #include "widgets/common/askdialog.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/pathtexts.h"
 #include "widgets/common/texts.h"
@@ -56,18 +55,9 @@ struct PathsPage::Basis {
 
 PathsPage::PathsPage(QWidget* parent) : QWidget(parent) {
     look::name(this, u"pathsPage"_s, tr("Paths"));
-    const int unit = look::gridUnit(this);
     m_plot = new PathPlot(this);
-    auto* left = new QVBoxLayout;
-    left->setSpacing(unit);
-    left->addWidget(buildChoice());
-    left->addWidget(buildRun());
-    left->addStretch(1);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
-    row->setSpacing(unit);
-    row->addLayout(left, 2);
-    row->addWidget(m_plot, 3);
+    auto* left = form::newColumn(this, {buildChoice(), buildRun(), nullptr});
+    form::fill(this, form::newLine(this, {{left, 2}, {m_plot, 3}}), 0.5);
     refresh();
 }
 
@@ -86,11 +76,9 @@ QWidget* PathsPage::buildChoice() {
                           .text = tr("Save path…"),
                           .accessible = tr("Save path… as a CSV file")},
                          box, [this] { chooseTarget(); });
-    m_sequence = new QComboBox(box);
-    look::name(m_sequence, u"pathSequenceBox"_s, tr("Sequence to draw a path from"));
+    m_sequence = form::newChoice({u"pathSequenceBox"_s, tr("Sequence to draw a path from"), {}}, box);
     m_sequence->setMinimumContentsLength(10);
-    m_rate = new QComboBox(box);
-    look::name(m_rate, u"pathRateBox"_s, tr("Rate of the path to draw"));
+    m_rate = form::newChoice({u"pathRateBox"_s, tr("Rate of the path to draw"), {}}, box);
     for (const auto rate : {servo::PathRate::Hz30, servo::PathRate::Hz60, servo::PathRate::Hz120})
         m_rate->addItem(tr("%1 Hz").arg(servo::nominalHertz(rate)), static_cast<int>(rate));
     m_rate->setCurrentIndex(1);
@@ -99,23 +87,10 @@ QWidget* PathsPage::buildChoice() {
                           .text = tr("Draw path"),
                           .accessible = tr("Draw path from the moves of a sequence")},
                          box, [this] { draw(); });
-    m_summary = new QLabel(box);
-    look::nameText(m_summary, u"pathSummary"_s, tr("The path"));
-    m_summary->setTextFormat(Qt::PlainText);
-    m_summary->setWordWrap(true);
-    auto* files = new QHBoxLayout;
-    files->addWidget(m_open->button());
-    files->addWidget(m_save->button());
-    files->addStretch(1);
-    auto* drawing = new QHBoxLayout;
-    drawing->addWidget(m_draw->button());
-    drawing->addWidget(m_sequence, 1);
-    drawing->addWidget(m_rate);
-    auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addLayout(files);
-    column->addLayout(drawing);
-    column->addWidget(m_summary);
+    m_summary = form::newParagraph(u"pathSummary"_s, tr("The path"), box);
+    auto* files = form::newLine(box, {m_open->button(), m_save->button(), nullptr}, form::kUsual);
+    auto* drawing = form::newLine(box, {m_draw->button(), {m_sequence, 1}, m_rate}, form::kUsual);
+    form::fill(box, form::newColumn(box, {files, drawing, m_summary}, form::kUsual));
     connect(m_sequence, &QComboBox::currentIndexChanged, this, &PathsPage::refresh);
     return box;
 }
@@ -146,15 +121,9 @@ QWidget* PathsPage::buildRun() {
     m_state->setWordWrap(true);
     m_state->setMinimumHeight(3 * fontMetrics().height());
     m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    auto* buttons = new QHBoxLayout;
-    for (const Command* command : {m_toStart, m_run, m_end})
-        buttons->addWidget(command->button());
-    buttons->addStretch(1);
-    auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addLayout(buttons);
-    column->addWidget(m_progress);
-    column->addWidget(m_state);
+    auto* buttons =
+        form::newLine(box, {m_toStart->button(), m_run->button(), m_end->button(), nullptr}, form::kUsual);
+    form::fill(box, form::newColumn(box, {buttons, m_progress, m_state}, form::kUsual));
     return box;
 }
 

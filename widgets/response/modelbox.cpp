@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/response/modelbox.h"
 
-#include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -10,9 +8,9 @@
 
 #include "model/response/responsefile.h"
 #include "model/tuning/nextsteps.h"
+#include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 #include "widgets/response/modelwords.h"
 #include "widgets/response/responseform.h"
 
@@ -24,17 +22,6 @@ namespace {
 constexpr int kSliderSteps = 100;
 constexpr int kMotorLines = 5;
 constexpr int kSuggestionLines = 5;
-
-/// Always reserves as many lines as the text may need, so that no button moves.
-QLabel* newParagraph(const QString& objectName, const QString& what, int lines, QWidget* parent) {
-    auto* label = new QLabel(parent);
-    look::nameText(label, objectName, what);
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
-    label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
-    return label;
-}
 }  // namespace
 
 ModelBox::ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QWidget* parent)
@@ -42,25 +29,18 @@ ModelBox::ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QW
     look::name(this, u"modelBox"_s, tr("Motor model"));
     m_identify = new QPushButton(icons::tinted(u"wand"_s), tr("Find the motor"), this);
     look::name(m_identify, u"identifyButton"_s, tr("Find the motor model from the steps"));
-    m_motor = newParagraph(u"motorModel"_s, tr("Motor model found"), kMotorLines, this);
-    m_fill = new QPushButton(tr("Fill in"), this);
-    look::name(m_fill, u"fillSuggestedButton"_s, tr("Fill in the suggested gains"));
-    m_suggested = newParagraph(u"suggestedGains"_s, tr("Suggested gains"), kSuggestionLines, this);
-    auto* grid = new QGridLayout(this);
-    const int unit = look::gridUnit(this);
-    grid->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
-    grid->setVerticalSpacing(unit / 3);
+    m_motor = form::newParagraph(u"motorModel"_s, tr("Motor model found"), this, kMotorLines);
+    m_fill =
+        form::newPush({u"fillSuggestedButton"_s, tr("Fill in"), tr("Fill in the suggested gains")}, this);
+    m_suggested = form::newParagraph(u"suggestedGains"_s, tr("Suggested gains"), this, kSuggestionLines);
+    auto* grid = new FormGrid(this, 2, {.sides = 0.5, .across = form::kUsual});
     // A separate button: Find sends nothing, and clicking it twice must not move a motor.
     m_steps = new QPushButton(icons::tinted(u"player-play"_s), {}, this);
     m_steps->setObjectName(u"stepAndFindButton"_s);
     connect(m_steps, &QPushButton::clicked, this, [this] { m_form.step(nextSteps()); });
     connect(&m_form, &ResponseForm::edited, this, &ModelBox::refreshSteps);
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(m_identify);
-    buttons->addWidget(m_steps);
-    buttons->addStretch(1);
-    grid->addLayout(buttons, 0, 0, 1, 2);
-    grid->addWidget(m_motor, 1, 0, 1, 2);
+    grid->addWide(form::newLine(this, {m_identify, m_steps, nullptr}, form::kUsual));
+    grid->addWide(m_motor);
     m_stiffness = newSlider(
         u"stiffnessSlider"_s, tr("Stiff"),
         tr("How fast the motor follows. Far right: as fast as noise, output limit and stability permit."),
@@ -69,14 +49,8 @@ ModelBox::ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QW
                           LoopWish{}.damping);
     m_noise = newSlider(u"noiseSlider"_s, tr("Loud"),
                         tr("How much encoder noise may drive the motor through Kd."), LoopWish{}.noise);
-    int line = 2;
-    for (QSlider* slider : {m_stiffness, m_damping, m_noise}) {
-        auto* label = new QLabel(slider->accessibleName(), this);
-        label->setBuddy(slider);
-        label->setToolTip(slider->toolTip());
-        grid->addWidget(label, line, 0);
-        grid->addWidget(slider, line++, 1);
-    }
+    for (QSlider* slider : {m_stiffness, m_damping, m_noise})
+        grid->addRow(slider->accessibleName(), slider)->setToolTip(slider->toolTip());
     m_phase = new NumberField(0, this);
     look::name(m_phase, u"phaseMarginField"_s, tr("Phase margin"));
     m_phase->setWords(tr("The phase margin"), tr("°"));
@@ -85,23 +59,17 @@ ModelBox::ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QW
         "How far the suggested loop is from oscillating, at least. 30°: fast, rings. 45° to 60°: moderate."));
     m_phase->showValue(m_margin);
     m_phase->setDigits(3);
-    auto* label = new QLabel(tr("Phase margin"), this);
-    label->setBuddy(m_phase);
-    auto* marginRow = new QHBoxLayout;
-    marginRow->addWidget(m_phase);
-    marginRow->addWidget(new QLabel(tr("° at least"), this));
-    marginRow->addStretch(1);
-    grid->addWidget(label, line, 0);
-    grid->addLayout(marginRow, line++, 1);
+    auto* atLeast = form::newLine(this, {m_phase, new QLabel(tr("° at least"), this), nullptr}, form::kUsual);
+    grid->addTitled(tr("Phase margin"), atLeast)->setBuddy(m_phase);
     connect(m_phase, &NumberField::edited, this, [this] {
         if (const auto margin = m_phase->value()) {
             m_margin = *margin;
             suggest();
         }
     });
-    grid->addWidget(m_suggested, line++, 0, 1, 2);
-    grid->addWidget(m_fill, line++, 0, 1, 2, Qt::AlignLeft);
-    grid->setRowStretch(line, 1);
+    grid->addWide(m_suggested);
+    grid->addWide(form::newLine(this, {m_fill, nullptr}));
+    grid->end();
     grid->setColumnStretch(1, 1);
     connect(m_identify, &QPushButton::clicked, this, [this] {
         if (m_servo)

@@ -2,7 +2,6 @@
 #include "widgets/response/responseform.h"
 
 #include <QComboBox>
-#include <QGridLayout>
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
@@ -11,9 +10,9 @@
 #include "model/intent/looptestplan.h"
 #include "model/response/responserecord.h"
 #include "widgets/common/askdialog.h"
+#include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
-#include "widgets/common/quantityfield.h"
 #include "widgets/common/texts.h"
 #include "widgets/panels/gainsmeaning.h"
 #include "widgets/response/holdfirstbutton.h"
@@ -26,40 +25,32 @@ using namespace Qt::StringLiterals;
 namespace {
 constexpr double kFirstRecord = 0.5;  ///< s
 constexpr double kNarrowestBand = 0.1, kWidestBand = 50.0;
+constexpr int kStepDigits = 6;  ///< width of each field
 }  // namespace
 
 ResponseForm::ResponseForm(QWidget* parent) : QWidget(parent), m_lastBand(kFirstBand) {
     look::name(this, u"responseForm"_s, tr("Settings of the next step"));
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(look::gridUnit(this));
-    grid->setVerticalSpacing(look::gridUnit(this) / 3);
+    auto* grid = new FormGrid(this, 4, {.sides = 0, .ends = 0, .across = 1});
     grid->setColumnStretch(3, 1);
     buildFields(grid);
     buildButton(grid);
     refresh();
 }
 
-NumberField* ResponseForm::newField(int decimals, const QString& objectName, const QString& name,
-                                    const QString& unit) {
-    auto* field = new NumberField(decimals, this);
-    look::name(field, objectName, name);
-    field->setWords(name, unit);
-    field->setDigits(6);
-    return field;
-}
-
-void ResponseForm::buildFields(QGridLayout* grid) {
-    m_distance = new QuantityField(QuantityField::Kind::Position, this);
-    m_distance->setName(u"responseDistanceField"_s, tr("Distance of the step response"));
-    m_distance->setQuantity(tr("The distance of the step"));
-    m_distance->setNativeRange(-kLongestStep, kLongestStep);
-    m_distance->setMeaning(tr(
-        "How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier."));
-    m_distance->setDigits(6);
+void ResponseForm::buildFields(FormGrid* grid) {
+    m_distance = form::newQuantity(
+        {.kind = QuantityField::Kind::Position,
+         .name = u"responseDistanceField"_s,
+         .accessible = tr("Distance of the step response"),
+         .words = tr("The distance of the step"),
+         .min = -kLongestStep,
+         .max = kLongestStep,
+         .digits = kStepDigits,
+         .meaning = tr(
+             "How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.")},
+        this);
     m_distance->showNative(kFirstStep);
-    m_method = new QComboBox(this);
-    look::name(m_method, u"responseMethodBox"_s, tr("Method: how the command jumps"));
+    m_method = form::newChoice({u"responseMethodBox"_s, tr("Method: how the command jumps"), {}}, this);
     for (const ResponseMethod method : {ResponseMethod::Profile, ResponseMethod::StopHere}) {
         m_method->addItem(texts::responseMethod(method), static_cast<int>(method));
         m_method->setItemData(m_method->count() - 1, texts::responseMethodMeaning(method), Qt::ToolTipRole);
@@ -68,31 +59,33 @@ void ResponseForm::buildFields(QGridLayout* grid) {
                          texts::responseMethodMeaning(ResponseMethod::StopHere));
     m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_method->setMinimumContentsLength(12);
-    m_record = newField(2, u"responseRecordField"_s, tr("The record"), tr("s"));
-    m_record->setRange(kShortestRecord, kLongestRecord);
-    m_record->setMeaning(tr("How long to record after the step. Then the motor is told to hold."));
+    m_record =
+        form::newNumber({.name = u"responseRecordField"_s,
+                         .accessible = tr("The record"),
+                         .unit = tr("s"),
+                         .min = kShortestRecord,
+                         .max = kLongestRecord,
+                         .decimals = 2,
+                         .digits = kStepDigits,
+                         .meaning = tr("How long to record after the step. Then the motor is told to hold.")},
+                        this);
     m_record->showValue(kFirstRecord);
-    m_band = newField(1, u"responseBandField"_s, tr("The settling band"), tr("% of the step"));
-    m_band->setRange(kNarrowestBand, kWidestBand);
-    m_band->setMeaning(tr(
-        "The motor has settled when it stays this close to its goal. At least one count. Applies to all runs."));
+    m_band = form::newNumber(
+        {.name = u"responseBandField"_s,
+         .accessible = tr("The settling band"),
+         .unit = tr("% of the step"),
+         .min = kNarrowestBand,
+         .max = kWidestBand,
+         .decimals = 1,
+         .digits = kStepDigits,
+         .meaning = tr(
+             "The motor has settled when it stays this close to its goal. At least one count. Applies to all runs.")},
+        this);
     m_band->showValue(kFirstBand);
-    int line = 0;
-    const auto addRow = [&](const QString& text, QWidget* field, QWidget* unit, QWidget* other) {
-        auto* label = new QLabel(text, this);
-        label->setBuddy(field);
-        grid->addWidget(label, line, 0);
-        grid->addWidget(field, line, 1, 1, unit != nullptr ? 1 : 3);
-        if (unit != nullptr)
-            grid->addWidget(unit, line, 2);
-        if (other != nullptr)
-            grid->addWidget(other, line, 3);
-        ++line;
-    };
-    addRow(tr("Distance"), m_distance, m_distance->unitLabel(), m_distance->otherView());
-    addRow(tr("Method"), m_method, nullptr, nullptr);
-    addRow(tr("Record"), m_record, new QLabel(tr("s"), this), nullptr);
-    addRow(tr("Settling band"), m_band, new QLabel(tr("% of the step"), this), nullptr);
+    grid->addRow(tr("Distance"), m_distance);
+    grid->addTitled(tr("Method"), m_method)->setBuddy(m_method);
+    grid->addRow(tr("Record"), m_record, {new QLabel(tr("s"), this)});
+    grid->addRow(tr("Settling band"), m_band, {new QLabel(tr("% of the step"), this)});
     connect(m_distance, &QuantityField::nativeEdited, this, &ResponseForm::edited);
     connect(m_method, &QComboBox::currentIndexChanged, this, &ResponseForm::edited);
     connect(m_record, &NumberField::edited, this, &ResponseForm::edited);
@@ -105,7 +98,7 @@ void ResponseForm::buildFields(QGridLayout* grid) {
     });
 }
 
-void ResponseForm::buildButton(QGridLayout* grid) {
+void ResponseForm::buildButton(FormGrid* grid) {
     m_step = new QPushButton(icons::tinted(u"player-play"_s), tr("Step"), this);
     look::name(m_step, u"responseButton"_s, tr("Step and record"));
     m_state = look::newMutedLabel({}, parentWidget());
@@ -147,8 +140,7 @@ std::optional<intent::StepResponse> ResponseForm::entered() const {
     const auto record = m_record->value();
     if (!distance || !record)
         return std::nullopt;
-    return intent::StepResponse{*distance, static_cast<ResponseMethod>(m_method->currentData().toInt()),
-                                *record};
+    return intent::StepResponse{*distance, form::chosen<ResponseMethod>(m_method), *record};
 }
 
 std::optional<Refusal> ResponseForm::refusal(const std::vector<std::int32_t>& series) const {

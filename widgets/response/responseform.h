@@ -8,12 +8,12 @@
 #include "widgets/panels/panelview.h"
 
 class QComboBox;
-class QGridLayout;
 class QLabel;
 class QPushButton;
 
 namespace nmc {
 
+class FormGrid;
 class HoldFirstButton;
 class NumberField;
 class QuantityField;
@@ -52,9 +52,8 @@ signals:
     void edited();
 
 private:
-    void buildFields(QGridLayout* grid);
-    void buildButton(QGridLayout* grid);
-    NumberField* newField(int decimals, const QString& objectName, const QString& name, const QString& unit);
+    void buildFields(FormGrid* grid);
+    void buildButton(FormGrid* grid);
     void refresh();
     void askWhichGains(const intent::StepResponse& step, const std::vector<std::int32_t>& series);
     void ask(ModuleIndex module, const intent::StepResponse& step, const std::vector<std::int32_t>& series);

@@ -5,7 +5,6 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QPushButton>
 #include <QTabWidget>
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "model/machinefile/responsestore.h"
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/focuskeeper.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
 #include "widgets/response/responseform.h"
@@ -65,8 +65,7 @@ ResponsePage::ResponsePage(QWidget* parent)
 
 QPushButton* ResponsePage::newButton(const QString& objectName, const QString& text,
                                      const QKeySequence& shortcut) {
-    auto* button = new QPushButton(text, this);
-    look::name(button, objectName, text);
+    auto* button = form::newPush({objectName, text}, this);
     button->setShortcut(shortcut);
     return button;
 }
@@ -85,11 +84,7 @@ QWidget* ResponsePage::newRunsPart() {
     auto* buttons = new FlowLayout(look::gridUnit(this));
     for (QWidget* button : {m_use, m_remove, m_putBack, m_save})
         buttons->addWidget(button);
-    auto* layout = new QVBoxLayout(part);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(look::gridUnit(this) / 2);
-    layout->addWidget(m_table, 1);
-    layout->addLayout(buttons);
+    form::fill(part, form::newColumn(this, {{m_table, 1}, buttons}, 0.5));
     return part;
 }
 
@@ -97,12 +92,9 @@ QWidget* ResponsePage::lendForm() {
     if (m_lent == nullptr) {
         m_lent = new QWidget(this);
         look::name(m_lent, u"responseFormPlace"_s, tr("Step"));
-        auto* place = new QVBoxLayout(m_lent);
         const int unit = look::gridUnit(this);
-        place->setContentsMargins(unit, 0, unit, 0);
-        place->setSpacing(unit / 3);
-        place->addWidget(m_form);
-        place->addWidget(m_form->stateLabel());
+        m_lent->setLayout(form::newColumn(this, {m_form, m_form->stateLabel()}, 1.0 / 3));
+        m_lent->layout()->setContentsMargins(unit, 0, unit, 0);
         m_form->stateLabel()->setMinimumHeight(2 * fontMetrics().height());
         lay();
     }
@@ -119,33 +111,21 @@ void ResponsePage::takeFormBack() {
 
 /// Without the form, the plot has most of the room, and the results are beside it.
 void ResponsePage::lay() {
-    const int unit = look::gridUnit(this);
     delete layout();
-    auto* page = new QHBoxLayout(this);
-    page->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
-    page->setSpacing(unit);
-    auto* left = new QVBoxLayout;
-    left->setSpacing(unit / 2);
-    auto* right = new QVBoxLayout;
-    right->setSpacing(unit / 2);
+    QLayout* left = nullptr;
+    QLayout* right = nullptr;
     if (m_lent != nullptr) {
-        left->addWidget(m_findings);
-        left->addWidget(m_runs, 1);
-        right->addWidget(m_view);
+        left = form::newColumn(this, {m_findings, {m_runs, 1}}, 0.5);
+        right = form::newColumn(this, {m_view}, 0.5);
     } else {
-        left->addWidget(m_form);
-        left->addWidget(m_findings);
-        left->addStretch(1);
+        left = form::newColumn(this, {m_form, m_findings, nullptr}, 0.5);
         // Always reserves a line for the label, so that the plot does not jump with every step.
         m_form->stateLabel()->setMinimumHeight(fontMetrics().height());
-        right->addWidget(m_form->stateLabel());
-        right->addWidget(m_view, 3);
-        right->addWidget(m_runs, 2);
+        right = form::newColumn(this, {m_form->stateLabel(), {m_view, 3}, {m_runs, 2}}, 0.5);
     }
+    form::fill(this, form::newLine(this, {left, {right, 1}}), 0.5);
     m_form->show();
     m_form->stateLabel()->show();
-    page->addLayout(left);
-    page->addLayout(right, 1);
 }
 
 void ResponsePage::showModule(const PanelView& view) {

@@ -5,9 +5,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 
@@ -30,11 +30,7 @@ ScopeBar::ScopeBar(QWidget* parent)
       m_lane(newAction(u"scopeLaneAction"_s, tr("Status bits"),
                        tr("Shows the status bits of the selected module over time (B)."),
                        QKeySequence(Qt::Key_B))) {
-    auto* rows = new QVBoxLayout(this);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(0);
-    rows->addLayout(m_buttons);
-    rows->addWidget(newRecordRow());
+    form::fill(this, form::newColumn(this, {m_buttons, newRecordRow()}, 0));
     buildWindowBox();
     buildButtons();
 }
@@ -70,9 +66,7 @@ void ScopeBar::buildWindowBox() {
     m_window->setToolTip(tr("Sets how much time the scope shows."));
     connect(m_window, &QComboBox::activated, this,
             [this](int index) { emit widthChosen(m_window->itemData(index).toDouble()); });
-    auto* label = new QLabel(tr("Sho&w"), this);
-    label->setBuddy(m_window);
-    m_buttons->addWidget(label);
+    m_buttons->addWidget(form::newLabel(tr("Sho&w"), m_window));
     m_buttons->addWidget(m_window);
     m_buttons->addWidget(m_which);
 }

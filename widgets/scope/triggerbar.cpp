@@ -2,15 +2,12 @@
 #include "widgets/scope/triggerbar.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
-#include <initializer_list>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 #include "widgets/scope/scopewords.h"
 
 namespace nmc {
@@ -43,28 +40,35 @@ Condition turned(Condition condition) {
 
 TriggerBar::TriggerBar(QWidget* parent)
     : QWidget(parent),
-      m_source(newBox(u"triggerSourceBox"_s, tr("Trigger on"), tr("The signal or status bit to wait for."))),
-      m_condition(newBox(u"triggerConditionBox"_s, tr("Condition"), tr("The event to wait for."))),
-      m_level(newField(u"triggerLevelField"_s, tr("Level"), tr("The level for the event."))),
+      m_source(form::newChoice(
+          {u"triggerSourceBox"_s, tr("Trigger on"), {}, tr("The signal or status bit to wait for.")}, this)),
+      m_condition(form::newChoice(
+          {u"triggerConditionBox"_s, tr("Condition"), {}, tr("The event to wait for.")}, this)),
+      m_level(form::newNumber({.name = u"triggerLevelField"_s,
+                               .accessible = tr("Level"),
+                               .min = -kFarthestLevel,
+                               .max = kFarthestLevel,
+                               .digits = 8,
+                               .meaning = tr("The level for the event.")},
+                              this)),
       m_unit(new QLabel(this)),
-      m_mode(newBox(u"triggerModeBox"_s, tr("Mode"),
-                    tr("Single: holds the first picture. Normal: shows picture after picture."))),
-      m_before(newField(u"triggerBeforeField"_s, tr("Before"),
-                        tr("Share of the picture before the trigger, in percent."))),
-      m_arm(new QPushButton(tr("Arm"), this)),
+      m_mode(form::newChoice({u"triggerModeBox"_s, tr("Mode"), {}}, this)),
+      m_before(form::newNumber({.name = u"triggerBeforeField"_s,
+                                .accessible = tr("Before"),
+                                .max = 100,
+                                .digits = 3,
+                                .meaning = tr("Share of the picture before the trigger, in percent.")},
+                               this)),
+      m_arm(form::newPush({u"triggerArmButton"_s, tr("Arm")}, this)),
       m_state(new QLabel(this)) {
     look::name(this, u"triggerBar"_s, tr("Trigger"));
     look::name(m_state, u"triggerStateLabel"_s, tr("State of the trigger"));
     m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_source->setMinimumContentsLength(12);
     m_mode->addItems({tr("Off"), tr("Single"), tr("Normal")});
-    m_before->setRange(0, 100);
-    m_before->setDigits(3);
+    m_mode->setToolTip(tr("Single: holds the first picture. Normal: shows picture after picture."));
     m_before->showValue(kUsualBefore);
-    m_level->setRange(-kFarthestLevel, kFarthestLevel);
-    m_level->setDigits(8);
     m_level->showValue(0);
-    look::name(m_arm, u"triggerArmButton"_s, tr("Arm"));
     connect(m_arm, &QPushButton::clicked, this, &TriggerBar::armRequested);
 
     layOut();
@@ -85,44 +89,18 @@ TriggerBar::TriggerBar(QWidget* parent)
     takeSource();
 }
 
-QComboBox* TriggerBar::newBox(const QString& objectName, const QString& name, const QString& meaning) {
-    auto* box = new QComboBox(this);
-    look::name(box, objectName, name);
-    box->setToolTip(meaning);
-    return box;
-}
-
-NumberField* TriggerBar::newField(const QString& objectName, const QString& name, const QString& meaning) {
-    auto* field = new NumberField(0, this);
-    look::name(field, objectName, name);
-    field->setWords(name, {});
-    field->setMeaning(meaning);
-    return field;
-}
-
 /// In two rows, because one row would often be wider than the scope.
 void TriggerBar::layOut() {
-    const int unit = look::gridUnit(this);
-    auto* rows = new QVBoxLayout(this);
-    rows->setContentsMargins(0, unit / 2, 0, 0);
-    rows->setSpacing(unit / 2);
-    const auto addRow = [&](std::initializer_list<QWidget*> widgets) {
-        auto* row = new QHBoxLayout;
-        row->setSpacing(unit / 2);
-        for (QWidget* widget : widgets)
-            row->addWidget(widget, widget == m_state ? 1 : 0);
-        if (m_state != *std::prev(widgets.end()))
-            row->addStretch(1);
-        rows->addLayout(row);
-    };
-    const auto label = [this](const QString& text, QWidget* buddy) {
-        auto* words = new QLabel(text, this);
-        words->setBuddy(buddy);
-        return words;
-    };
-    addRow({label(tr("Trigger on"), m_source), m_source, m_condition, m_level, m_unit});
-    addRow({label(tr("Mode"), m_mode), m_mode, label(tr("Before"), m_before), m_before,
-            label(tr("%"), m_before), m_arm, m_state});
+    using form::newLabel;
+    auto* first = form::newLine(
+        this, {newLabel(tr("Trigger on"), m_source), m_source, m_condition, m_level, m_unit, nullptr}, 0.5);
+    auto* second = form::newLine(this,
+                                 {newLabel(tr("Mode"), m_mode), m_mode, newLabel(tr("Before"), m_before),
+                                  m_before, newLabel(tr("%"), m_before), m_arm},
+                                 0.5);
+    second->addWidget(m_state, 1);
+    setLayout(form::newColumn(this, {first, second}, 0.5));
+    layout()->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
 }
 
 // ---- the sources ----

@@ -51,8 +51,6 @@ private:
         bool operator==(const Source&) const = default;
     };
 
-    QComboBox* newBox(const QString& objectName, const QString& name, const QString& meaning);
-    NumberField* newField(const QString& objectName, const QString& name, const QString& meaning);
     void layOut();
     void addSources(const std::optional<ModuleIndex>& module, const ScopeModule& of);
     void listSources();

@@ -2,9 +2,7 @@
 #include "widgets/sequences/sequencespage.h"
 
 #include <QComboBox>
-#include <QGridLayout>
 #include <QGroupBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -13,13 +11,13 @@
 #include <QSignalBlocker>
 #include <QTableView>
 #include <QUndoCommand>
-#include <QVBoxLayout>
 
 #include "model/intent/rights.h"
 #include "model/module/modulescale.h"
 #include "model/sequence/sequencecheck.h"
 #include "model/sequence/sequenceedit.h"
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sequencetexts.h"
 #include "widgets/common/words.h"
@@ -78,9 +76,7 @@ FlowLayout* inARow(const QWidget* box, Commands*... commands) {
 SequencesPage::SequencesPage(QWidget* parent)
     : QWidget(parent), m_points(new PointsModel(this)), m_rows(new RowsModel(this)) {
     look::name(this, u"sequencesPage"_s, tr("Points and sequences"));
-    auto* layout = new QHBoxLayout(this);
-    layout->addWidget(buildPoints(), 2);
-    layout->addWidget(buildSequences(), 3);
+    setLayout(form::newLine(this, {{buildPoints(), 2}, {buildSequences(), 3}}, form::kUsual));
     connect(m_points, &PointsModel::renameWanted, this,
             [this](const std::string& from, const std::string& to) {
                 edit(tr("Rename point"), [&](Program& program) { renamePoint(program, from, to); });
@@ -98,10 +94,8 @@ QWidget* SequencesPage::buildPoints() {
     look::name(box, u"pointsBox"_s, tr("Points"));
     m_pointTable = newTable(m_points, u"pointTable"_s, tr("Points"), box);
     m_pointTable->verticalHeader()->hide();
-    m_pointName = new QLineEdit(box);
-    look::name(m_pointName, u"pointNameField"_s, tr("Name of the point to teach"));
-    m_pointName->setPlaceholderText(tr("Name of a point"));
-    m_pointName->setMaxLength(60);
+    m_pointName = form::newText(
+        {u"pointNameField"_s, tr("Name of the point to teach"), 60, {}, tr("Name of a point")}, box);
     m_axes = new QListWidget(box);
     look::name(m_axes, u"teachAxesList"_s, tr("Axes to teach"));
     m_axes->setFlow(QListView::LeftToRight);
@@ -133,14 +127,9 @@ QWidget* SequencesPage::buildPoints() {
                                 std::erase_if(program.points, [&](const Point& p) { return p.name == name; });
                             });
                     });
-    auto* layout = new QVBoxLayout(box);
-    layout->addWidget(m_pointTable, 1);
-    layout->addLayout(inARow(box, m_goTo, m_removePoint));
-    layout->addWidget(m_axes);
-    auto* teaching = new QHBoxLayout;
-    teaching->addWidget(m_pointName, 1);
-    teaching->addWidget(m_teach->button());
-    layout->addLayout(teaching);
+    auto* motions = inARow(box, m_goTo, m_removePoint);
+    auto* teaching = form::newLine(box, {{m_pointName, 1}, m_teach->button()}, form::kUsual);
+    box->setLayout(form::newColumn(box, {{m_pointTable, 1}, motions, m_axes, teaching}, form::kUsual));
     connect(m_pointTable->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &SequencesPage::refreshPoints);
     connect(m_pointName, &QLineEdit::textChanged, this, &SequencesPage::refreshPoints);
@@ -152,13 +141,10 @@ QWidget* SequencesPage::buildPoints() {
 QWidget* SequencesPage::buildSequences() {
     auto* box = new QGroupBox(tr("Sequences"), this);
     look::name(box, u"sequencesBox"_s, tr("Sequences"));
-    m_sequence = new QComboBox(box);
-    look::name(m_sequence, u"sequenceBox"_s, tr("Sequence"));
+    m_sequence = form::newChoice({u"sequenceBox"_s, tr("Sequence"), {}}, box);
     m_sequence->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_sequence->setMinimumContentsLength(6);
-    m_sequenceName = new QLineEdit(box);
-    look::name(m_sequenceName, u"sequenceNameField"_s, tr("Name of the sequence"));
-    m_sequenceName->setMaxLength(60);
+    m_sequenceName = form::newText({u"sequenceNameField"_s, tr("Name of the sequence"), 60}, box);
     m_newSequence = new Command(
         {.name = u"newSequenceButton"_s,
          .icon = {},
@@ -201,18 +187,12 @@ QWidget* SequencesPage::buildSequences() {
     result->hide();
     m_foresight->setAlignment(Qt::AlignTop | Qt::AlignLeft);
 
-    auto* layout = new QVBoxLayout(box);
-    auto* head = new QHBoxLayout;
-    head->addWidget(m_sequence, 1);
-    head->addWidget(m_sequenceName, 1);
-    head->addWidget(m_newSequence->button());
-    head->addWidget(m_removeSequence->button());
-    layout->addLayout(head);
-    layout->addWidget(m_rowTable, 1);
-    layout->addWidget(buildRowButtons(box));
-    layout->addWidget(buildRunButtons(box));
-    layout->addWidget(m_state);
-    layout->addWidget(result);
+    auto* head = form::newLine(
+        box, {{m_sequence, 1}, {m_sequenceName, 1}, m_newSequence->button(), m_removeSequence->button()},
+        form::kUsual);
+    box->setLayout(form::newColumn(
+        box, {head, {m_rowTable, 1}, buildRowButtons(box), buildRunButtons(box), m_state, result},
+        form::kUsual));
     connect(m_sequence, &QComboBox::currentIndexChanged, this, &SequencesPage::showProgram);
     connect(m_sequenceName, &QLineEdit::editingFinished, this, [this] {
         const std::string from = sequence();

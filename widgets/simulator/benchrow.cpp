@@ -8,8 +8,8 @@
 #include <QSlider>
 #include <cmath>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 
 namespace nmc {
 
@@ -32,12 +32,9 @@ BenchRow::BenchRow(BenchQuantity quantity, const QString& prefix, QWidget* paren
     m_field->setMeaning(m_quantity.meaning);
     m_unit = look::newMutedLabel(m_quantity.unit, parent);
     if (m_quantity.none.isEmpty()) {
-        auto* label = new QLabel(m_quantity.label, parent);
-        label->setBuddy(m_field);
-        m_label = label;
+        m_label = form::newLabel(m_quantity.label, m_field);
     } else {
-        m_exists = new QCheckBox(m_quantity.label, parent);
-        look::name(m_exists, base + u"Box"_s, m_quantity.label);
+        m_exists = form::newCheck({base + u"Box"_s, m_quantity.label}, parent);
         m_label = m_exists;
         m_field->setEnabled(false);
         connect(m_exists, &QAbstractButton::clicked, this, &BenchRow::turn);

@@ -10,6 +10,7 @@
 #include <QPlainTextEdit>
 #include <QShortcut>
 
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"
@@ -26,43 +27,32 @@ constexpr int kShownLines = 3;
 
 ControlLineBox::ControlLineBox(QWidget* parent)
     : QWidget(parent),
-      m_edit(new QLineEdit(this)),
+      m_edit(form::newText(
+          {u"simLineEdit"_s, tr("Control line"), kMaxLine,
+           tr("Type an nmcsim command, then press Enter: state, set, power-cycle, break, mend, stats, time, fault. Shortcut: Ctrl+L."),
+           u"state 1"_s},
+          this)),
       m_sign(new GlyphLabel(this)),
-      m_head(new QLabel(this)),
+      m_head(form::newParagraph(u"simAnswerHead"_s, {}, this)),
       m_answer(new QPlainTextEdit(this)) {
     const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    auto* label = new QLabel(tr("Control line"), this);
-    label->setBuddy(m_edit);
-    look::name(m_edit, u"simLineEdit"_s, tr("Control line"));
     m_edit->setFont(fixed);
-    m_edit->setMaxLength(kMaxLine);
-    m_edit->setPlaceholderText(u"state 1"_s);
-    m_edit->setToolTip(tr(
-        "Type an nmcsim command, then press Enter: state, set, power-cycle, break, mend, stats, time, fault. Shortcut: Ctrl+L."));
     look::name(m_answer, u"simAnswer"_s, tr("The simulator's answer"));
     m_answer->setReadOnly(true);
     m_answer->setFont(fixed);
     m_answer->setTabChangesFocus(true);
     m_answer->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     m_answer->setFixedHeight(m_answer->fontMetrics().lineSpacing() * kShownLines + look::gridUnit(this));
-    m_head->setObjectName(u"simAnswerHead"_s);
-    m_head->setTextFormat(Qt::PlainText);
-    m_head->setWordWrap(true);
     m_head->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
     const int unit = look::gridUnit(this);
-    auto* entry = new QHBoxLayout;
-    entry->addWidget(label);
-    entry->addWidget(m_edit, 1);
+    auto* entry =
+        form::newLine(this, {form::newLabel(tr("Control line"), m_edit), {m_edit, 1}}, form::kUsual);
     auto* head = new QHBoxLayout;
     head->addWidget(m_sign, 0, Qt::AlignTop);
     head->addWidget(m_head, 1);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(unit, 0, unit, unit / 2);
-    layout->setSpacing(unit / 3);
-    layout->addLayout(entry);
-    layout->addLayout(head);
-    layout->addWidget(m_answer);
+    setLayout(form::newColumn(this, {entry, head, m_answer}, 1.0 / 3));
+    layout()->setContentsMargins(unit, 0, unit, unit / 2);
     forget();
 
     connect(m_edit, &QLineEdit::returnPressed, this, [this] {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "protocol/iocommands.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 
@@ -62,9 +63,7 @@ ModuleBench::ModuleBench(ModuleType type, QWidget* parent)
 
 QAbstractButton* ModuleBench::addSwitch(QGridLayout& grid, const QString& name, const QString& text,
                                         const QString& meaning) {
-    auto* box = new QCheckBox(text, grid.parentWidget());
-    look::name(box, m_prefix + name + u"Box"_s, text);
-    box->setToolTip(meaning);
+    auto* box = form::newCheck({m_prefix + name + u"Box"_s, text, {}, meaning}, grid.parentWidget());
     grid.addWidget(box, grid.rowCount(), 0, 1, 3, Qt::AlignLeft);
     connect(box, &QAbstractButton::clicked, this, [this, name](bool on) { set(name, on ? u"1"_s : u"0"_s); });
     m_switches.append({name, box, meaning});
@@ -73,9 +72,7 @@ QAbstractButton* ModuleBench::addSwitch(QGridLayout& grid, const QString& name, 
 
 QAbstractButton* ModuleBench::addButton(QGridLayout& grid, int column, const QString& objectName,
                                         const QString& text, const QString& meaning) {
-    auto* button = new QPushButton(text, grid.parentWidget());
-    look::name(button, m_prefix + objectName, text);
-    button->setToolTip(meaning);
+    auto* button = form::newPush({m_prefix + objectName, text, {}, meaning}, grid.parentWidget());
     grid.addWidget(button, column == 0 ? grid.rowCount() : grid.rowCount() - 1, column);
     return button;
 }
@@ -175,8 +172,8 @@ void ModuleBench::showPins(const QJsonObject& state) {
 }
 
 void ModuleBench::buildCable(QGridLayout& grid) {
-    m_addressBroken = new QCheckBox(tr("ADDR line broken towards the host"), grid.parentWidget());
-    look::name(m_addressBroken, m_prefix + u"addressBrokenBox"_s, tr("ADDR line broken towards the host"));
+    m_addressBroken = form::newCheck(
+        {m_prefix + u"addressBrokenBox"_s, tr("ADDR line broken towards the host")}, grid.parentWidget());
     m_addressBroken->setToolTip(tr(
         "The line is broken between this module and the next one towards the host, which then gets no address."));
     grid.addWidget(m_addressBroken, grid.rowCount(), 0, 1, 3);
@@ -256,8 +253,8 @@ void ModuleBench::buildMechanics() {
          .max = kMaxCounts,
          .step = 1'000,
          .none = u"none"_s});
-    m_limitsAutomatic = new QCheckBox(tr("Limit switches at the stops"), grid.parentWidget());
-    look::name(m_limitsAutomatic, m_prefix + u"limitsBox"_s, tr("Limit switches at the stops"));
+    m_limitsAutomatic =
+        form::newCheck({m_prefix + u"limitsBox"_s, tr("Limit switches at the stops")}, grid.parentWidget());
     m_limitsAutomatic->setToolTip(
         tr("The limit switches close at the ends of travel and cannot be set by hand."));
     grid.addWidget(m_limitsAutomatic, grid.rowCount(), 0, 1, 3);

@@ -2,7 +2,6 @@
 #include "widgets/simulator/simulatorbench.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -11,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QStackedWidget>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
 #include "widgets/simulator/benchtruth.h"
@@ -74,16 +74,10 @@ void SimulatorBench::buildContent() {
     m_benches->addWidget(m_step);
     m_benches->addWidget(m_io);
     const int unit = look::gridUnit(this);
-    auto* choice = new QHBoxLayout;
+    auto* choice = form::newLine(this, {m_module, {m_type, 1}}, form::kUsual);
     choice->setContentsMargins(unit, unit / 2, unit, 0);
-    choice->addWidget(m_module);
-    choice->addWidget(m_type, 1);
     auto* page = new QWidget(this);
-    auto* parts = new QVBoxLayout(page);
-    parts->setContentsMargins(0, 0, 0, 0);
-    parts->addWidget(m_benches);
-    parts->addWidget(m_truth);
-    parts->addStretch(1);
+    form::fill(page, form::newColumn(page, {m_benches, m_truth, nullptr}, form::kUsual));
     auto* scroll = new Page(this);
     look::name(scroll, u"simScroll"_s, tr("Simulator"));
     scroll->setFrameShape(QFrame::NoFrame);
@@ -93,12 +87,7 @@ void SimulatorBench::buildContent() {
     scroll->setWidget(page);
     scroll->setMinimumWidth(page->minimumSizeHint().width() + unit * 2);
     // The control line is always visible, because it also shows what else is refused.
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(unit / 2);
-    layout->addLayout(choice);
-    layout->addWidget(scroll, 1);
-    layout->addWidget(m_line);
+    form::fill(this, form::newColumn(this, {choice, {scroll, 1}, m_line}, 0.5));
 }
 
 void SimulatorBench::begin() {
