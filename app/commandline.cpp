@@ -35,15 +35,15 @@ void declareOptions(QCommandLineParser& parser) {
         CommandLine::tr("Control panel for Networked Modular Control motor modules."));
     QCommandLineOption benchmark(kQuitAfterFirstPaint);
     benchmark.setFlags(QCommandLineOption::HiddenFromHelp);
-    parser.addPositionalArgument(QStringLiteral("file"), CommandLine::tr("Machine file to open on start."),
+    parser.addPositionalArgument(QStringLiteral("file"), CommandLine::tr("Machine file to open at startup."),
                                  QStringLiteral("[FILE]"));
     parser.addOptions({
-        {kPort, CommandLine::tr("Connect to a serial port on start."), CommandLine::tr("NAME")},
+        {kPort, CommandLine::tr("Connect to a serial port at startup."), CommandLine::tr("NAME")},
         {kBaud, CommandLine::tr("Baud rate of the chain: 9600, 19200 (default), 57600 or 115200."),
          CommandLine::tr("N")},
         {kSimulator,
          CommandLine::tr(
-             "Connect to the built-in simulator on start. CHAIN lists its modules, the one farthest from the host first; the default is %1.")
+             "Connect to the built-in simulator at startup. CHAIN lists its modules, the one farthest from the host first; the default is %1.")
              .arg(QString::fromUtf8(sim::kDefaultChain)),
          CommandLine::tr("CHAIN")},
         {kReadOnly,

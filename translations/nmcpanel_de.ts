@@ -44,7 +44,7 @@
         <translation>Einen Port wählen und verbinden.</translation>
     </message>
     <message>
-        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC.</source>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
         <translation>Der Reihe nach prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses Kabel verbirgt alle Module; den ADDR_IN-Jumper des vom PC am weitesten entfernten Moduls.</translation>
     </message>
     <message>
@@ -68,7 +68,7 @@
         <translation>Versorgung und Kabel prüfen; bewegt sich der Motor, den Hardware-Stopp benutzen. Das Programm fragt von Zeit zu Zeit erneut an.</translation>
     </message>
     <message>
-        <source>Modules between it and the PC may not answer until it has its address again. Restart the network once all motors can stop and lose their positions.</source>
+        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
         <translation>Module von ihm in Richtung PC sind möglicherweise nicht ansprechbar, bis es wieder seine Adresse hat. Wenn alle Motoren stillstehen und ihre Positionen verlieren dürfen, das Netzwerk neu starten.</translation>
     </message>
     <message>
@@ -123,7 +123,7 @@
         <translation>Bedienprogramm für Motormodule nach Networked Modular Control (NMC).</translation>
     </message>
     <message>
-        <source>Connect to a serial port on start.</source>
+        <source>Connect to a serial port at startup.</source>
         <translation>Beim Start mit einer seriellen Schnittstelle verbinden.</translation>
     </message>
     <message>
@@ -139,7 +139,7 @@
         <translation>N</translation>
     </message>
     <message>
-        <source>Connect to the built-in simulator on start. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
+        <source>Connect to the built-in simulator at startup. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
         <translation>Beim Start mit dem eingebauten Simulator verbinden. KETTE zählt seine Module auf, das vom Rechner am weitesten entfernte zuerst; Vorgabe ist %1.</translation>
     </message>
     <message>
@@ -167,7 +167,7 @@
         <translation>Mit --port oder --simulator: nur lesend verbinden. Es werden nur Statusabfragen gesendet, und Schließen stoppt keine Motoren. ALLES STOPP wirkt weiterhin.</translation>
     </message>
     <message>
-        <source>Machine file to open on start.</source>
+        <source>Machine file to open at startup.</source>
         <translation>Eine Maschinendatei, die beim Start geöffnet wird.</translation>
     </message>
 </context>
@@ -273,7 +273,7 @@
         <translation>EL, Positionsfehlergrenze in Inkrementen: Wird sie überschritten, schaltet sich der Servo ab, zum Beispiel nach einer Kollision oder Blockade.</translation>
     </message>
     <message>
-        <source>SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
+        <source>SR, servo rate divisor: one servo tick is SR × 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
         <translation>SR, Servotakt-Teiler: Ein Servotakt dauert SR x 0,512 ms. Ein langsamerer Takt dämpft schwere Lasten mit weniger Kd. Mit SR ändert sich die Bedeutung jeder Geschwindigkeit und Beschleunigung.</translation>
     </message>
     <message>
@@ -614,11 +614,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Phasenreserve %1°</translation>
     </message>
     <message>
-        <source>Uncertain: step once more. Until then the suggested gains are careful.</source>
+        <source>Uncertain: step once more. Until then the suggested gains are conservative.</source>
         <translation>Unsicher: noch einen Sprung aufzeichnen. Bis dahin sind die vorgeschlagenen Reglerwerte vorsichtig.</translation>
     </message>
     <message>
-        <source>The motor stopped dead short of its goal. Something is in its way: a hard stop, or what it drives. Make room, or step the other way.</source>
+        <source>The motor stopped abruptly short of its goal. Something is in its way: a hard stop, or its load. Clear the way, or step in the other direction.</source>
         <translation>Der Motor blieb vor seinem Ziel schlagartig stehen. Etwas ist im Weg: ein Anschlag oder das, was er antreibt. Platz schaffen oder in die andere Richtung springen.</translation>
     </message>
     <message>
@@ -642,7 +642,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Eine Resonanz oberhalb von %1 Hz wäre nicht zu sehen; die Reserven berücksichtigen eine.</translation>
     </message>
     <message>
-        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <source>The motor probably has more than %1 counts of play: that much motion is lost at each reversal. Take up the play between motor and encoder.</source>
         <translation>Der Motor hat vermutlich mehr als %1 Inkremente Spiel: So viel geht beim Umkehren verloren. Das Spiel zwischen Motor und Encoder beseitigen.</translation>
     </message>
 </context>
@@ -716,11 +716,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Hier stoppen, am Ziel</translation>
     </message>
     <message>
-        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
+        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick.</source>
         <translation>Eine Fahrt mit so viel Geschwindigkeit und Beschleunigung, dass ihr Profil in einem Takt am Ziel ist.</translation>
     </message>
     <message>
-        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
+        <source>The servo holds the goal at once, without a profile. Not available with version 1.</source>
         <translation>Der Servo hält sofort das Ziel, ohne Profil. Nicht mit Version 1.</translation>
     </message>
     <message>
@@ -1091,7 +1091,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Motorzustand unbekannt; zuletzt bewegte sich kein Motor.</translation>
     </message>
     <message>
-        <source>Your user account may not use %1.</source>
+        <source>Your user account has no permission to use %1.</source>
         <translation>Ihr Benutzerkonto darf %1 nicht verwenden.</translation>
     </message>
     <message>
@@ -1203,7 +1203,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Verbunden mit %1: %2 bei %3 Bd.</translation>
     </message>
     <message>
-        <source>Nothing moves until you ask for it. Gains are unknown until you apply them.</source>
+        <source>Nothing moves until you command it. Gains are unknown until you apply them.</source>
         <translation>Nichts bewegt sich ohne Anforderung. Die Reglerwerte sind unbekannt, bis sie angewendet werden.</translation>
     </message>
     <message>
@@ -1219,7 +1219,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Bei Bedarf den Hardware-Stopp benutzen. Dann die Versorgung der Module und das Kabel am PC prüfen.</translation>
     </message>
     <message>
-        <source>The link is unreliable: %1 of the last %2 exchanges went wrong.</source>
+        <source>The link is unreliable: %1 of the last %2 exchanges failed.</source>
         <translation>Die Verbindung ist unzuverlässig: %1 der letzten %2 Übertragungen sind misslungen.</translation>
     </message>
     <message>
@@ -1229,10 +1229,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Set its latency timer to 1 ms.</source>
         <translation>Den Latenz-Timer des Adapters auf 1 ms stellen.</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Anleitung</translation>
     </message>
     <message>
         <source>Module %1 has not answered for %2 s. Motor state unknown: it was moving.</source>
@@ -1617,12 +1613,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Module an %1 haben noch keine Adressen.</translation>
     </message>
     <message>
-        <source>A read-only connection cannot assign addresses. Connect without read-only.</source>
+        <source>A read-only connection cannot assign addresses. Choose Connect fully.</source>
         <translation>Eine nur lesende Verbindung kann keine Adressen vergeben. Ohne „nur lesen“ verbinden.</translation>
     </message>
     <message>
-        <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
-        <translation>Die Verbindung ist zweifelhaft: %1 der letzten %2 Übertragungen sind misslungen.</translation>
+        <source>The link is marginal: %1 of the last %2 exchanges failed.</source>
+        <translation>Die Verbindung ist grenzwertig: %1 der letzten %2 Übertragungen sind misslungen.</translation>
     </message>
     <message>
         <source>Motor state unknown. Look at the motor; stop all if in doubt.</source>
@@ -1653,7 +1649,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Aufgewacht nach %1: Alle Werte werden neu gelesen.</translation>
     </message>
     <message>
-        <source>Resumed after %1: motors were told to stop; reading all values again.</source>
+        <source>Resumed after %1: motors were commanded to stop; reading all values again.</source>
         <translation>Aufgewacht nach %1: An die Motoren ging ein Stoppbefehl; alle Werte werden neu gelesen.</translation>
     </message>
     <message>
@@ -1740,7 +1736,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Port ist offen, aber kein Modul hat geantwortet (9600, 19 200, 57 600 und 115 200 Bd versucht).</translation>
     </message>
     <message>
-        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.</source>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.</source>
         <translation>Der Reihe nach prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses Kabel verbirgt alle Module; den ADDR_IN-Jumper des vom PC am weitesten entfernten Moduls; TX und RX nicht vertauscht; ein Vollduplex-Adapter (4 Drähte). Hat ein anderes Programm die Kette bei einer ungewöhnlichen Baudrate zurückgelassen, das Netzwerk neu starten.</translation>
     </message>
     <message>
@@ -1760,7 +1756,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Sein Motor ist aus. Entweder ist ein Modul neu gestartet, oder ein neues kam hinzu. Ein Neustart des Netzwerks gibt ihm eine Adresse.</translation>
     </message>
     <message>
-        <source>The link to module %1 is unreliable: %2 of its last %3 exchanges went wrong.</source>
+        <source>The link to module %1 is unreliable: %2 of its last %3 exchanges failed.</source>
         <translation>Die Verbindung zu Modul %1 ist unzuverlässig: %2 der letzten %3 Übertragungen sind misslungen.</translation>
     </message>
     <message>
@@ -1776,12 +1772,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das Programm war vorher mit einem anderen Adapter verbunden. Es wurde nichts gesendet.</translation>
     </message>
     <message>
-        <source>Connect to it</source>
-        <translation>Damit verbinden</translation>
+        <source>Connect anyway</source>
+        <translation>Trotzdem verbinden</translation>
     </message>
     <message>
-        <source>The link to module %1 is doubtful: %2 of its last %3 exchanges went wrong.</source>
-        <translation>Die Verbindung zu Modul %1 ist zweifelhaft: %2 der letzten %3 Übertragungen sind misslungen.</translation>
+        <source>The link to module %1 is marginal: %2 of its last %3 exchanges failed.</source>
+        <translation>Die Verbindung zu Modul %1 ist grenzwertig: %2 der letzten %3 Übertragungen sind misslungen.</translation>
     </message>
     <message>
         <source>Its motor is off.</source>
@@ -1899,8 +1895,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>verworfen</translation>
     </message>
     <message>
-        <source>dropped for a stop</source>
-        <translation>wegen eines Stopps verworfen</translation>
+        <source>cancelled by a stop</source>
+        <translation>durch einen Stopp abgebrochen</translation>
     </message>
     <message>
         <source>no answer expected</source>
@@ -1987,7 +1983,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Keine Antwort von: %1.</translation>
     </message>
     <message>
-        <source>%1 of %2 modules of group %3 started. All of them were told to stop.</source>
+        <source>%1 of %2 modules of group %3 started. All of them were commanded to stop.</source>
         <translation>%1 von %2 Modulen der Gruppe %3 sind gestartet. An alle ging ein Stoppbefehl.</translation>
     </message>
     <message>
@@ -1999,7 +1995,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Nicht alle Module der Gruppe %1 haben ihren Start bestätigt.</translation>
     </message>
     <message>
-        <source>Look at the motors. The start is never repeated: load again, then start again. Usually noise on the cable.</source>
+        <source>Look at the motors. The start is never repeated: load the moves again, then start the group again. Usually noise on the cable.</source>
         <translation>Die Motoren ansehen. Der Start wird nie wiederholt: erneut laden, dann erneut starten. Meist Störungen auf dem Kabel.</translation>
     </message>
     <message>
@@ -2039,7 +2035,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zu viele Befehle warten. An Gruppe %1 wurde nichts gesendet.</translation>
     </message>
     <message>
-        <source>All motors were told to stop.</source>
+        <source>All motors were commanded to stop.</source>
         <translation>An alle Motoren ging ein Stoppbefehl.</translation>
     </message>
     <message>
@@ -2079,12 +2075,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 ist Leitmodul einer Gruppe und würde mit der neuen Baudrate antworten. Zuerst ein gewöhnliches Mitglied daraus machen.</translation>
     </message>
     <message>
-        <source>Module %2 did not answer at %1 Bd, so all modules went back. Try another baud rate, a shorter cable, or termination at both ends.</source>
+        <source>Module %2 did not answer at %1 Bd, so all modules went back to the old rate. Try another baud rate, a shorter cable, or termination at both ends.</source>
         <translation>Bei %1 Bd hat Modul %2 nicht geantwortet, daher sind alle Module zurückgekehrt. Eine andere Baudrate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
     </message>
     <message>
-        <source>A stop came first.</source>
-        <translation>Ein Stopp kam dazwischen.</translation>
+        <source>A stop took priority.</source>
+        <translation>Ein Stopp hatte Vorrang.</translation>
     </message>
     <message>
         <source>Module %1 has not answered since the baud rate changed. No motor was moving.</source>
@@ -2103,8 +2099,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>eine Zahl</translation>
     </message>
     <message>
-        <source>a text in quotation marks</source>
-        <translation>ein Text in Anführungszeichen</translation>
+        <source>text in quotation marks</source>
+        <translation>Text in Anführungszeichen</translation>
     </message>
     <message>
         <source>true or false</source>
@@ -2626,7 +2622,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Schalter und Kabel, Suchrichtung und Suchgeschwindigkeit und die Zeitgrenze prüfen.</translation>
     </message>
     <message>
-        <source>%1 is not homed and was told to stop: the link was unreliable.</source>
+        <source>%1 is not homed and was commanded to stop: the link was unreliable.</source>
         <translation>%1 ist nicht referenziert, ein Stoppbefehl wurde gesendet: Die Verbindung war unzuverlässig.</translation>
     </message>
     <message>
@@ -2638,7 +2634,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 ist nicht referenziert und antwortet nicht. Motorzustand unbekannt.</translation>
     </message>
     <message>
-        <source>It was told to stop. Use the hardware stop if it moves.</source>
+        <source>It was commanded to stop. Use the hardware stop if it moves.</source>
         <translation>Ein Stoppbefehl wurde gesendet. Den Hardware-Stopp benutzen, wenn der Motor sich bewegt.</translation>
     </message>
     <message>
@@ -2650,7 +2646,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Positionsfehler war zu groß, oder die Motorversorgung fiel aus. Auf eine Blockade prüfen, den Motor einschalten, dann die Suche wiederholen.</translation>
     </message>
     <message>
-        <source>%1 is not homed and was told to stop: a command failed, or its answer was lost.</source>
+        <source>%1 is not homed and was commanded to stop: a command failed, or its answer was lost.</source>
         <translation>%1 ist nicht referenziert, ein Stoppbefehl wurde gesendet: Ein Befehl ist fehlgeschlagen, oder seine Antwort ging verloren.</translation>
     </message>
     <message>
@@ -2730,7 +2726,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1, %2 von %3</translation>
     </message>
     <message>
-        <source>The switch stayed active while the motor backed off. It was stopped.</source>
+        <source>The switch stayed active while the motor backed off. The motor was stopped.</source>
         <translation>Der Schalter blieb beim Freifahren aktiv. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
@@ -2746,7 +2742,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Referenz innerhalb der Zeitgrenze nicht gefunden. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
-        <source>The link was unreliable. The motor was told to stop.</source>
+        <source>The link was unreliable. The motor was commanded to stop.</source>
         <translation>Die Verbindung war unzuverlässig. An den Motor ging ein Stoppbefehl.</translation>
     </message>
     <message>
@@ -2754,7 +2750,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Motor hat sich von selbst abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
-        <source>A command failed or was not answered. The motor was told to stop.</source>
+        <source>A command failed or was not answered. The motor was commanded to stop.</source>
         <translation>Ein Befehl ist fehlgeschlagen oder wurde nicht beantwortet. An den Motor ging ein Stoppbefehl.</translation>
     </message>
     <message>
@@ -2934,7 +2930,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Nicht in der Kette; seine Einstellungen bleiben erhalten.</translation>
     </message>
     <message>
-        <source>%1 holds again: it moved the wrong way, or more than twice the step.</source>
+        <source>%1 was stopped and holds: it moved the wrong way, or by more than twice the step.</source>
         <translation>%1 hält wieder: Der Motor lief in die falsche Richtung oder weiter als der doppelte Sprung.</translation>
     </message>
     <message>
@@ -2954,7 +2950,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 kommt nicht zur Ruhe; der Servo bleibt ein.</translation>
     </message>
     <message>
-        <source>It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd; Motor off ends it at once.</source>
+        <source>It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd. Choose Motor off to end it at once.</source>
         <translation>Der Motor schwingt, oder eine äußere Kraft dreht ihn. Kp und Ki senken oder Kd erhöhen; „Motor aus“ beendet es sofort.</translation>
     </message>
     <message>
@@ -2970,11 +2966,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 antwortet nicht, der Sprung wurde daher nicht aufgezeichnet. Motorzustand unbekannt.</translation>
     </message>
     <message>
-        <source>It was told to hold. Use the hardware stop if it moves.</source>
+        <source>It was commanded to hold. Use the hardware stop if it moves.</source>
         <translation>Ein Haltebefehl wurde gesendet. Den Hardware-Stopp benutzen, wenn der Motor sich bewegt.</translation>
     </message>
     <message>
-        <source>%1 was told to hold, and its step was not recorded: the link was unreliable.</source>
+        <source>%1 was commanded to hold, and its step was not recorded: the link was unreliable.</source>
         <translation>%1 bekam einen Haltebefehl, und der Sprung wurde nicht aufgezeichnet: Die Verbindung war unzuverlässig.</translation>
     </message>
     <message>
@@ -2982,7 +2978,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Verbindung prüfen, dann den Sprung wiederholen.</translation>
     </message>
     <message>
-        <source>%1 was told to hold, and its step was not recorded: a command failed, or its answer was lost.</source>
+        <source>%1 was commanded to hold, and its step was not recorded: a command failed, or its answer was lost.</source>
         <translation>%1 bekam einen Haltebefehl, und der Sprung wurde nicht aufgezeichnet: Ein Befehl ist fehlgeschlagen, oder seine Antwort ging verloren.</translation>
     </message>
     <message>
@@ -3086,7 +3082,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Aufzeichnung in „%1“ ist beendet: %2</translation>
     </message>
     <message>
-        <source>%1 Control continues. To continue recording, choose another file.</source>
+        <source>%1 Motor control continues. To continue recording, choose another file.</source>
         <translation>%1 Die Steuerung läuft weiter. Um weiter aufzuzeichnen, eine andere Datei wählen.</translation>
     </message>
     <message>
@@ -3142,19 +3138,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Eine Aufzeichnung muss 0,02 s bis 3 s dauern.</translation>
     </message>
     <message>
-        <source>No motor is moving. All are told to stop before the port closes.</source>
+        <source>No motor is moving. All motors are commanded to stop before the port closes.</source>
         <translation>Kein Motor bewegt sich. An alle geht ein Stoppbefehl, bevor der Port geschlossen wird.</translation>
     </message>
     <message>
-        <source>Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.</source>
+        <source>Nothing was lost: the panel detects wrong answers and retries. If it gets worse, motors are commanded to stop. Usually noise on the cable.</source>
         <translation>Nichts ging verloren: Das Programm erkennt falsche Antworten und fragt erneut. Wird es schlimmer, geht an die Motoren ein Stoppbefehl. Meist Störungen auf dem Kabel.</translation>
     </message>
     <message>
-        <source>It listens at 19 200 Bd and may misread the other modules&apos; traffic: all motors were told to stop, and sending has stopped.</source>
+        <source>It listens at 19 200 Bd and may misread the other modules&apos; traffic: all motors were commanded to stop, and sending has stopped.</source>
         <translation>Es hört mit 19 200 Bd zu und kann den Verkehr der anderen Module falsch lesen: An alle Motoren ging ein Stoppbefehl, und es wird nichts mehr gesendet.</translation>
     </message>
     <message>
-        <source>The panel froze for %1; motors were told to stop after 2 s.</source>
+        <source>The panel froze for %1; motors were commanded to stop after 2 s.</source>
         <translation>Das Programm reagierte %1 lang nicht; an die Motoren ging nach 2 s ein Stoppbefehl.</translation>
     </message>
     <message>
@@ -3173,7 +3169,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         </translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 were told to stop but were not seen at rest</source>
+        <source>Modules %1 were commanded to stop but were not seen at rest</source>
         <translation>
             <numerusform>An Modul %1 ging ein Stoppbefehl, es wurde aber nicht im Stillstand gesehen</numerusform>
             <numerusform>An die Module %1 ging ein Stoppbefehl, sie wurden aber nicht im Stillstand gesehen</numerusform>
@@ -3228,11 +3224,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Es steht still.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop jogging: the panel stalled for over 250 ms.</source>
+        <source>Module %1 was commanded to stop jogging: the panel stalled for over 250 ms.</source>
         <translation>An Modul %1 ging beim Tippen ein Stoppbefehl: Das Programm stockte länger als 250 ms.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop: it reports motion, but its position stays at %2 counts.</source>
+        <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>
         <translation>An Modul %1 ging ein Stoppbefehl: Es meldet Bewegung, aber seine Position bleibt bei %2 Inkrementen.</translation>
     </message>
     <message>
@@ -3260,7 +3256,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Motor steht, aber sein Strom wurde begrenzt: Vielleicht hält er seine Last nicht. Das bleibt so, bis die Sticky-Bits gelöscht werden.</translation>
     </message>
     <message numerus="yes">
-        <source>The panel ended without stopping its motors; its guardian told modules %1 to stop.</source>
+        <source>The panel ended without stopping its motors; its guardian commanded modules %1 to stop.</source>
         <translation>
             <numerusform>Das Programm endete, ohne seine Motoren zu stoppen; sein Wächter hat an Modul %1 einen Stoppbefehl gesendet.</numerusform>
             <numerusform>Das Programm endete, ohne seine Motoren zu stoppen; sein Wächter hat an die Module %1 einen Stoppbefehl gesendet.</numerusform>
@@ -3271,7 +3267,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das Programm wurde gewaltsam beendet, oder es hing. Der Wächter kann nicht sehen, ob ein Motor stoppte: die Motoren ansehen, bevor Sie verbinden; den Hardware-Stopp benutzen, wenn sich einer bewegt.</translation>
     </message>
     <message>
-        <source>The panel stalled while a motor was moving; its guardian told the motors to stop.</source>
+        <source>The panel stalled while a motor was moving; its guardian commanded the motors to stop.</source>
         <translation>Das Programm stockte, während sich ein Motor bewegte; sein Wächter hat an die Motoren einen Stoppbefehl gesendet.</translation>
     </message>
     <message>
@@ -3287,7 +3283,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>nmcguard fehlt. Das Programm neu installieren. Alles andere funktioniert.</translation>
     </message>
     <message>
-        <source>Your user account may not start nmcguard. Reinstall the program. Everything else works.</source>
+        <source>Your user account has no permission to start nmcguard. Reinstall the program. Everything else works.</source>
         <translation>Ihr Benutzerkonto darf nmcguard nicht starten. Das Programm neu installieren. Alles andere funktioniert.</translation>
     </message>
     <message>
@@ -3374,7 +3370,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Nur das Echo des Adapters an %1 kam zurück: Kein Modul hat geantwortet.</translation>
     </message>
     <message>
-        <source>The echo is harmless. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the modules&apos; transmit pair is wired to the adapter.</source>
+        <source>The echo is harmless. Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the modules&apos; transmit pair is wired to the adapter.</source>
         <translation>Das Echo ist unschädlich. Der Reihe nach prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses Kabel verbirgt alle Module; ob auch das Sendepaar der Module am Adapter angeschlossen ist.</translation>
     </message>
     <message>
@@ -3394,7 +3390,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Ein anderer Rechner sendet auf dieser Leitung.</translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 were told to stop.</source>
+        <source>Modules %1 were commanded to stop.</source>
         <translation>
             <numerusform>An Modul %1 ging ein Stoppbefehl.</numerusform>
             <numerusform>An die Module %1 ging ein Stoppbefehl.</numerusform>
@@ -3429,7 +3425,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Richtungsprüfung von %1 ohne Ergebnis; der Motor ist aus.</translation>
     </message>
     <message>
-        <source>Direction check of %1 inconclusive; its motor was told to switch off.</source>
+        <source>Direction check of %1 inconclusive; its motor was commanded to switch off.</source>
         <translation>Richtungsprüfung von %1 ohne Ergebnis; an den Motor ging der Befehl, sich abzuschalten.</translation>
     </message>
     <message>
@@ -3449,7 +3445,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Richtungsprüfung von %1 ohne Ergebnis: Das Modul antwortet nicht. Motorzustand unbekannt.</translation>
     </message>
     <message>
-        <source>It was told to switch off. Use the hardware stop if it moves.</source>
+        <source>It was commanded to switch off. Use the hardware stop if it moves.</source>
         <translation>Der Befehl zum Abschalten wurde gesendet. Den Hardware-Stopp benutzen, wenn der Motor sich bewegt.</translation>
     </message>
     <message>
@@ -3481,7 +3477,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 hat sich nicht in beide Richtungen bewegt.</translation>
     </message>
     <message>
-        <source>It rests %1 off home; its position is 0 there.</source>
+        <source>It is at rest %1 from home; its position there is 0.</source>
         <translation>Der Motor steht %1 neben der Referenz; dort ist seine Position 0.</translation>
     </message>
     <message>
@@ -3757,8 +3753,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 hat diesen Ein- oder Ausgang nicht.</translation>
     </message>
     <message>
-        <source>The outputs of %1 are unknown. Set them once on its I/O page.</source>
-        <translation>Die Ausgänge von %1 sind nicht bekannt. Sie dort einmal auf der Seite E/A setzen.</translation>
+        <source>The outputs of %1 are unknown. Set them once on the module&apos;s page.</source>
+        <translation>Die Ausgänge von %1 sind nicht bekannt. Sie einmal auf der Seite des Moduls setzen.</translation>
     </message>
     <message>
         <source>A run from the top never gets here: an earlier row repeats forever.</source>
@@ -3773,7 +3769,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>In dieser Zeile muss %1 am Punkt „%2“ stehen. Zuerst dorthin fahren.</translation>
     </message>
     <message>
-        <source>At this row, output %1 of %2 must be switched over. Set it first.</source>
+        <source>At this row, output %1 of %2 must be in the opposite state. Set it first.</source>
         <translation>In dieser Zeile muss Ausgang %1 von %2 umgeschaltet sein. Zuerst setzen.</translation>
     </message>
     <message>
@@ -3929,11 +3925,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 ist fertig.</translation>
     </message>
     <message>
-        <source>%1 paused, and its motors were told to stop.</source>
+        <source>%1 paused, and its motors were commanded to stop.</source>
         <translation>%1 pausiert; an die Motoren ging ein Stoppbefehl.</translation>
     </message>
     <message>
-        <source>%1 ended, and its motors were told to stop.</source>
+        <source>%1 ended, and its motors were commanded to stop.</source>
         <translation>%1 wurde beendet; an die Motoren ging ein Stoppbefehl.</translation>
     </message>
     <message>
@@ -4037,7 +4033,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die nächste Fahrt würde die Fahrweggrenzen überschreiten. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop just before its travel limit.</source>
+        <source>Module %1 was commanded to stop just before its travel limit.</source>
         <translation>An Modul %1 ging kurz vor seiner Fahrweggrenze ein Stoppbefehl.</translation>
     </message>
     <message>
@@ -4085,15 +4081,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Nicht alle Module der Gruppe %1 haben den Befehl bestätigt.</translation>
     </message>
     <message>
-        <source>A group command needs an answer from every member, a state in which each can carry it out, and a known group for every module. Command the modules one by one, or set this module&apos;s group again.</source>
+        <source>A group command requires that every member answers and can carry it out in its present state, and that the group of every module is known. Command the modules one by one, or set this module&apos;s group again.</source>
         <translation>Ein Gruppenbefehl setzt voraus, dass jedes Mitglied antwortet und ihn ausführen kann und dass die Gruppe jedes Moduls bekannt ist. Die Module einzeln ansteuern oder die Gruppe dieses Moduls neu zuweisen.</translation>
     </message>
     <message>
-        <source>Group %1 was told to switch its motors off: module %2.</source>
+        <source>Group %1 was commanded to switch its motors off: module %2.</source>
         <translation>An Gruppe %1 ging der Befehl, ihre Motoren auszuschalten: Modul %2.</translation>
     </message>
     <message>
-        <source>Group %1 was told to stop: module %2.</source>
+        <source>Group %1 was commanded to stop: module %2.</source>
         <translation>An Gruppe %1 ging ein Stoppbefehl: Modul %2.</translation>
     </message>
     <message>
@@ -4117,7 +4113,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die genaue Position, die der Servo hält, ist unbekannt. Zuerst „Erst hier halten“ wählen oder den Motor verfahren.</translation>
     </message>
     <message>
-        <source>Module %1 holds its motor, and the motor oscillates.</source>
+        <source>Module %1 oscillates while it holds its position.</source>
         <translation>Modul %1 hält seinen Motor, und der Motor schwingt.</translation>
     </message>
     <message>
@@ -4133,7 +4129,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Vorige Reglerwerte wiederherstellen</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: it began to oscillate.</source>
+        <source>The previous gains of %1 are restored: it began to oscillate.</source>
         <translation>%1 hat wieder die vorigen Reglerwerte: Der Motor begann zu schwingen.</translation>
     </message>
     <message>
@@ -4141,7 +4137,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Kp und Ki senken oder Kd erhöhen, dann erneut probieren.</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: it left its position.</source>
+        <source>The previous gains of %1 are restored: it left its position.</source>
         <translation>%1 hat wieder die vorigen Reglerwerte: Der Motor verließ seine Position.</translation>
     </message>
     <message>
@@ -4149,7 +4145,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Mit diesen Reglerwerten hält er seine Last nicht, oder etwas anderes hat ihn gedreht.</translation>
     </message>
     <message>
-        <source>%1 switched itself off while gains were tried, and is free to turn.</source>
+        <source>%1 switched itself off while gains were being tried, and is free to turn.</source>
         <translation>%1 hat sich beim Probieren von Reglerwerten selbst abgeschaltet und ist frei drehbar.</translation>
     </message>
     <message>
@@ -4157,7 +4153,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die vorigen Reglerwerte wurden wieder gesendet. Auf eine Blockade prüfen, dann einschalten.</translation>
     </message>
     <message>
-        <source>%1 does not answer while gains are tried. Motor state unknown.</source>
+        <source>%1 does not answer while gains are being tried. Motor state unknown.</source>
         <translation>%1 antwortet beim Probieren von Reglerwerten nicht. Motorzustand unbekannt.</translation>
     </message>
     <message>
@@ -4185,7 +4181,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Probiert Reglerwerte</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: the trial has ended.</source>
+        <source>The previous gains of %1 are restored: the trial has ended.</source>
         <translation>%1 hat wieder die vorigen Reglerwerte: Der Versuch ist beendet.</translation>
     </message>
     <message>
@@ -4237,11 +4233,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 ist nicht beschreibbar. Exportieren Sie sie, bevor Sie das Programm schließen.</translation>
     </message>
     <message>
-        <source>%1: its loop test ended early.</source>
+        <source>The loop test of %1 ended early.</source>
         <translation>%1: Die Prüfung des Regelkreises endete vorzeitig.</translation>
     </message>
     <message>
-        <source>The motor moved farther than the test allows, and was told to hold. Check for a load that pulls it, or use lower gains.</source>
+        <source>The motor moved farther than the test allows, and was commanded to hold. Check for a load that pulls it, or use lower gains.</source>
         <translation>Der Motor bewegte sich weiter, als die Prüfung erlaubt, und bekam einen Haltebefehl. Prüfen, ob eine Last an ihm zieht, oder kleinere Reglerwerte nehmen.</translation>
     </message>
     <message>
@@ -4265,7 +4261,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Dieses Modul ist kein PIC-I/O.</translation>
     </message>
     <message>
-        <source>A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were told to stop.</source>
+        <source>A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were commanded to stop.</source>
         <translation>Ein Modul hat die Bahn von selbst beendet: ein Endschalter, ein Positionsfehler oder fehlende Motorversorgung. An alle Achsen der Bahn ging ein Stoppbefehl.</translation>
     </message>
     <message>
@@ -4273,7 +4269,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 hat seine Bahn nicht beendet.</translation>
     </message>
     <message>
-        <source>Not all axes started the path. All of them were told to stop.</source>
+        <source>Not all axes started the path. All of them were commanded to stop.</source>
         <translation>Nicht alle Achsen der Bahn sind gestartet. An alle ging ein Stoppbefehl.</translation>
     </message>
     <message>
@@ -4281,7 +4277,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Bahnpunkte kamen nicht rechtzeitig, deshalb blieb der Motor am letzten stehen.</translation>
     </message>
     <message>
-        <source>The command position left the path. The motor was told to stop.</source>
+        <source>The command position left the path. The motor was commanded to stop.</source>
         <translation>Die Sollposition hat die Bahn verlassen. An den Motor ging ein Stoppbefehl.</translation>
     </message>
     <message>
@@ -4337,7 +4333,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>„%1“ ist keine Zahl.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is beyond what the module can count.</source>
+        <source>&quot;%1&quot; is outside the module&apos;s position range.</source>
         <translation>„%1“ liegt außerhalb dessen, was das Modul zählen kann.</translation>
     </message>
     <message>
@@ -4369,7 +4365,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zeile %1, %2: %3</translation>
     </message>
     <message>
-        <source>%1 has no path buffer. Only a PIC-SERVO CMC or SC follows a path.</source>
+        <source>%1 has no path buffer. Only a PIC-SERVO CMC or SC can follow a path.</source>
         <translation>%1 hat keinen Bahnpuffer. Nur ein PIC-SERVO CMC oder SC folgt einer Bahn.</translation>
     </message>
     <message>
@@ -4377,23 +4373,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die I/O-Einstellungen von %1 sind unbekannt: Ein anderes Programm hat sie gesetzt. Erst auf der Seite Verstärker oder Endschalter und E/A anwenden.</translation>
     </message>
     <message>
-        <source>%1 takes step and direction pulses. Switch that off on its page Amplifier first.</source>
+        <source>%1 is set to step and direction input. Switch that off on its Amplifier page first.</source>
         <translation>%1 folgt Takt- und Richtungsimpulsen. Das zuerst auf der Seite Verstärker abschalten.</translation>
     </message>
     <message>
-        <source>%1: a path at 30 Hz needs fast path off (page Amplifier or Limits and I/O).</source>
+        <source>%1: a path at 30 Hz needs fast path off (Amplifier or Limits and I/O page).</source>
         <translation>%1: Für eine Bahn mit 30 Hz muss „Schnelle Bahn“ aus sein (Seite Verstärker oder Endschalter und E/A).</translation>
     </message>
     <message>
-        <source>%1: a path at 120 Hz needs fast path on (page Amplifier or Limits and I/O).</source>
+        <source>%1: a path at 120 Hz needs fast path on (Amplifier or Limits and I/O page).</source>
         <translation>%1: Für eine Bahn mit 120 Hz muss „Schnelle Bahn“ ein sein (Seite Verstärker oder Endschalter und E/A).</translation>
     </message>
     <message>
-        <source>%1: a path needs the servo rate SR = 1. Apply the gains with SR 1 first.</source>
+        <source>%1: a path needs a servo rate divisor of 1. Apply the gains with SR = 1 first.</source>
         <translation>%1: Eine Bahn braucht den Servotakt-Teiler SR = 1. Zuerst die Reglerwerte mit SR 1 anwenden.</translation>
     </message>
     <message>
-        <source>%1 has not told its command position yet.</source>
+        <source>%1 has not reported its command position yet.</source>
         <translation>%1 hat seine Sollposition noch nicht gemeldet.</translation>
     </message>
     <message>
@@ -4465,7 +4461,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Bahn beginnt</translation>
     </message>
     <message>
-        <source>Point %1 of %2, %3 s left, %4 points ahead in the buffer</source>
+        <source>Point %1 of %2, %3 s left, %4 points left in the buffer</source>
         <translation>Punkt %1 von %2, noch %3 s, %4 Punkte voraus im Puffer</translation>
     </message>
     <message>
@@ -4493,7 +4489,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Dieser Pin von %1 ist als Ausgang eingestellt.</translation>
     </message>
     <message>
-        <source>This pin of %1 is not set as an output. Set it on the I/O page.</source>
+        <source>This pin of %1 is not set as an output. Make it an output first.</source>
         <translation>Dieser Pin von %1 ist nicht als Ausgang eingestellt. Auf der Seite E/A einstellen.</translation>
     </message>
     <message>
@@ -4505,7 +4501,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>auf A/D warten</translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 cannot be told to stop</source>
+        <source>No stop command is known for modules %1</source>
         <translation>
             <numerusform>Modul %1 kann kein Stoppbefehl gegeben werden</numerusform>
             <numerusform>Den Modulen %1 kann kein Stoppbefehl gegeben werden</numerusform>
@@ -4536,11 +4532,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Endschalter-Stopp hat die Prüfung abgebrochen.</translation>
     </message>
     <message>
-        <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
+        <source>The motor did not follow the sine wave, and was commanded to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
         <translation>Der Motor folgte der Sinusschwingung nicht und bekam einen Haltebefehl. Auf eine Blockade, einen Anschlag, eine rutschende Kupplung oder fehlende Motorversorgung prüfen, oder eine andere Amplitude nehmen.</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: its output reached the limit OL.</source>
+        <source>The previous gains of %1 are restored: its output reached the limit OL.</source>
         <translation>%1 hat wieder die vorigen Verstärkungen: Die Stellgröße hat die Grenze OL erreicht.</translation>
     </message>
     <message>
@@ -4568,7 +4564,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Leitung an %1 war gestört, während die Module Adressen bekamen.</translation>
     </message>
     <message>
-        <source>A module that had answered fell silent, so how many there are is not known. No motor was moved. Check the cable and the adapter, then scan again.</source>
+        <source>A module that had answered stopped answering, so the number of modules is unknown. No motor was moved. Check the cable and the adapter, then scan again.</source>
         <translation>Ein Modul, das geantwortet hatte, verstummte. Wie viele es sind, ist daher unbekannt. Kein Motor wurde bewegt. Kabel und Adapter prüfen, dann erneut suchen.</translation>
     </message>
     <message>
@@ -4580,11 +4576,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>USB-Hubs, Bluetooth und Geräteserver tun das. Das Programm wartet auf den Rest, daher kommen Werte langsamer. Nichts zu tun.</translation>
     </message>
     <message>
-        <source>Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>An die Motoren ging ein Stoppbefehl. Sonst wird nichts gesendet, bis die Antworten 2 s lang richtig waren; dann sucht das Programm erneut. Eine niedrigere Baudrate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
+        <source>Motors were commanded to stop. Until answers have been correct for 2 s, only presence queries are sent; then the panel looks for the modules again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
+        <translation>An die Motoren ging ein Stoppbefehl. Bis die Antworten 2 s lang richtig waren, wird nur noch nach den Modulen gefragt; dann sucht das Programm erneut. Eine niedrigere Baudrate, ein kürzeres Kabel oder einen Abschluss an beiden Enden versuchen.</translation>
     </message>
     <message>
-        <source>%1 is %2; the module takes %3 to %4.</source>
+        <source>%1 is %2; the module accepts %3 to %4.</source>
         <translation>%1 ist %2; das Modul nimmt %3 bis %4 an.</translation>
     </message>
     <message numerus="yes">
@@ -4609,7 +4605,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n I/O modules as set for a stop</source>
+        <source>%n I/O modules in their stop state</source>
         <translation>
             <numerusform>%n E/A-Modul wie für einen Stopp eingestellt</numerusform>
             <numerusform>%n E/A-Module wie für einen Stopp eingestellt</numerusform>
@@ -4620,23 +4616,23 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1, %2 ms.</translation>
     </message>
     <message>
-        <source>Module %1 was told to switch off: one answer said that it moved the wrong way, to %2 counts.</source>
+        <source>Module %1 was commanded to switch off: one answer reported a move in the wrong direction, to %2 counts.</source>
         <translation>Modul %1 bekam den Befehl, seinen Motor abzuschalten: Laut einer Antwort bewegte er sich in die falsche Richtung, bis %2 Inkremente.</translation>
     </message>
     <message>
-        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If the position is right, the answer was not its own: check the cable.</source>
+        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If it did not, the answer was wrong: check the cable.</source>
         <translation>Wenn das stimmt, sind Encoder- oder Motoradern vertauscht, oder die Reglerwerte lassen ihn schwingen. Wenn die Position richtig ist, war es nicht seine eigene Antwort: Kabel prüfen.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop: one answer said that it went past its goal, to %2 counts.</source>
+        <source>Module %1 was commanded to stop: one answer reported that it went past its goal, to %2 counts.</source>
         <translation>An Modul %1 ging ein Stoppbefehl: Laut einer Antwort fuhr es über sein Ziel hinaus, bis %2 Inkremente.</translation>
     </message>
     <message>
-        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If not, the answer was not its own: check the cable.</source>
+        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If it did not, the answer was wrong: check the cable.</source>
         <translation>Vor der nächsten Fahrt die Position prüfen. Wenn es dorthin fuhr, wurde der Befehl unterwegs verfälscht, oder die Reglerwerte verursachen starkes Überschwingen. Wenn nicht, war es nicht seine eigene Antwort: Kabel prüfen.</translation>
     </message>
     <message>
-        <source>A question waits for your answer: %1</source>
+        <source>A question is waiting for your answer: %1</source>
         <translation>Eine Frage wartet auf Ihre Antwort: %1</translation>
     </message>
     <message>
@@ -4652,19 +4648,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Bewegt sich vielleicht</translation>
     </message>
     <message>
-        <source>One answer says that the module switched its motor off. The next will tell.</source>
+        <source>One answer says that the motor is off. The next answer will show whether it is.</source>
         <translation>Laut einer Antwort hat das Modul seinen Motor abgeschaltet. Die nächste wird es zeigen.</translation>
     </message>
     <message>
-        <source>The motor stands in the last answers, but whether it was started is not known yet.</source>
+        <source>The last answers show the motor at rest, but it is not yet known whether it was started.</source>
         <translation>Nach den letzten Antworten steht der Motor, aber ob er gestartet wurde, ist noch nicht bekannt.</translation>
     </message>
     <message>
-        <source>Looking for modules… Until they are found, only stops act.</source>
+        <source>Looking for modules… Until they are found, only stop commands work.</source>
         <translation>Module werden gesucht… Bis sie gefunden sind, wirken nur Stopps.</translation>
     </message>
     <message>
-        <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
+        <source>The servo rate of this module is unknown, so speeds per second cannot be calculated. Apply its gains first: they include SR.</source>
         <translation>Der Servotakt-Teiler SR dieses Moduls ist unbekannt, und damit jede Geschwindigkeit pro Sekunde. Zuerst seine Reglerwerte anwenden: SR gehört dazu.</translation>
     </message>
     <message>
@@ -4680,15 +4676,15 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>veraltet</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
+        <source>&quot;%1&quot; has one column per signal, a format for other programs. The scope opens files with one row per reply.</source>
         <translation>„%1“ hat eine Spalte je Signal, eine Form für andere Programme. Das Oszilloskop öffnet Dateien mit einer Zeile je Antwort.</translation>
     </message>
     <message>
-        <source>The position of module %1 has wrapped.</source>
+        <source>The position counter of module %1 has wrapped.</source>
         <translation>Die Position von Modul %1 ist übergelaufen.</translation>
     </message>
     <message>
-        <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
+        <source>The 32-bit counter has overflowed and continues at the other end of its range. Earlier positions and travel limits no longer match: find home, then clear the sticky bits on the Details page.</source>
         <translation>Sie hat 32 Bit und ging am anderen Ende ihres Bereichs weiter. Positionen und Verfahrgrenzen von vorher sind nicht mehr, wo sie waren: Referenz suchen, dann auf der Seite Details die Sticky-Bits löschen.</translation>
     </message>
     <message>
@@ -4698,6 +4694,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>Endschalter 2 ist aktiv: Der Motor kann sich nur von ihm weg bewegen.</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Anleitung</translation>
     </message>
 </context>
 <context>
@@ -4759,11 +4759,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zuerst die Achse ansehen: Steht %1 wirklich bei %2? Dann liegt die Referenz bei Position 0, und die Fahrweggrenzen gelten von dort aus. Wenn nicht, schützen sie den falschen Bereich.</translation>
     </message>
     <message>
-        <source>To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
+        <source>To take up the backlash, the move would reverse at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
         <translation>Um das Spiel aufzunehmen, würde die Fahrt bei %1 umkehren, unter der tiefsten Position %2. Diese Position tiefer setzen, oder das Spiel oder seine Richtung ändern (Seite Achse).</translation>
     </message>
     <message>
-        <source>To take up the backlash, the move would turn round at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
+        <source>To take up the backlash, the move would reverse at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
         <translation>Um das Spiel aufzunehmen, würde die Fahrt bei %1 umkehren, über der höchsten Position %2. Diese Position höher setzen, oder das Spiel oder seine Richtung ändern (Seite Achse).</translation>
     </message>
     <message>
@@ -4854,7 +4854,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Kp ist 0: Der Servo bremst den Motor, hält aber keine Position.</translation>
     </message>
     <message>
-        <source>%1 off the position to hold, and pushing with up to all of the output limit. Something may be in the way.</source>
+        <source>%1 off the position to hold, and pushing with up to the full output limit. Something may be in the way.</source>
         <translation>%1 neben der Position, die zu halten ist, und drückt mit bis zur ganzen Ausgangsgrenze. Vielleicht ist etwas im Weg.</translation>
     </message>
     <message>
@@ -4949,7 +4949,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Im Modul speichern…</translation>
     </message>
     <message>
-        <source>Save in module the configuration for power-up</source>
+        <source>Save in module: configuration for power-up</source>
         <translation>Im Modul speichern, was beim Einschalten gilt</translation>
     </message>
     <message>
@@ -5013,7 +5013,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Takt und Richtung benutzt die Endschalter-Pins: die Endschalter auf „bewirken nichts“ stellen.</translation>
     </message>
     <message>
-        <source>The module has these settings.</source>
+        <source>The module already has these settings.</source>
         <translation>Das Modul hat diese Einstellungen.</translation>
     </message>
     <message>
@@ -5021,19 +5021,19 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Nimmt AMP_EN auf Low und sendet diese Einstellungen.</translation>
     </message>
     <message>
-        <source>Sends the gains that the module has, with this multiplier.</source>
+        <source>Sends the module&apos;s present gains with this multiplier.</source>
         <translation>Sendet die Reglerwerte des Moduls mit diesem Faktor.</translation>
     </message>
     <message>
-        <source>Apply the amplifier settings first: what the module has now is not known.</source>
+        <source>Apply the amplifier settings first: the module&apos;s present settings are unknown.</source>
         <translation>Zuerst die Verstärkereinstellungen anwenden: Was das Modul jetzt hat, ist nicht bekannt.</translation>
     </message>
     <message>
-        <source>Saves what the module has now, and restarts it.</source>
+        <source>Saves the module&apos;s present settings and restarts it.</source>
         <translation>Speichert, was das Modul jetzt hat, und startet es neu.</translation>
     </message>
     <message>
-        <source>Makes the module forget what it saved, and restarts it.</source>
+        <source>Erases the module&apos;s saved configuration and restarts it.</source>
         <translation>Lässt das Modul vergessen, was es gespeichert hat, und startet es neu.</translation>
     </message>
     <message>
@@ -5073,7 +5073,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Gespeichertes löschen</translation>
     </message>
     <message>
-        <source>Erase what %1 has saved? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
+        <source>Erase the saved configuration of %1? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
         <translation>Löschen, was %1 gespeichert hat? Ab dem nächsten Einschalten startet es mit seinen Grundeinstellungen. Es startet jetzt neu: Sein Motor geht aus, und es braucht seine Reglerwerte noch einmal.</translation>
     </message>
     <message>
@@ -5116,8 +5116,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Jede Achse mit ihrer eigenen Tippgeschwindigkeit.</translation>
     </message>
     <message>
-        <source>Each axis at its own max jog speed, set on its Axis page.</source>
-        <translation>Jede Achse mit ihrer max. Tippgeschwindigkeit, die auf ihrer Seite Achse eingestellt ist.</translation>
+        <source>Each axis at its own max jog speed, set on its Axis or Parameters page.</source>
+        <translation>Jede Achse mit ihrer max. Tippgeschwindigkeit, die auf ihrer Seite Achse oder Parameter eingestellt ist.</translation>
     </message>
     <message>
         <source>Distance that one click on Step moves an axis, in its own unit.</source>
@@ -5311,7 +5311,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>umgekehrt: vorwärts zählt abwärts</translation>
     </message>
     <message>
-        <source>Turns positions, directions and travel limits of this axis round on the screen. Sends nothing.</source>
+        <source>Reverses positions, directions and travel limits of this axis on the screen. Sends nothing.</source>
         <translation>Kehrt Positionen, Richtungen und Verfahrgrenzen dieser Achse in der Anzeige um. Sendet nichts.</translation>
     </message>
 </context>
@@ -6071,7 +6071,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>überzählige Bytes: niemand hatte sie angefordert</translation>
     </message>
     <message>
-        <source>of them stale: late answers, discarded</source>
+        <source>of these, stale: late answers, discarded</source>
         <translation>davon veraltet: späte Antworten, verworfen</translation>
     </message>
     <message>
@@ -6083,7 +6083,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>durch eine Regel verworfen: Prüfsumme richtig, aber Antwort unplausibel</translation>
     </message>
     <message>
-        <source>  of them: %1</source>
+        <source>  of these: %1</source>
         <translation>  davon: %1</translation>
     </message>
     <message>
@@ -6371,7 +6371,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Lässt alles, wie es ist.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those of the file.</source>
+        <source>&quot;%1&quot; differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those in the file.</source>
         <translation>„%1“ weicht von den jetzigen Einstellungen ab. Bis „Anwenden“ gewählt wird, ändert sich nichts, und es wird nichts gesendet; kein Motor bewegt sich. Eingegebene, nicht gesendete Werte werden durch die der Datei ersetzt.</translation>
     </message>
     <message>
@@ -6422,7 +6422,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1: laden</translation>
     </message>
     <message>
-        <source>If cleared, the chip keeps the value loaded before.</source>
+        <source>If cleared, the chip keeps the previously loaded value.</source>
         <translation>Ohne Häkchen behält der Chip den zuvor geladenen Wert.</translation>
     </message>
 </context>
@@ -6667,10 +6667,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Stopp senden</translation>
     </message>
     <message>
-        <source>How</source>
-        <translation>Wie</translation>
-    </message>
-    <message>
         <source>Amplifier only</source>
         <translation>Nur Verstärker</translation>
     </message>
@@ -6747,7 +6743,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Dann</translation>
     </message>
     <message>
-        <source>Table 4 has no such mode from the present state of the motor.</source>
+        <source>Table 4 of the data sheet has no such mode for the present state of the motor.</source>
         <translation>Tabelle 4 kennt keinen solchen Modus aus dem jetzigen Zustand des Motors.</translation>
     </message>
     <message>
@@ -6901,6 +6897,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The position becomes this value. Nothing moves.</source>
         <translation>Die Position wird dieser Wert. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Anleitung</translation>
     </message>
 </context>
 <context>
@@ -7068,7 +7068,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wirkungssinn der Stromgrenze</translation>
     </message>
     <message>
-        <source>Whether a high or a low A/D value means overcurrent. The chip tells them apart by odd and even numbers.</source>
+        <source>Whether a high or a low A/D value means overcurrent. The chip distinguishes them by odd and even values.</source>
         <translation>Ob ein hoher oder ein niedriger A/D-Wert Überstrom bedeutet. Der Chip unterscheidet das an ungeraden und geraden Zahlen.</translation>
     </message>
     <message>
@@ -7076,7 +7076,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die letzte Änderung eines Reglerwerts rückgängig machen</translation>
     </message>
     <message>
-        <source>Redo the edit of a gain</source>
+        <source>Redo the last undone edit of a gain</source>
         <translation>Die Änderung eines Reglerwerts wiederherstellen</translation>
     </message>
     <message>
@@ -7132,12 +7132,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Diese Reglerwerte %1 Sekunden lang probieren</translation>
     </message>
     <message>
-        <source>Keep them</source>
-        <translation>Behalten</translation>
+        <source>Keep gains</source>
+        <translation>Werte behalten</translation>
     </message>
     <message>
-        <source>Keep them: the gains being tried</source>
-        <translation>Behalten: Die Reglerwerte behalten, die probiert werden</translation>
+        <source>Keep gains: those being tried</source>
+        <translation>Werte behalten, die probiert werden</translation>
     </message>
     <message>
         <source>These gains are already being tried.</source>
@@ -7199,7 +7199,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sendet No Operation, das nur den Status abfragt.</translation>
     </message>
     <message>
-        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL may not stop its motor: use the hardware stop.</source>
+        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL might not stop its motor: use the hardware stop.</source>
         <translation>Dieses Programm kennt Typ und Version dieses Moduls nicht (bekannt sind PIC-SERVO v1 bis v5 und v10, PIC-STEP v1, PIC-I/O v1) und zeigt deshalb nur seinen Status. ALLES STOPP hält seinen Motor vielleicht nicht an: Hardware-Stopp benutzen.</translation>
     </message>
 </context>
@@ -7242,12 +7242,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Gruppe, auf die dieses Modul hört. Wird sofort gesendet; nichts bewegt sich.</translation>
     </message>
     <message>
-        <source>leads</source>
-        <translation>leitet</translation>
+        <source>leader</source>
+        <translation>Leiter</translation>
     </message>
     <message>
-        <source>Module %1 leads its group</source>
-        <translation>Modul %1 leitet seine Gruppe</translation>
+        <source>Leader of its group: module %1</source>
+        <translation>Leiter seiner Gruppe: Modul %1</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -7298,7 +7298,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ein Modul hört außer auf seine eigene Adresse auf eine Gruppe. Alle Mitglieder führen einen Gruppenbefehl im selben Takt aus; das Leitmodul, wenn es eines gibt, antwortet für sie, und das Programm prüft dann jedes Mitglied. Statusabfragen gehen an einzelne Module.</translation>
     </message>
     <message>
-        <source>The group that the buttons command.</source>
+        <source>The group that the buttons act on.</source>
         <translation>Für welche Gruppe die Schaltflächen gelten.</translation>
     </message>
     <message>
@@ -7535,7 +7535,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Stromgrenze</translation>
     </message>
     <message>
-        <source>Home is at a hard stop: the motor runs against it until the current limit is reached. Alone, it takes effect only at full speed; with other conditions from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
+        <source>Home is at a hard stop: the motor runs against it until the current limit is reached. On its own, it takes effect only at full speed; combined with other conditions, from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
         <translation>Die Referenz liegt an einem festen Anschlag: Der Motor fährt dagegen, bis die Stromgrenze erreicht ist. Allein wirkt sie nur bei voller Geschwindigkeit, mit anderen Bedingungen von Anfang an; der Anfahrstrom muss dann darunter bleiben. Vorher werden die Sticky-Bits gelöscht.</translation>
     </message>
     <message>
@@ -7667,7 +7667,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Schon die erste Suche findet den Index.</translation>
     </message>
     <message>
-        <source>Needs Go to home: the position where the motor is becomes 0.</source>
+        <source>Needs Go to home, because the position at which the motor rests becomes 0.</source>
         <translation>Braucht „Referenz anfahren“: Die Position, an der der Motor steht, wird 0.</translation>
     </message>
     <message>
@@ -7899,8 +7899,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wert von %1</translation>
     </message>
     <message>
-        <source>%1, each step</source>
-        <translation>%1, je Stufe</translation>
+        <source>%1 per count</source>
+        <translation>%1 je Zähler</translation>
     </message>
     <message>
         <source>The value of one A/D count.</source>
@@ -7994,7 +7994,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Fährt rückwärts, solange gedrückt, und stoppt dann.</translation>
     </message>
     <message>
-        <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value on every connect; set the max jog speed on the Axis page.</source>
+        <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value at each connection; set the max jog speed on the Axis page.</source>
         <translation>Wie schnell sich der Motor dreht, solange eine Taste oder auf ihr die Leertaste gedrückt ist. Nach jedem Verbinden wieder niedrig; die max. Tippgeschwindigkeit wird auf der Seite Achse eingestellt.</translation>
     </message>
     <message>
@@ -8106,10 +8106,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Stop at</source>
         <translation>Stoppen bei</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Wie</translation>
     </message>
     <message>
         <source>A search for home is running and uses the same function of the chip.</source>
@@ -8230,6 +8226,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>Der Endschalter-Stopp wird für jede Bewegung scharf geschaltet. Zuerst dieses Häkchen entfernen.</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Anleitung</translation>
     </message>
 </context>
 <context>
@@ -8380,7 +8380,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Speichern und schließen</translation>
     </message>
     <message>
-        <source>&amp;Close: the next start offers to restore them</source>
+        <source>&amp;Close: the changes can be restored at the next start</source>
         <translation>S&amp;chließen: der nächste Start bietet sie wieder an</translation>
     </message>
     <message>
@@ -8396,8 +8396,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
-        <source>S&amp;tay</source>
-        <translation>&amp;Bleiben</translation>
+        <source>Ca&amp;ncel</source>
+        <translation>A&amp;bbrechen</translation>
     </message>
     <message>
         <source>%1 (being saved)</source>
@@ -8463,16 +8463,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Motoren in Bewegung</translation>
     </message>
     <message>
-        <source>St&amp;ay</source>
-        <translation>&amp;Bleiben</translation>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
     </message>
     <message>
         <source>Restart the network</source>
         <translation>Netzwerk neu starten</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
     </message>
     <message>
         <source>&amp;Restart the network: positions and gains are lost</source>
@@ -8531,8 +8527,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Fragt nach der PIN.</translation>
     </message>
     <message>
-        <source>End it</source>
-        <translation>Beenden</translation>
+        <source>End pendant mode</source>
+        <translation>Handgerät beenden</translation>
     </message>
     <message>
         <source>No module can be moved. Connect a motor module first.</source>
@@ -8649,7 +8645,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Meldungen</translation>
     </message>
     <message>
-        <source>No messages. Problems appear here, and when they end.</source>
+        <source>No messages. Problems are listed here, with the time when they ended.</source>
         <translation>Keine Meldungen. Probleme erscheinen hier, auch wenn sie enden.</translation>
     </message>
     <message>
@@ -8761,12 +8757,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Motormodell</translation>
     </message>
     <message>
-        <source>Find the motor</source>
-        <translation>Motor bestimmen</translation>
+        <source>Find motor model</source>
+        <translation>Motormodell bestimmen</translation>
     </message>
     <message>
-        <source>Find the motor model from the steps</source>
-        <translation>Motormodell aus den Sprüngen bestimmen</translation>
+        <source>Find motor model from the steps</source>
+        <translation>Motormodell bestimmen aus den Sprüngen</translation>
     </message>
     <message>
         <source>Motor model found</source>
@@ -8821,8 +8817,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Berechnet das Motormodell aus den letzten Sprüngen dieses Moduls, höchstens %1. Sendet nichts.</translation>
     </message>
     <message>
-        <source>No suggested gains. Find the motor first.</source>
-        <translation>Keine Vorschläge. Zuerst den Motor bestimmen.</translation>
+        <source>No suggested gains. Find the motor model first.</source>
+        <translation>Keine Vorschläge. Zuerst das Motormodell bestimmen.</translation>
     </message>
     <message>
         <source>Copies the suggested gains to the Gains page. Sends nothing.</source>
@@ -8833,8 +8829,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Motor wird bestimmt…</translation>
     </message>
     <message>
-        <source>The run behind this model was removed. Find the motor again.</source>
-        <translation>Der Lauf zu diesem Modell wurde entfernt. Den Motor neu bestimmen.</translation>
+        <source>The run behind this model was removed. Find the motor model again.</source>
+        <translation>Der Lauf zu diesem Modell wurde entfernt. Das Motormodell neu bestimmen.</translation>
     </message>
     <message>
         <source>No gains keep this motor stable and quiet.</source>
@@ -8861,19 +8857,19 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>° mindestens</translation>
     </message>
     <message>
-        <source>Step once more and find</source>
+        <source>Step once more and find model</source>
         <translation>Noch 1 Sprung, dann bestimmen</translation>
     </message>
     <message>
-        <source>Step %1 times and find</source>
+        <source>Step %1 times and find model</source>
         <translation>%1 Sprünge, dann bestimmen</translation>
     </message>
     <message>
-        <source>The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps once more, as far as before; the model is then found from the recent steps. Make sure that everything it drives can move freely.</source>
         <translation>Der Motor springt noch einmal, so weit wie zuvor, und wird aus den letzten Sprüngen bestimmt. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>Der Motor springt um die Strecke des Sprungs und zurück, dann doppelt so weit und zurück, und wird aus diesen Sprüngen bestimmt. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
     </message>
 </context>
@@ -9080,7 +9076,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>A/D %1</translation>
     </message>
     <message>
-        <source>255 stands for 5 V.</source>
+        <source>255 is 5 V.</source>
         <translation>255 bedeutet 5 V.</translation>
     </message>
     <message>
@@ -9088,7 +9084,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>PWM 1 und 2</translation>
     </message>
     <message>
-        <source>The output of the module, of 255.</source>
+        <source>The module&apos;s PWM outputs, 0 to 255.</source>
         <translation>Was das Modul ausgibt, von 255.</translation>
     </message>
     <message>
@@ -9096,7 +9092,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zeitgeber oder Zähler</translation>
     </message>
     <message>
-        <source>As the module counts.</source>
+        <source>The module&apos;s own count.</source>
         <translation>Wie das Modul zählt.</translation>
     </message>
     <message>
@@ -9505,8 +9501,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Punkte und Abläufe</translation>
     </message>
     <message>
-        <source>&amp;Moves: go to, run, by N</source>
-        <translation>&amp;Fahrten: zu einem Ziel, dauernd, um N</translation>
+        <source>&amp;Moves: go to, run, step</source>
+        <translation>&amp;Fahrten: zu einem Ziel, dauernd, schrittweise</translation>
     </message>
     <message>
         <source>&amp;Homing</source>
@@ -9607,8 +9603,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Antwort</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>Urteil</translation>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
     </message>
 </context>
 <context>
@@ -9936,7 +9932,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Schaltet den Verstärker ein, hält den Motor an seiner Position und löscht die Sticky-Bits: Das Bit des Positionsfehlers ist gesetzt, solange der Servo aus ist.</translation>
     </message>
     <message>
-        <source>Looking for modules… This is what it said last.</source>
+        <source>Looking for modules… This is the last known state.</source>
         <translation>Module werden gesucht… Das ist der letzte gemeldete Stand.</translation>
     </message>
     <message>
@@ -10042,7 +10038,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Bahn fahren</translation>
     </message>
     <message>
-        <source>Run path after a question</source>
+        <source>Run path, with confirmation</source>
         <translation>Bahn fahren, mit Rückfrage</translation>
     </message>
     <message>
@@ -10102,7 +10098,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Speichert die Bahn als CSV, mit Positionen in den Einheiten der Achsen.</translation>
     </message>
     <message>
-        <source>Write a sequence of moves first (F3).</source>
+        <source>Create a sequence of moves first (F3).</source>
         <translation>Erst einen Ablauf mit Fahrten anlegen (F3).</translation>
     </message>
     <message>
@@ -10390,7 +10386,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Exemplare</translation>
     </message>
     <message>
-        <source>The printer to use; it is proposed again the next time.</source>
+        <source>The printer to use. It is preselected next time.</source>
         <translation>Der Drucker; er wird beim nächsten Mal wieder vorgeschlagen.</translation>
     </message>
     <message>
@@ -10622,7 +10618,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>s</translation>
     </message>
     <message>
-        <source>How long to record after the step. Then the motor is told to hold.</source>
+        <source>How long to record after the step. Then the motor is commanded to hold.</source>
         <translation>Wie lange der Motor nach dem Sprung beobachtet wird. Dann bekommt er einen Haltebefehl.</translation>
     </message>
     <message>
@@ -10678,7 +10674,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Einige Reglerwerte in den Feldern wurden nicht gesendet: %1. Mit welchen soll der Sprung gemacht werden?</translation>
     </message>
     <message>
-        <source>Gains that were not sent</source>
+        <source>Gains not sent</source>
         <translation>Nicht gesendete Reglerwerte</translation>
     </message>
     <message>
@@ -10927,7 +10923,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zeit, bis die Position im Toleranzband um das Ziel bleibt. Leer, wenn das erst im letzten Fünftel der Aufzeichnung eintritt.</translation>
     </message>
     <message>
-        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
+        <source>Time until the position stays within the settling band around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
         <translation>Dasselbe um die mittlere Position des letzten Fünftels der Aufzeichnung. Reibung hält einen Motor neben seinem Ziel, wenn es keinen Integralanteil (Ki, IL) gibt.</translation>
     </message>
 </context>
@@ -11136,12 +11132,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::RowDelegate</name>
     <message>
-        <source>Number of the row</source>
-        <translation>Zahl der Zeile</translation>
+        <source>Value of the row</source>
+        <translation>Wert der Zeile</translation>
     </message>
     <message>
-        <source>The number</source>
-        <translation>Die Zahl</translation>
+        <source>The value</source>
+        <translation>Der Wert</translation>
     </message>
     <message>
         <source>Choices of the row</source>
@@ -11210,20 +11206,16 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         </translation>
     </message>
     <message>
-        <source>Do</source>
-        <translation>Tun</translation>
+        <source>Action</source>
+        <translation>Aktion</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>Was</translation>
+        <source>Target</source>
+        <translation>Ziel</translation>
     </message>
     <message>
-        <source>How</source>
-        <translation>Wie</translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation>Zahl</translation>
+        <source>Value</source>
+        <translation>Wert</translation>
     </message>
     <message>
         <source>%1 high</source>
@@ -11256,6 +11248,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Within</source>
         <translation>Binnen</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Anleitung</translation>
     </message>
 </context>
 <context>
@@ -11364,7 +11360,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>Copies the visible plot to the clipboard, with its samples if these are few.</source>
+        <source>Copies the visible plot to the clipboard, with its samples if there are only a few.</source>
         <translation>Kopiert das sichtbare Diagramm in die Zwischenablage; mit seinen Messwerten, wenn es wenige sind.</translation>
     </message>
     <message>
@@ -11584,7 +11580,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Drag it to resize the strips. A double click makes them equal.</source>
+        <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>Ziehen ändert die Höhe der Streifen. Ein Doppelklick macht sie gleich hoch.</translation>
     </message>
     <message>
@@ -11719,7 +11715,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zeile entfernen</translation>
     </message>
     <message>
-        <source>Remove row that is selected</source>
+        <source>Remove row: the selected one</source>
         <translation>Zeile entfernen: Die gewählte Zeile entfernen</translation>
     </message>
     <message>
@@ -11743,7 +11739,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Undo the last change of points and sequences</source>
+        <source>Undo the last change to points and sequences</source>
         <translation>Die letzte Änderung an Punkten und Abläufen rückgängig machen</translation>
     </message>
     <message>
@@ -11751,7 +11747,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Redo the last undone change of points and sequences</source>
+        <source>Redo the last undone change to points and sequences</source>
         <translation>Wiederherstellen, was an Punkten und Abläufen rückgängig gemacht wurde</translation>
     </message>
     <message>
@@ -12101,8 +12097,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Rechteck</translation>
     </message>
     <message>
-        <source>Begin</source>
-        <translation>Beginnen</translation>
+        <source>Start test</source>
+        <translation>Test starten</translation>
     </message>
     <message>
         <source>The motor jumps back and forth around its position. Make sure that everything it drives can move freely.</source>
@@ -12275,7 +12271,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Seriellen Port wählen…</translation>
     </message>
     <message>
-        <source>No serial port found. Plug in the adapter of the modules: it shows up here.</source>
+        <source>No serial port found. Plug in the modules&apos; adapter; it then appears here.</source>
         <translation>Kein serieller Port gefunden. Den Adapter der Module einstecken: Er erscheint hier.</translation>
     </message>
     <message>
@@ -12291,7 +12287,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Mit %1 verbinden</translation>
     </message>
     <message>
-        <source>Needs the modules powered, and their cable plugged in.</source>
+        <source>The modules must be powered and their cable plugged in.</source>
         <translation>Die Module müssen versorgt und ihr Kabel eingesteckt sein.</translation>
     </message>
     <message>
@@ -13041,7 +13037,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>von oben</translation>
     </message>
     <message>
-        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight.</source>
+        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight to its goal.</source>
         <translation>„Position anfahren“, „Zur Referenz“ und „Schritt“ kommen von dieser Seite an ihr Ziel. Eine geladene Fahrt geht direkt.</translation>
     </message>
     <message>
@@ -13093,7 +13089,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Markiert die Referenz als unbekannt. Bis sie wieder bekannt ist, gelten die Fahrweggrenzen nicht.</translation>
     </message>
     <message>
-        <source>With this backlash, no move can end at home: it would turn round beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
+        <source>With this backlash, no move can end at home: it would reverse beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
         <translation>Mit diesem Spiel kann keine Fahrt an der Referenz enden: Sie würde jenseits der Grenze umkehren. Die Grenze von der Referenz wegsetzen, oder das Spiel oder seine Richtung ändern.</translation>
     </message>
 </context>

@@ -31,10 +31,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The panel ended without stopping its motors; its guardian told modules %1 to stop.</source>
+        <source>The panel ended without stopping its motors; its guardian commanded modules %1 to stop.</source>
         <translation>
-            <numerusform>The panel ended without stopping its motors; its guardian told module %1 to stop.</numerusform>
-            <numerusform>The panel ended without stopping its motors; its guardian told modules %1 to stop.</numerusform>
+            <numerusform>The panel ended without stopping its motors; its guardian commanded module %1 to stop.</numerusform>
+            <numerusform>The panel ended without stopping its motors; its guardian commanded modules %1 to stop.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -52,10 +52,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 cannot be told to stop</source>
+        <source>No stop command is known for modules %1</source>
         <translation>
-            <numerusform>Module %1 cannot be told to stop</numerusform>
-            <numerusform>Modules %1 cannot be told to stop</numerusform>
+            <numerusform>No stop command is known for module %1</numerusform>
+            <numerusform>No stop command is known for modules %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -66,17 +66,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 were told to stop but were not seen at rest</source>
+        <source>Modules %1 were commanded to stop but were not seen at rest</source>
         <translation>
-            <numerusform>Module %1 was told to stop but was not seen at rest</numerusform>
-            <numerusform>Modules %1 were told to stop but were not seen at rest</numerusform>
+            <numerusform>Module %1 was commanded to stop but was not seen at rest</numerusform>
+            <numerusform>Modules %1 were commanded to stop but were not seen at rest</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 were told to stop.</source>
+        <source>Modules %1 were commanded to stop.</source>
         <translation>
-            <numerusform>Module %1 was told to stop.</numerusform>
-            <numerusform>Modules %1 were told to stop.</numerusform>
+            <numerusform>Module %1 was commanded to stop.</numerusform>
+            <numerusform>Modules %1 were commanded to stop.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -122,10 +122,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n I/O modules as set for a stop</source>
+        <source>%n I/O modules in their stop state</source>
         <translation>
-            <numerusform>%n I/O module as set for a stop</numerusform>
-            <numerusform>%n I/O modules as set for a stop</numerusform>
+            <numerusform>%n I/O module in its stop state</numerusform>
+            <numerusform>%n I/O modules in their stop state</numerusform>
         </translation>
     </message>
 </context>

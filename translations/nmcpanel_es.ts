@@ -44,7 +44,7 @@
         <translation>Elija un puerto y conecte.</translation>
     </message>
     <message>
-        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC.</source>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
         <translation>Compruebe, en este orden: la alimentación de los módulos; todos los cables de la cadena, pues uno solo suelto oculta todos los módulos; el puente ADDR_IN del módulo más alejado del PC.</translation>
     </message>
     <message>
@@ -68,7 +68,7 @@
         <translation>Compruebe su alimentación y su cable; use la parada por hardware si el motor se mueve. El panel lo reintenta de vez en cuando.</translation>
     </message>
     <message>
-        <source>Modules between it and the PC may not answer until it has its address again. Restart the network once all motors can stop and lose their positions.</source>
+        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
         <translation>Los módulos situados entre él y el PC pueden no responder hasta que recupere su dirección. Reinicie la red cuando todos los motores puedan pararse y perder su posición.</translation>
     </message>
     <message>
@@ -123,7 +123,7 @@
         <translation>Panel de control para módulos de motor Networked Modular Control (NMC).</translation>
     </message>
     <message>
-        <source>Connect to a serial port on start.</source>
+        <source>Connect to a serial port at startup.</source>
         <translation>Conectar a un puerto serie al iniciar.</translation>
     </message>
     <message>
@@ -139,7 +139,7 @@
         <translation>N</translation>
     </message>
     <message>
-        <source>Connect to the built-in simulator on start. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
+        <source>Connect to the built-in simulator at startup. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
         <translation>Conectar al simulador integrado al iniciar. CADENA enumera sus módulos, primero el más alejado del PC; el valor predeterminado es %1.</translation>
     </message>
     <message>
@@ -167,7 +167,7 @@
         <translation>Con --port o --simulator: conectar en solo lectura. Solo se envían consultas de estado, y al cerrar no se paran los motores. PARAR TODO sigue funcionando.</translation>
     </message>
     <message>
-        <source>Machine file to open on start.</source>
+        <source>Machine file to open at startup.</source>
         <translation>Archivo de máquina que se abre al iniciar.</translation>
     </message>
 </context>
@@ -273,7 +273,7 @@
         <translation>EL, límite de error de posición en cuentas: el servo se apaga cuando el error lo supera, por ejemplo tras una colisión o un bloqueo.</translation>
     </message>
     <message>
-        <source>SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
+        <source>SR, servo rate divisor: one servo tick is SR × 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
         <translation>SR, divisor del ciclo de servo: un ciclo de servo dura SR x 0,512 ms. Un ciclo más lento amortigua cargas pesadas con menos Kd. Cambiar SR cambia el significado de todas las velocidades y aceleraciones.</translation>
     </message>
     <message>
@@ -614,11 +614,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Margen de fase %1°</translation>
     </message>
     <message>
-        <source>Uncertain: step once more. Until then the suggested gains are careful.</source>
+        <source>Uncertain: step once more. Until then the suggested gains are conservative.</source>
         <translation>Incierto: haga un escalón más. Hasta entonces, las ganancias propuestas son prudentes.</translation>
     </message>
     <message>
-        <source>The motor stopped dead short of its goal. Something is in its way: a hard stop, or what it drives. Make room, or step the other way.</source>
+        <source>The motor stopped abruptly short of its goal. Something is in its way: a hard stop, or its load. Clear the way, or step in the other direction.</source>
         <translation>El motor se detuvo en seco antes de su destino. Algo le estorba: un tope o lo que mueve. Despeje el recorrido o haga el escalón en el otro sentido.</translation>
     </message>
     <message>
@@ -642,7 +642,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Una resonancia por encima de %1 Hz no se vería; los márgenes la tienen en cuenta.</translation>
     </message>
     <message>
-        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <source>The motor probably has more than %1 counts of play: that much motion is lost at each reversal. Take up the play between motor and encoder.</source>
         <translation>El motor tiene probablemente más de %1 cuentas de holgura: es lo que se pierde al cambiar de sentido. Elimine la holgura entre motor y encoder.</translation>
     </message>
 </context>
@@ -716,11 +716,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Parar aquí, en el destino</translation>
     </message>
     <message>
-        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
+        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick.</source>
         <translation>Un movimiento con tanta velocidad y aceleración que el perfil llega al destino en un solo ciclo.</translation>
     </message>
     <message>
-        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
+        <source>The servo holds the goal at once, without a profile. Not available with version 1.</source>
         <translation>El servo mantiene el destino de inmediato, sin perfil. No disponible en la versión 1.</translation>
     </message>
     <message>
@@ -1091,7 +1091,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Estado de los motores desconocido; ninguno se movía en la última lectura.</translation>
     </message>
     <message>
-        <source>Your user account may not use %1.</source>
+        <source>Your user account has no permission to use %1.</source>
         <translation>Su cuenta de usuario no puede usar %1.</translation>
     </message>
     <message>
@@ -1203,7 +1203,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Conectado a %1: %2 a %3 Bd.</translation>
     </message>
     <message>
-        <source>Nothing moves until you ask for it. Gains are unknown until you apply them.</source>
+        <source>Nothing moves until you command it. Gains are unknown until you apply them.</source>
         <translation>Nada se mueve hasta que usted lo ordene. Las ganancias se desconocen hasta que las aplique.</translation>
     </message>
     <message>
@@ -1219,7 +1219,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Use la parada por hardware si es necesario. Después compruebe la alimentación de los módulos y el cable del PC.</translation>
     </message>
     <message>
-        <source>The link is unreliable: %1 of the last %2 exchanges went wrong.</source>
+        <source>The link is unreliable: %1 of the last %2 exchanges failed.</source>
         <translation>El enlace no es fiable: fallaron %1 de los últimos %2 intercambios.</translation>
     </message>
     <message>
@@ -1229,10 +1229,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Set its latency timer to 1 ms.</source>
         <translation>Ajuste su temporizador de latencia a 1 ms.</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Cómo</translation>
     </message>
     <message>
         <source>Module %1 has not answered for %2 s. Motor state unknown: it was moving.</source>
@@ -1617,12 +1613,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Los módulos de %1 aún no tienen dirección.</translation>
     </message>
     <message>
-        <source>A read-only connection cannot assign addresses. Connect without read-only.</source>
+        <source>A read-only connection cannot assign addresses. Choose Connect fully.</source>
         <translation>Una conexión de solo lectura no puede asignar direcciones. Conecte sin el modo de solo lectura.</translation>
     </message>
     <message>
-        <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
-        <translation>El enlace es dudoso: fallaron %1 de los últimos %2 intercambios.</translation>
+        <source>The link is marginal: %1 of the last %2 exchanges failed.</source>
+        <translation>El enlace es deficiente: fallaron %1 de los últimos %2 intercambios.</translation>
     </message>
     <message>
         <source>Motor state unknown. Look at the motor; stop all if in doubt.</source>
@@ -1653,7 +1649,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Reanudado tras %1: se leen de nuevo todos los valores.</translation>
     </message>
     <message>
-        <source>Resumed after %1: motors were told to stop; reading all values again.</source>
+        <source>Resumed after %1: motors were commanded to stop; reading all values again.</source>
         <translation>Reanudado tras %1: se ordenó parar a los motores; se leen de nuevo todos los valores.</translation>
     </message>
     <message>
@@ -1740,7 +1736,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El puerto está abierto, pero no respondió ningún módulo (se probó a 9600, 19 200, 57 600 y 115 200 Bd).</translation>
     </message>
     <message>
-        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.</source>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.</source>
         <translation>Compruebe, en este orden: la alimentación de los módulos; todos los cables de la cadena, pues uno solo suelto oculta todos los módulos; el puente ADDR_IN del módulo más alejado del PC; que TX y RX no estén cruzados; que el adaptador sea full-duplex (4 hilos). Si otro programa dejó la cadena a una velocidad en baudios poco habitual, reinicie la red.</translation>
     </message>
     <message>
@@ -1760,7 +1756,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Su motor está apagado. O se reinició un módulo o se añadió uno nuevo. Reinicie la red para darle una dirección.</translation>
     </message>
     <message>
-        <source>The link to module %1 is unreliable: %2 of its last %3 exchanges went wrong.</source>
+        <source>The link to module %1 is unreliable: %2 of its last %3 exchanges failed.</source>
         <translation>El enlace con el módulo %1 no es fiable: fallaron %2 de sus últimos %3 intercambios.</translation>
     </message>
     <message>
@@ -1776,12 +1772,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El panel estaba conectado antes a otro adaptador. No se envió nada.</translation>
     </message>
     <message>
-        <source>Connect to it</source>
-        <translation>Conectar a él</translation>
+        <source>Connect anyway</source>
+        <translation>Conectar de todos modos</translation>
     </message>
     <message>
-        <source>The link to module %1 is doubtful: %2 of its last %3 exchanges went wrong.</source>
-        <translation>El enlace con el módulo %1 es dudoso: fallaron %2 de sus últimos %3 intercambios.</translation>
+        <source>The link to module %1 is marginal: %2 of its last %3 exchanges failed.</source>
+        <translation>El enlace con el módulo %1 es deficiente: fallaron %2 de sus últimos %3 intercambios.</translation>
     </message>
     <message>
         <source>Its motor is off.</source>
@@ -1899,8 +1895,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>rechazado</translation>
     </message>
     <message>
-        <source>dropped for a stop</source>
-        <translation>descartado por una parada</translation>
+        <source>cancelled by a stop</source>
+        <translation>cancelado por una parada</translation>
     </message>
     <message>
         <source>no answer expected</source>
@@ -1987,7 +1983,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Sin respuesta de: %1.</translation>
     </message>
     <message>
-        <source>%1 of %2 modules of group %3 started. All of them were told to stop.</source>
+        <source>%1 of %2 modules of group %3 started. All of them were commanded to stop.</source>
         <translation>Arrancaron %1 de %2 módulos del grupo %3. Se ordenó parar a todos ellos.</translation>
     </message>
     <message>
@@ -1999,7 +1995,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No todos los módulos del grupo %1 confirmaron su arranque.</translation>
     </message>
     <message>
-        <source>Look at the motors. The start is never repeated: load again, then start again. Usually noise on the cable.</source>
+        <source>Look at the motors. The start is never repeated: load the moves again, then start the group again. Usually noise on the cable.</source>
         <translation>Observe los motores. El arranque nunca se repite: cargue de nuevo y vuelva a iniciar. Suele deberse a ruido en el cable.</translation>
     </message>
     <message>
@@ -2039,7 +2035,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Hay demasiados comandos en espera. No se envió nada al grupo %1.</translation>
     </message>
     <message>
-        <source>All motors were told to stop.</source>
+        <source>All motors were commanded to stop.</source>
         <translation>Se ordenó parar a todos los motores.</translation>
     </message>
     <message>
@@ -2079,12 +2075,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El módulo %1 es líder de grupo y respondería a la nueva velocidad en baudios. Conviértalo primero en un miembro ordinario.</translation>
     </message>
     <message>
-        <source>Module %2 did not answer at %1 Bd, so all modules went back. Try another baud rate, a shorter cable, or termination at both ends.</source>
+        <source>Module %2 did not answer at %1 Bd, so all modules went back to the old rate. Try another baud rate, a shorter cable, or termination at both ends.</source>
         <translation>El módulo %2 no respondió a %1 Bd, por lo que todos los módulos volvieron a la velocidad anterior. Pruebe otra velocidad en baudios, un cable más corto o terminación en ambos extremos.</translation>
     </message>
     <message>
-        <source>A stop came first.</source>
-        <translation>Una parada llegó antes.</translation>
+        <source>A stop took priority.</source>
+        <translation>Una parada tuvo prioridad.</translation>
     </message>
     <message>
         <source>Module %1 has not answered since the baud rate changed. No motor was moving.</source>
@@ -2103,8 +2099,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>un número</translation>
     </message>
     <message>
-        <source>a text in quotation marks</source>
-        <translation>un texto entre comillas</translation>
+        <source>text in quotation marks</source>
+        <translation>texto entre comillas</translation>
     </message>
     <message>
         <source>true or false</source>
@@ -2626,7 +2622,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Compruebe el interruptor y su cable, el sentido y la velocidad de búsqueda y el límite de tiempo.</translation>
     </message>
     <message>
-        <source>%1 is not homed and was told to stop: the link was unreliable.</source>
+        <source>%1 is not homed and was commanded to stop: the link was unreliable.</source>
         <translation>%1 no está referenciado y se le ordenó parar: el enlace no era fiable.</translation>
     </message>
     <message>
@@ -2638,7 +2634,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1 no está referenciado y no responde. Estado del motor desconocido.</translation>
     </message>
     <message>
-        <source>It was told to stop. Use the hardware stop if it moves.</source>
+        <source>It was commanded to stop. Use the hardware stop if it moves.</source>
         <translation>Se le ordenó parar. Use la parada por hardware si se mueve.</translation>
     </message>
     <message>
@@ -2650,7 +2646,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El error de posición era demasiado grande o falló la alimentación del motor. Compruebe si hay un atasco, habilite el motor y repita la búsqueda.</translation>
     </message>
     <message>
-        <source>%1 is not homed and was told to stop: a command failed, or its answer was lost.</source>
+        <source>%1 is not homed and was commanded to stop: a command failed, or its answer was lost.</source>
         <translation>%1 no está referenciado y se le ordenó parar: un comando falló o se perdió su respuesta.</translation>
     </message>
     <message>
@@ -2730,7 +2726,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1, %2 de %3</translation>
     </message>
     <message>
-        <source>The switch stayed active while the motor backed off. It was stopped.</source>
+        <source>The switch stayed active while the motor backed off. The motor was stopped.</source>
         <translation>El interruptor siguió activo mientras el motor se retiraba. Se paró el motor.</translation>
     </message>
     <message>
@@ -2746,7 +2742,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No se encontró la referencia dentro del límite de tiempo. Se paró el motor.</translation>
     </message>
     <message>
-        <source>The link was unreliable. The motor was told to stop.</source>
+        <source>The link was unreliable. The motor was commanded to stop.</source>
         <translation>El enlace no era fiable. Se ordenó parar al motor.</translation>
     </message>
     <message>
@@ -2754,7 +2750,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El motor se apagó solo y puede girar libremente.</translation>
     </message>
     <message>
-        <source>A command failed or was not answered. The motor was told to stop.</source>
+        <source>A command failed or was not answered. The motor was commanded to stop.</source>
         <translation>Un comando falló o no tuvo respuesta. Se ordenó parar al motor.</translation>
     </message>
     <message>
@@ -2934,7 +2930,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No está en la cadena; se conservan sus ajustes.</translation>
     </message>
     <message>
-        <source>%1 holds again: it moved the wrong way, or more than twice the step.</source>
+        <source>%1 was stopped and holds: it moved the wrong way, or by more than twice the step.</source>
         <translation>%1 vuelve a mantener la posición: se movió en el sentido erróneo o más del doble del escalón.</translation>
     </message>
     <message>
@@ -2954,7 +2950,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1 no llega a pararse; su servo sigue encendido.</translation>
     </message>
     <message>
-        <source>It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd; Motor off ends it at once.</source>
+        <source>It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd. Choose Motor off to end it at once.</source>
         <translation>Oscila, o una fuerza externa lo gira. Reduzca Kp y Ki o aumente Kd; “Apagar motor” pone fin a ello de inmediato.</translation>
     </message>
     <message>
@@ -2970,11 +2966,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1 no responde, por lo que su escalón no se grabó. Estado del motor desconocido.</translation>
     </message>
     <message>
-        <source>It was told to hold. Use the hardware stop if it moves.</source>
+        <source>It was commanded to hold. Use the hardware stop if it moves.</source>
         <translation>Se le ordenó mantener la posición. Use la parada por hardware si se mueve.</translation>
     </message>
     <message>
-        <source>%1 was told to hold, and its step was not recorded: the link was unreliable.</source>
+        <source>%1 was commanded to hold, and its step was not recorded: the link was unreliable.</source>
         <translation>Se ordenó a %1 mantener la posición, y su escalón no se grabó: el enlace no era fiable.</translation>
     </message>
     <message>
@@ -2982,7 +2978,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Compruebe el enlace y repita el escalón.</translation>
     </message>
     <message>
-        <source>%1 was told to hold, and its step was not recorded: a command failed, or its answer was lost.</source>
+        <source>%1 was commanded to hold, and its step was not recorded: a command failed, or its answer was lost.</source>
         <translation>Se ordenó a %1 mantener la posición, y su escalón no se grabó: un comando falló o se perdió su respuesta.</translation>
     </message>
     <message>
@@ -3086,7 +3082,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Se detuvo la grabación en “%1”: %2</translation>
     </message>
     <message>
-        <source>%1 Control continues. To continue recording, choose another file.</source>
+        <source>%1 Motor control continues. To continue recording, choose another file.</source>
         <translation>%1 El control continúa. Para seguir grabando, elija otro archivo.</translation>
     </message>
     <message>
@@ -3142,19 +3138,19 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Una grabación debe durar de 0,02 s a 3 s.</translation>
     </message>
     <message>
-        <source>No motor is moving. All are told to stop before the port closes.</source>
+        <source>No motor is moving. All motors are commanded to stop before the port closes.</source>
         <translation>Ningún motor se mueve. Se ordena parar a todos antes de cerrar el puerto.</translation>
     </message>
     <message>
-        <source>Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.</source>
+        <source>Nothing was lost: the panel detects wrong answers and retries. If it gets worse, motors are commanded to stop. Usually noise on the cable.</source>
         <translation>No se perdió nada: el panel detecta las respuestas erróneas y pregunta de nuevo. Si empeora, se ordena parar a los motores. Suele deberse a ruido en el cable.</translation>
     </message>
     <message>
-        <source>It listens at 19 200 Bd and may misread the other modules&apos; traffic: all motors were told to stop, and sending has stopped.</source>
+        <source>It listens at 19 200 Bd and may misread the other modules&apos; traffic: all motors were commanded to stop, and sending has stopped.</source>
         <translation>Escucha a 19 200 Bd y puede malinterpretar el tráfico de los demás módulos: se ordenó parar a todos los motores y ya no se envía nada.</translation>
     </message>
     <message>
-        <source>The panel froze for %1; motors were told to stop after 2 s.</source>
+        <source>The panel froze for %1; motors were commanded to stop after 2 s.</source>
         <translation>El panel se bloqueó durante %1; se ordenó parar a los motores a los 2 s.</translation>
     </message>
     <message>
@@ -3173,7 +3169,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         </translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 were told to stop but were not seen at rest</source>
+        <source>Modules %1 were commanded to stop but were not seen at rest</source>
         <translation>
             <numerusform>Se ordenó parar al módulo %1, pero no se le vio parado</numerusform>
             <numerusform>Se ordenó parar a los módulos %1, pero no se les vio parados</numerusform>
@@ -3228,11 +3224,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Se ha parado.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop jogging: the panel stalled for over 250 ms.</source>
+        <source>Module %1 was commanded to stop jogging: the panel stalled for over 250 ms.</source>
         <translation>Se ordenó al módulo %1 terminar el jog: el panel quedó bloqueado más de 250 ms.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop: it reports motion, but its position stays at %2 counts.</source>
+        <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>
         <translation>Se ordenó parar al módulo %1: indica movimiento, pero su posición sigue en %2 cuentas.</translation>
     </message>
     <message>
@@ -3260,7 +3256,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El motor está parado, pero su corriente se limitó: puede no retener su carga. Esto permanece hasta que borre los bits enclavados.</translation>
     </message>
     <message numerus="yes">
-        <source>The panel ended without stopping its motors; its guardian told modules %1 to stop.</source>
+        <source>The panel ended without stopping its motors; its guardian commanded modules %1 to stop.</source>
         <translation>
             <numerusform>El panel terminó sin parar sus motores; su guardián ordenó parar al módulo %1.</numerusform>
             <numerusform>El panel terminó sin parar sus motores; su guardián ordenó parar a los módulos %1.</numerusform>
@@ -3271,7 +3267,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El programa se terminó a la fuerza o se colgó. El guardián no puede ver si un motor se paró: observe los motores antes de conectar; use la parada por hardware si alguno se mueve.</translation>
     </message>
     <message>
-        <source>The panel stalled while a motor was moving; its guardian told the motors to stop.</source>
+        <source>The panel stalled while a motor was moving; its guardian commanded the motors to stop.</source>
         <translation>El panel quedó bloqueado con un motor en movimiento; su guardián ordenó parar a los motores.</translation>
     </message>
     <message>
@@ -3287,7 +3283,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Falta nmcguard. Reinstale el programa. Todo lo demás funciona.</translation>
     </message>
     <message>
-        <source>Your user account may not start nmcguard. Reinstall the program. Everything else works.</source>
+        <source>Your user account has no permission to start nmcguard. Reinstall the program. Everything else works.</source>
         <translation>Su cuenta de usuario no puede iniciar nmcguard. Reinstale el programa. Todo lo demás funciona.</translation>
     </message>
     <message>
@@ -3374,7 +3370,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>De %1 solo volvió el eco del adaptador: no respondió ningún módulo.</translation>
     </message>
     <message>
-        <source>The echo is harmless. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the modules&apos; transmit pair is wired to the adapter.</source>
+        <source>The echo is harmless. Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the modules&apos; transmit pair is wired to the adapter.</source>
         <translation>El eco es inofensivo. Compruebe, en este orden: la alimentación de los módulos; todos los cables de la cadena, pues uno solo suelto oculta todos los módulos; que el par de transmisión de los módulos esté conectado al adaptador.</translation>
     </message>
     <message>
@@ -3394,7 +3390,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Otro equipo está enviando por esta línea.</translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 were told to stop.</source>
+        <source>Modules %1 were commanded to stop.</source>
         <translation>
             <numerusform>Se ordenó parar al módulo %1.</numerusform>
             <numerusform>Se ordenó parar a los módulos %1.</numerusform>
@@ -3429,7 +3425,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Prueba de sentido de %1 no concluyente; su motor está apagado.</translation>
     </message>
     <message>
-        <source>Direction check of %1 inconclusive; its motor was told to switch off.</source>
+        <source>Direction check of %1 inconclusive; its motor was commanded to switch off.</source>
         <translation>Prueba de sentido de %1 no concluyente; se ordenó apagar su motor.</translation>
     </message>
     <message>
@@ -3449,7 +3445,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Prueba de sentido de %1 no concluyente: no responde. Estado del motor desconocido.</translation>
     </message>
     <message>
-        <source>It was told to switch off. Use the hardware stop if it moves.</source>
+        <source>It was commanded to switch off. Use the hardware stop if it moves.</source>
         <translation>Se le ordenó apagar el motor. Use la parada por hardware si se mueve.</translation>
     </message>
     <message>
@@ -3481,7 +3477,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1 no se movió en ambos sentidos.</translation>
     </message>
     <message>
-        <source>It rests %1 off home; its position is 0 there.</source>
+        <source>It is at rest %1 from home; its position there is 0.</source>
         <translation>Queda parado a %1 de la referencia; ahí su posición es 0.</translation>
     </message>
     <message>
@@ -3757,8 +3753,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1 no tiene esta entrada o salida.</translation>
     </message>
     <message>
-        <source>The outputs of %1 are unknown. Set them once on its I/O page.</source>
-        <translation>Las salidas de %1 se desconocen. Fíjelas una vez en su página de E/S.</translation>
+        <source>The outputs of %1 are unknown. Set them once on the module&apos;s page.</source>
+        <translation>Las salidas de %1 se desconocen. Fíjelas una vez en la página del módulo.</translation>
     </message>
     <message>
         <source>A run from the top never gets here: an earlier row repeats forever.</source>
@@ -3773,7 +3769,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>En esta fila, %1 debe estar en el punto “%2”. Llévelo allí primero.</translation>
     </message>
     <message>
-        <source>At this row, output %1 of %2 must be switched over. Set it first.</source>
+        <source>At this row, output %1 of %2 must be in the opposite state. Set it first.</source>
         <translation>En esta fila, la salida %1 de %2 debe estar conmutada. Conmútela primero.</translation>
     </message>
     <message>
@@ -3929,11 +3925,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1: completado.</translation>
     </message>
     <message>
-        <source>%1 paused, and its motors were told to stop.</source>
+        <source>%1 paused, and its motors were commanded to stop.</source>
         <translation>%1 está en pausa, y se ordenó parar a sus motores.</translation>
     </message>
     <message>
-        <source>%1 ended, and its motors were told to stop.</source>
+        <source>%1 ended, and its motors were commanded to stop.</source>
         <translation>%1 terminó, y se ordenó parar a sus motores.</translation>
     </message>
     <message>
@@ -4037,7 +4033,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El próximo movimiento superaría los límites de recorrido. Se paró el motor.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop just before its travel limit.</source>
+        <source>Module %1 was commanded to stop just before its travel limit.</source>
         <translation>Se ordenó parar al módulo %1 justo antes de su límite de recorrido.</translation>
     </message>
     <message>
@@ -4085,15 +4081,15 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No todos los módulos del grupo %1 confirmaron el comando.</translation>
     </message>
     <message>
-        <source>A group command needs an answer from every member, a state in which each can carry it out, and a known group for every module. Command the modules one by one, or set this module&apos;s group again.</source>
+        <source>A group command requires that every member answers and can carry it out in its present state, and that the group of every module is known. Command the modules one by one, or set this module&apos;s group again.</source>
         <translation>Un comando de grupo exige que todos los miembros respondan y puedan ejecutarlo en su estado, y que se conozca el grupo de todos los módulos. Envíe los comandos módulo a módulo o asigne de nuevo su grupo a este módulo.</translation>
     </message>
     <message>
-        <source>Group %1 was told to switch its motors off: module %2.</source>
+        <source>Group %1 was commanded to switch its motors off: module %2.</source>
         <translation>Se ordenó al grupo %1 apagar sus motores: módulo %2.</translation>
     </message>
     <message>
-        <source>Group %1 was told to stop: module %2.</source>
+        <source>Group %1 was commanded to stop: module %2.</source>
         <translation>Se ordenó parar al grupo %1: módulo %2.</translation>
     </message>
     <message>
@@ -4117,7 +4113,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Se desconoce la posición exacta que mantiene el servo. Elija primero “Mantener aquí” o mueva el motor.</translation>
     </message>
     <message>
-        <source>Module %1 holds its motor, and the motor oscillates.</source>
+        <source>Module %1 oscillates while it holds its position.</source>
         <translation>El módulo %1 mantiene la posición, y su motor oscila.</translation>
     </message>
     <message>
@@ -4133,7 +4129,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Restaurar ganancias anteriores</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: it began to oscillate.</source>
+        <source>The previous gains of %1 are restored: it began to oscillate.</source>
         <translation>%1 vuelve a sus ganancias anteriores: empezó a oscilar.</translation>
     </message>
     <message>
@@ -4141,7 +4137,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Reduzca Kp y Ki o aumente Kd e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: it left its position.</source>
+        <source>The previous gains of %1 are restored: it left its position.</source>
         <translation>%1 vuelve a sus ganancias anteriores: se salió de su posición.</translation>
     </message>
     <message>
@@ -4149,7 +4145,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Estas ganancias no retienen su carga, o algo externo lo giró.</translation>
     </message>
     <message>
-        <source>%1 switched itself off while gains were tried, and is free to turn.</source>
+        <source>%1 switched itself off while gains were being tried, and is free to turn.</source>
         <translation>%1 se apagó solo mientras se probaban ganancias y puede girar libremente.</translation>
     </message>
     <message>
@@ -4157,7 +4153,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Se enviaron de nuevo sus ganancias anteriores. Compruebe si hay un atasco y después habilítelo.</translation>
     </message>
     <message>
-        <source>%1 does not answer while gains are tried. Motor state unknown.</source>
+        <source>%1 does not answer while gains are being tried. Motor state unknown.</source>
         <translation>%1 no responde mientras se prueban ganancias. Estado del motor desconocido.</translation>
     </message>
     <message>
@@ -4185,7 +4181,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Probando ganancias</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: the trial has ended.</source>
+        <source>The previous gains of %1 are restored: the trial has ended.</source>
         <translation>%1 vuelve a sus ganancias anteriores: la prueba ha terminado.</translation>
     </message>
     <message>
@@ -4237,11 +4233,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No se puede escribir en %1. Expórtelas antes de cerrar el panel.</translation>
     </message>
     <message>
-        <source>%1: its loop test ended early.</source>
+        <source>The loop test of %1 ended early.</source>
         <translation>%1: su prueba de lazo terminó antes de tiempo.</translation>
     </message>
     <message>
-        <source>The motor moved farther than the test allows, and was told to hold. Check for a load that pulls it, or use lower gains.</source>
+        <source>The motor moved farther than the test allows, and was commanded to hold. Check for a load that pulls it, or use lower gains.</source>
         <translation>El motor se movió más de lo que permite la prueba, y se le ordenó mantener la posición. Compruebe si una carga tira de él o use ganancias menores.</translation>
     </message>
     <message>
@@ -4265,7 +4261,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Este módulo no es un PIC-I/O.</translation>
     </message>
     <message>
-        <source>A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were told to stop.</source>
+        <source>A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were commanded to stop.</source>
         <translation>Un módulo terminó la trayectoria por sí solo: un final de carrera, un error de posición o falta de alimentación del motor. Se ordenó parar a todos los ejes de la trayectoria.</translation>
     </message>
     <message>
@@ -4273,7 +4269,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1 no ha terminado su trayectoria.</translation>
     </message>
     <message>
-        <source>Not all axes started the path. All of them were told to stop.</source>
+        <source>Not all axes started the path. All of them were commanded to stop.</source>
         <translation>No todos los ejes iniciaron la trayectoria. Se les ordenó parar.</translation>
     </message>
     <message>
@@ -4281,7 +4277,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Los puntos de la trayectoria no llegaron a tiempo, por lo que el motor se paró en el último que tenía.</translation>
     </message>
     <message>
-        <source>The command position left the path. The motor was told to stop.</source>
+        <source>The command position left the path. The motor was commanded to stop.</source>
         <translation>El motor no fue guiado por la trayectoria. Se le ordenó parar.</translation>
     </message>
     <message>
@@ -4337,7 +4333,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>“%1” no es un número.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is beyond what the module can count.</source>
+        <source>&quot;%1&quot; is outside the module&apos;s position range.</source>
         <translation>“%1” supera lo que el módulo puede contar.</translation>
     </message>
     <message>
@@ -4369,7 +4365,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Línea %1, %2: %3</translation>
     </message>
     <message>
-        <source>%1 has no path buffer. Only a PIC-SERVO CMC or SC follows a path.</source>
+        <source>%1 has no path buffer. Only a PIC-SERVO CMC or SC can follow a path.</source>
         <translation>%1 no tiene búfer de trayectoria. Solo un PIC-SERVO CMC o SC sigue una trayectoria.</translation>
     </message>
     <message>
@@ -4377,23 +4373,23 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Los ajustes de E/S de %1 son desconocidos: otro programa los ha cambiado. Aplíquelos primero en la página Amplificador o Finales y E/S.</translation>
     </message>
     <message>
-        <source>%1 takes step and direction pulses. Switch that off on its page Amplifier first.</source>
+        <source>%1 is set to step and direction input. Switch that off on its Amplifier page first.</source>
         <translation>%1 sigue pulsos de paso y dirección. Desactívelo primero en su página Amplificador.</translation>
     </message>
     <message>
-        <source>%1: a path at 30 Hz needs fast path off (page Amplifier or Limits and I/O).</source>
+        <source>%1: a path at 30 Hz needs fast path off (Amplifier or Limits and I/O page).</source>
         <translation>%1: una trayectoria a 30 Hz requiere “Trayectoria rápida” desactivada (página Amplificador o Finales y E/S).</translation>
     </message>
     <message>
-        <source>%1: a path at 120 Hz needs fast path on (page Amplifier or Limits and I/O).</source>
+        <source>%1: a path at 120 Hz needs fast path on (Amplifier or Limits and I/O page).</source>
         <translation>%1: una trayectoria a 120 Hz requiere “Trayectoria rápida” activada (página Amplificador o Finales y E/S).</translation>
     </message>
     <message>
-        <source>%1: a path needs the servo rate SR = 1. Apply the gains with SR 1 first.</source>
+        <source>%1: a path needs a servo rate divisor of 1. Apply the gains with SR = 1 first.</source>
         <translation>%1: una trayectoria requiere el ciclo de servo SR = 1. Aplique primero las ganancias con SR 1.</translation>
     </message>
     <message>
-        <source>%1 has not told its command position yet.</source>
+        <source>%1 has not reported its command position yet.</source>
         <translation>%1 aún no ha comunicado su posición de consigna.</translation>
     </message>
     <message>
@@ -4465,7 +4461,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Iniciando la trayectoria</translation>
     </message>
     <message>
-        <source>Point %1 of %2, %3 s left, %4 points ahead in the buffer</source>
+        <source>Point %1 of %2, %3 s left, %4 points left in the buffer</source>
         <translation>Punto %1 de %2, quedan %3 s, %4 puntos por delante en el búfer</translation>
     </message>
     <message>
@@ -4493,7 +4489,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Este pin de %1 está configurado como salida.</translation>
     </message>
     <message>
-        <source>This pin of %1 is not set as an output. Set it on the I/O page.</source>
+        <source>This pin of %1 is not set as an output. Make it an output first.</source>
         <translation>Este pin de %1 no está configurado como salida. Configúrelo en la página E/S.</translation>
     </message>
     <message>
@@ -4505,7 +4501,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>esperar A/D</translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 cannot be told to stop</source>
+        <source>No stop command is known for modules %1</source>
         <translation>
             <numerusform>No se puede ordenar parar al módulo %1</numerusform>
             <numerusform>No se puede ordenar parar a los módulos %1</numerusform>
@@ -4536,11 +4532,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Su parada por límite terminó la prueba.</translation>
     </message>
     <message>
-        <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
+        <source>The motor did not follow the sine wave, and was commanded to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
         <translation>El motor no siguió la onda senoidal, y se le ordenó mantener la posición. Compruebe si hay un atasco, un tope mecánico, un acoplamiento que patina o falta la alimentación del motor, o use otra amplitud.</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: its output reached the limit OL.</source>
+        <source>The previous gains of %1 are restored: its output reached the limit OL.</source>
         <translation>%1 vuelve a sus ganancias anteriores: la salida alcanzó el límite OL.</translation>
     </message>
     <message>
@@ -4568,7 +4564,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>La línea de %1 sufrió una perturbación mientras se asignaban direcciones a los módulos.</translation>
     </message>
     <message>
-        <source>A module that had answered fell silent, so how many there are is not known. No motor was moved. Check the cable and the adapter, then scan again.</source>
+        <source>A module that had answered stopped answering, so the number of modules is unknown. No motor was moved. Check the cable and the adapter, then scan again.</source>
         <translation>Un módulo que había respondido dejó de hacerlo, así que no se sabe cuántos hay. No se movió ningún motor. Compruebe el cable y el adaptador y vuelva a buscar.</translation>
     </message>
     <message>
@@ -4580,11 +4576,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Los concentradores USB, Bluetooth y los servidores de dispositivos hacen eso. El panel espera el resto, por lo que los valores llegan más despacio. No hay que hacer nada.</translation>
     </message>
     <message>
-        <source>Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>Se ordenó parar a los motores. No se envía nada más hasta que las respuestas sean correctas durante 2 s; entonces el panel vuelve a buscar. Pruebe una velocidad en baudios menor, un cable más corto o terminación en ambos extremos.</translation>
+        <source>Motors were commanded to stop. Until answers have been correct for 2 s, only presence queries are sent; then the panel looks for the modules again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
+        <translation>Se ordenó parar a los motores. Hasta que las respuestas sean correctas durante 2 s, solo se envían consultas de presencia; entonces el panel vuelve a buscar. Pruebe una velocidad en baudios menor, un cable más corto o terminación en ambos extremos.</translation>
     </message>
     <message>
-        <source>%1 is %2; the module takes %3 to %4.</source>
+        <source>%1 is %2; the module accepts %3 to %4.</source>
         <translation>%1 es %2; el módulo acepta de %3 a %4.</translation>
     </message>
     <message numerus="yes">
@@ -4609,7 +4605,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n I/O modules as set for a stop</source>
+        <source>%n I/O modules in their stop state</source>
         <translation>
             <numerusform>%n módulo de E/S como se fijó para una parada</numerusform>
             <numerusform>%n módulos de E/S como se fijó para una parada</numerusform>
@@ -4620,23 +4616,23 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1, %2 ms.</translation>
     </message>
     <message>
-        <source>Module %1 was told to switch off: one answer said that it moved the wrong way, to %2 counts.</source>
+        <source>Module %1 was commanded to switch off: one answer reported a move in the wrong direction, to %2 counts.</source>
         <translation>Se ordenó al módulo %1 apagar el motor: según una respuesta, se movió en el sentido erróneo, hasta %2 cuentas.</translation>
     </message>
     <message>
-        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If the position is right, the answer was not its own: check the cable.</source>
+        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If it did not, the answer was wrong: check the cable.</source>
         <translation>Si fue así, los cables del encoder o del motor están cruzados, o las ganancias lo hacen oscilar. Si la posición es correcta, la respuesta no era suya: compruebe el cable.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop: one answer said that it went past its goal, to %2 counts.</source>
+        <source>Module %1 was commanded to stop: one answer reported that it went past its goal, to %2 counts.</source>
         <translation>Se ordenó parar al módulo %1: según una respuesta, sobrepasó su destino, hasta %2 cuentas.</translation>
     </message>
     <message>
-        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If not, the answer was not its own: check the cable.</source>
+        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If it did not, the answer was wrong: check the cable.</source>
         <translation>Compruebe la posición antes del próximo movimiento. Si llegó allí, el comando se dañó por el camino o las ganancias causan un gran sobreimpulso. Si no, la respuesta no era suya: compruebe el cable.</translation>
     </message>
     <message>
-        <source>A question waits for your answer: %1</source>
+        <source>A question is waiting for your answer: %1</source>
         <translation>Una pregunta espera su respuesta: %1</translation>
     </message>
     <message>
@@ -4652,19 +4648,19 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Quizá en movimiento</translation>
     </message>
     <message>
-        <source>One answer says that the module switched its motor off. The next will tell.</source>
+        <source>One answer says that the motor is off. The next answer will show whether it is.</source>
         <translation>Según una respuesta, el módulo apagó su motor. La siguiente lo dirá.</translation>
     </message>
     <message>
-        <source>The motor stands in the last answers, but whether it was started is not known yet.</source>
+        <source>The last answers show the motor at rest, but it is not yet known whether it was started.</source>
         <translation>Según las últimas respuestas el motor está parado, pero aún no se sabe si se arrancó.</translation>
     </message>
     <message>
-        <source>Looking for modules… Until they are found, only stops act.</source>
+        <source>Looking for modules… Until they are found, only stop commands work.</source>
         <translation>Buscando módulos… Hasta encontrarlos, solo actúan las paradas.</translation>
     </message>
     <message>
-        <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
+        <source>The servo rate of this module is unknown, so speeds per second cannot be calculated. Apply its gains first: they include SR.</source>
         <translation>El ciclo de servo de este módulo se desconoce, y con él toda velocidad por segundo. Aplique primero sus ganancias: SR va con ellas.</translation>
     </message>
     <message>
@@ -4680,15 +4676,15 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>desactualizado</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
+        <source>&quot;%1&quot; has one column per signal, a format for other programs. The scope opens files with one row per reply.</source>
         <translation>“%1” tiene una columna por señal, una forma para otros programas. El osciloscopio abre archivos con una fila por respuesta.</translation>
     </message>
     <message>
-        <source>The position of module %1 has wrapped.</source>
+        <source>The position counter of module %1 has wrapped.</source>
         <translation>La posición del módulo %1 se ha desbordado.</translation>
     </message>
     <message>
-        <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
+        <source>The 32-bit counter has overflowed and continues at the other end of its range. Earlier positions and travel limits no longer match: find home, then clear the sticky bits on the Details page.</source>
         <translation>Tiene 32 bits y continuó en el otro extremo de su rango. Las posiciones y los límites de recorrido anteriores ya no están donde estaban: busque la referencia y luego borre los bits enclavados en la página Detalles.</translation>
     </message>
     <message>
@@ -4698,6 +4694,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>El final de carrera 2 está activo: el motor solo puede alejarse de él.</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Cómo</translation>
     </message>
 </context>
 <context>
@@ -4759,11 +4759,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Observe primero el eje: ¿está %1 realmente en %2? Si es así, la referencia está en la posición 0 y los límites de recorrido se cuentan desde ahí. Si no, protegen una zona errónea.</translation>
     </message>
     <message>
-        <source>To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
+        <source>To take up the backlash, the move would reverse at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
         <translation>Para absorber la holgura, el movimiento daría la vuelta en %1, por debajo de la posición mínima %2. Baje esa posición, o cambie la holgura o su sentido (página Eje).</translation>
     </message>
     <message>
-        <source>To take up the backlash, the move would turn round at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
+        <source>To take up the backlash, the move would reverse at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
         <translation>Para absorber la holgura, el movimiento daría la vuelta en %1, por encima de la posición máxima %2. Suba esa posición, o cambie la holgura o su sentido (página Eje).</translation>
     </message>
     <message>
@@ -4854,7 +4854,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Kp es 0: el servo frena el motor pero no mantiene ninguna posición.</translation>
     </message>
     <message>
-        <source>%1 off the position to hold, and pushing with up to all of the output limit. Something may be in the way.</source>
+        <source>%1 off the position to hold, and pushing with up to the full output limit. Something may be in the way.</source>
         <translation>A %1 de la posición que debe mantener, y empuja hasta con todo el límite de salida. Puede que algo estorbe.</translation>
     </message>
     <message>
@@ -4949,7 +4949,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Guardar en el módulo…</translation>
     </message>
     <message>
-        <source>Save in module the configuration for power-up</source>
+        <source>Save in module: configuration for power-up</source>
         <translation>Guardar en el módulo la configuración de arranque</translation>
     </message>
     <message>
@@ -5013,7 +5013,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Con paso y dirección, los pines de final de carrera son sus entradas: ponga los finales de carrera en “no hacen nada”.</translation>
     </message>
     <message>
-        <source>The module has these settings.</source>
+        <source>The module already has these settings.</source>
         <translation>El módulo tiene estos ajustes.</translation>
     </message>
     <message>
@@ -5021,19 +5021,19 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Pone AMP_EN a nivel bajo y envía estos ajustes.</translation>
     </message>
     <message>
-        <source>Sends the gains that the module has, with this multiplier.</source>
+        <source>Sends the module&apos;s present gains with this multiplier.</source>
         <translation>Envía las ganancias que tiene el módulo, con este multiplicador.</translation>
     </message>
     <message>
-        <source>Apply the amplifier settings first: what the module has now is not known.</source>
+        <source>Apply the amplifier settings first: the module&apos;s present settings are unknown.</source>
         <translation>Aplique primero los ajustes del amplificador: se desconoce lo que tiene ahora el módulo.</translation>
     </message>
     <message>
-        <source>Saves what the module has now, and restarts it.</source>
+        <source>Saves the module&apos;s present settings and restarts it.</source>
         <translation>Guarda lo que tiene ahora el módulo y lo reinicia.</translation>
     </message>
     <message>
-        <source>Makes the module forget what it saved, and restarts it.</source>
+        <source>Erases the module&apos;s saved configuration and restarts it.</source>
         <translation>Hace que el módulo olvide lo que guardó y lo reinicia.</translation>
     </message>
     <message>
@@ -5073,7 +5073,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Borrar configuración guardada</translation>
     </message>
     <message>
-        <source>Erase what %1 has saved? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
+        <source>Erase the saved configuration of %1? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
         <translation>¿Borrar lo que %1 ha guardado? En el próximo encendido arranca como un módulo nuevo. Se reinicia ahora: su motor se apaga y necesita de nuevo sus ganancias.</translation>
     </message>
     <message>
@@ -5116,8 +5116,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Cada eje a su propia velocidad de jog.</translation>
     </message>
     <message>
-        <source>Each axis at its own max jog speed, set on its Axis page.</source>
-        <translation>Cada eje a su propia velocidad de jog máxima, definida en su página Eje.</translation>
+        <source>Each axis at its own max jog speed, set on its Axis or Parameters page.</source>
+        <translation>Cada eje a su propia velocidad de jog máxima, definida en su página Eje o Parámetros.</translation>
     </message>
     <message>
         <source>Distance that one click on Step moves an axis, in its own unit.</source>
@@ -5311,7 +5311,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>invertido: adelante cuenta hacia abajo</translation>
     </message>
     <message>
-        <source>Turns positions, directions and travel limits of this axis round on the screen. Sends nothing.</source>
+        <source>Reverses positions, directions and travel limits of this axis on the screen. Sends nothing.</source>
         <translation>Invierte en pantalla las posiciones, los sentidos y los límites de recorrido de este eje. No envía nada.</translation>
     </message>
 </context>
@@ -6071,7 +6071,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>bytes sobrantes: recibidos sin haberlos pedido</translation>
     </message>
     <message>
-        <source>of them stale: late answers, discarded</source>
+        <source>of these, stale: late answers, discarded</source>
         <translation>de ellos obsoletos: respuestas tardías, descartadas</translation>
     </message>
     <message>
@@ -6083,7 +6083,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>rechazadas por una regla: suma de comprobación correcta, pero respuesta inverosímil</translation>
     </message>
     <message>
-        <source>  of them: %1</source>
+        <source>  of these: %1</source>
         <translation>  de ellas: %1</translation>
     </message>
     <message>
@@ -6371,7 +6371,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Deja todo como está.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those of the file.</source>
+        <source>&quot;%1&quot; differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those in the file.</source>
         <translation>“%1” difiere de los ajustes actuales. No se cambia ni se envía nada hasta que elija Aplicar, y ningún motor se mueve. Los valores escritos y no enviados se sustituyen por los del archivo.</translation>
     </message>
     <message>
@@ -6422,7 +6422,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>%1: cargar</translation>
     </message>
     <message>
-        <source>If cleared, the chip keeps the value loaded before.</source>
+        <source>If cleared, the chip keeps the previously loaded value.</source>
         <translation>Si está desmarcado, el chip conserva el valor cargado antes.</translation>
     </message>
 </context>
@@ -6667,10 +6667,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Enviar parada</translation>
     </message>
     <message>
-        <source>How</source>
-        <translation>Cómo</translation>
-    </message>
-    <message>
         <source>Amplifier only</source>
         <translation>Solo amplificador</translation>
     </message>
@@ -6747,7 +6743,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Después</translation>
     </message>
     <message>
-        <source>Table 4 has no such mode from the present state of the motor.</source>
+        <source>Table 4 of the data sheet has no such mode for the present state of the motor.</source>
         <translation>La tabla 4 no prevé ese modo desde el estado actual del motor.</translation>
     </message>
     <message>
@@ -6901,6 +6897,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>The position becomes this value. Nothing moves.</source>
         <translation>La posición pasa a ser este valor. Nada se mueve.</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Cómo</translation>
     </message>
 </context>
 <context>
@@ -7068,7 +7068,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Sentido del límite de corriente</translation>
     </message>
     <message>
-        <source>Whether a high or a low A/D value means overcurrent. The chip tells them apart by odd and even numbers.</source>
+        <source>Whether a high or a low A/D value means overcurrent. The chip distinguishes them by odd and even values.</source>
         <translation>Si la sobrecorriente corresponde a un valor A/D alto o bajo. El chip los distingue por números impares y pares.</translation>
     </message>
     <message>
@@ -7076,7 +7076,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Deshacer la última edición de una ganancia</translation>
     </message>
     <message>
-        <source>Redo the edit of a gain</source>
+        <source>Redo the last undone edit of a gain</source>
         <translation>Rehacer la edición de una ganancia</translation>
     </message>
     <message>
@@ -7132,12 +7132,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Probar %1 s: estas ganancias</translation>
     </message>
     <message>
-        <source>Keep them</source>
-        <translation>Conservar</translation>
+        <source>Keep gains</source>
+        <translation>Conservar ganancias</translation>
     </message>
     <message>
-        <source>Keep them: the gains being tried</source>
-        <translation>Conservar: las ganancias en prueba</translation>
+        <source>Keep gains: those being tried</source>
+        <translation>Conservar ganancias: las que están en prueba</translation>
     </message>
     <message>
         <source>These gains are already being tried.</source>
@@ -7199,7 +7199,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Envía No Operation, que solo consulta el estado.</translation>
     </message>
     <message>
-        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL may not stop its motor: use the hardware stop.</source>
+        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL might not stop its motor: use the hardware stop.</source>
         <translation>El panel no admite este tipo y versión (admite: PIC-SERVO v1 a v5 y v10, PIC-STEP v1, PIC-I/O v1), por lo que solo muestra el estado del módulo. Es posible que PARAR TODO no pare su motor: use la parada por hardware.</translation>
     </message>
 </context>
@@ -7242,12 +7242,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>El grupo al que atiende este módulo. Se envía de inmediato; nada se mueve.</translation>
     </message>
     <message>
-        <source>leads</source>
+        <source>leader</source>
         <translation>líder</translation>
     </message>
     <message>
-        <source>Module %1 leads its group</source>
-        <translation>El módulo %1 es el líder de su grupo</translation>
+        <source>Leader of its group: module %1</source>
+        <translation>Líder de su grupo: módulo %1</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -7298,7 +7298,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Un módulo atiende a un grupo además de a su propia dirección. Todos los miembros ejecutan un comando de grupo en el mismo ciclo; el líder, si lo hay, responde por ellos, y el panel comprueba después cada miembro. Las consultas de estado van a módulos individuales.</translation>
     </message>
     <message>
-        <source>The group that the buttons command.</source>
+        <source>The group that the buttons act on.</source>
         <translation>El grupo al que los botones envían comandos.</translation>
     </message>
     <message>
@@ -7535,7 +7535,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Límite de corriente</translation>
     </message>
     <message>
-        <source>Home is at a hard stop: the motor runs against it until the current limit is reached. Alone, it takes effect only at full speed; with other conditions from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
+        <source>Home is at a hard stop: the motor runs against it until the current limit is reached. On its own, it takes effect only at full speed; combined with other conditions, from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
         <translation>La referencia está en un tope mecánico: el motor avanza contra él hasta alcanzar el límite de corriente. Sola, esta condición actúa únicamente a velocidad plena; con otras, desde el principio, por lo que la corriente de arranque debe quedar por debajo de él. Antes se borran los bits enclavados.</translation>
     </message>
     <message>
@@ -7667,7 +7667,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>La primera búsqueda ya encuentra el índice.</translation>
     </message>
     <message>
-        <source>Needs Go to home: the position where the motor is becomes 0.</source>
+        <source>Needs Go to home, because the position at which the motor rests becomes 0.</source>
         <translation>Requiere “Ir a la referencia”: la posición en que está el motor pasa a ser 0.</translation>
     </message>
     <message>
@@ -7899,7 +7899,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Valor de %1</translation>
     </message>
     <message>
-        <source>%1, each step</source>
+        <source>%1 per count</source>
         <translation>%1, por unidad</translation>
     </message>
     <message>
@@ -7994,7 +7994,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Se mueve hacia atrás mientras se mantiene pulsado y después se detiene.</translation>
     </message>
     <message>
-        <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value on every connect; set the max jog speed on the Axis page.</source>
+        <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value at each connection; set the max jog speed on the Axis page.</source>
         <translation>A qué velocidad gira el motor mientras mantiene pulsado un botón, o Espacio sobre él. Vuelve a un valor bajo en cada conexión; la velocidad de jog máxima se ajusta en la página Eje.</translation>
     </message>
     <message>
@@ -8106,10 +8106,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Stop at</source>
         <translation>Parar en</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Cómo</translation>
     </message>
     <message>
         <source>A search for home is running and uses the same function of the chip.</source>
@@ -8230,6 +8226,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>La parada por límite se arma en cada movimiento. Desmarque primero esa casilla.</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Cómo</translation>
     </message>
 </context>
 <context>
@@ -8380,7 +8380,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>&amp;Guardar y cerrar</translation>
     </message>
     <message>
-        <source>&amp;Close: the next start offers to restore them</source>
+        <source>&amp;Close: the changes can be restored at the next start</source>
         <translation>&amp;Cerrar: podrá restaurarlos al iniciar</translation>
     </message>
     <message>
@@ -8396,8 +8396,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Cambios sin guardar</translation>
     </message>
     <message>
-        <source>S&amp;tay</source>
-        <translation>Perma&amp;necer</translation>
+        <source>Ca&amp;ncel</source>
+        <translation>Ca&amp;ncelar</translation>
     </message>
     <message>
         <source>%1 (being saved)</source>
@@ -8463,16 +8463,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Motores en movimiento</translation>
     </message>
     <message>
-        <source>St&amp;ay</source>
-        <translation>Perm&amp;anecer</translation>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
     </message>
     <message>
         <source>Restart the network</source>
         <translation>Reiniciar la red</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Cancelar</translation>
     </message>
     <message>
         <source>&amp;Restart the network: positions and gains are lost</source>
@@ -8531,8 +8527,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Pide el PIN.</translation>
     </message>
     <message>
-        <source>End it</source>
-        <translation>Terminar</translation>
+        <source>End pendant mode</source>
+        <translation>Terminar modo de mando portátil</translation>
     </message>
     <message>
         <source>No module can be moved. Connect a motor module first.</source>
@@ -8649,7 +8645,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Mensajes</translation>
     </message>
     <message>
-        <source>No messages. Problems appear here, and when they end.</source>
+        <source>No messages. Problems are listed here, with the time when they ended.</source>
         <translation>No hay mensajes. Aquí aparecen los problemas y cuándo terminan.</translation>
     </message>
     <message>
@@ -8761,12 +8757,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Modelo del motor</translation>
     </message>
     <message>
-        <source>Find the motor</source>
-        <translation>Identificar motor</translation>
+        <source>Find motor model</source>
+        <translation>Identificar modelo</translation>
     </message>
     <message>
-        <source>Find the motor model from the steps</source>
-        <translation>Identificar motor: modelo a partir de los escalones</translation>
+        <source>Find motor model from the steps</source>
+        <translation>Identificar modelo del motor a partir de los escalones</translation>
     </message>
     <message>
         <source>Motor model found</source>
@@ -8821,8 +8817,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Calcula el modelo del motor a partir de hasta %1 escalones recientes de este módulo. No envía nada.</translation>
     </message>
     <message>
-        <source>No suggested gains. Find the motor first.</source>
-        <translation>No hay ganancias sugeridas. Identifique primero el motor.</translation>
+        <source>No suggested gains. Find the motor model first.</source>
+        <translation>No hay ganancias sugeridas. Identifique primero el modelo del motor.</translation>
     </message>
     <message>
         <source>Copies the suggested gains to the Gains page. Sends nothing.</source>
@@ -8833,8 +8829,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Calculando el modelo del motor…</translation>
     </message>
     <message>
-        <source>The run behind this model was removed. Find the motor again.</source>
-        <translation>Se quitó el ensayo en que se basa este modelo. Identifique el motor de nuevo.</translation>
+        <source>The run behind this model was removed. Find the motor model again.</source>
+        <translation>Se quitó el ensayo en que se basa este modelo. Identifique de nuevo el modelo del motor.</translation>
     </message>
     <message>
         <source>No gains keep this motor stable and quiet.</source>
@@ -8861,19 +8857,19 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>° como mínimo</translation>
     </message>
     <message>
-        <source>Step once more and find</source>
+        <source>Step once more and find model</source>
         <translation>1 escalón más e identificar</translation>
     </message>
     <message>
-        <source>Step %1 times and find</source>
+        <source>Step %1 times and find model</source>
         <translation>%1 escalones e identificar</translation>
     </message>
     <message>
-        <source>The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps once more, as far as before; the model is then found from the recent steps. Make sure that everything it drives can move freely.</source>
         <translation>El motor salta una vez más, tan lejos como antes, y se identifica a partir de los últimos escalones. Asegúrese de que todo lo que acciona puede moverse libremente.</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>El motor salta la distancia del escalón y vuelve, después el doble y vuelve, y se identifica a partir de estos escalones. Asegúrese de que todo lo que acciona puede moverse libremente.</translation>
     </message>
 </context>
@@ -9080,7 +9076,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>A/D %1</translation>
     </message>
     <message>
-        <source>255 stands for 5 V.</source>
+        <source>255 is 5 V.</source>
         <translation>255 equivale a 5 V.</translation>
     </message>
     <message>
@@ -9088,7 +9084,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>PWM 1 y 2</translation>
     </message>
     <message>
-        <source>The output of the module, of 255.</source>
+        <source>The module&apos;s PWM outputs, 0 to 255.</source>
         <translation>Lo que emite el módulo, de 255.</translation>
     </message>
     <message>
@@ -9096,7 +9092,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Temporizador o contador</translation>
     </message>
     <message>
-        <source>As the module counts.</source>
+        <source>The module&apos;s own count.</source>
         <translation>Tal como cuenta el módulo.</translation>
     </message>
     <message>
@@ -9505,7 +9501,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>&amp;Puntos y secuencias</translation>
     </message>
     <message>
-        <source>&amp;Moves: go to, run, by N</source>
+        <source>&amp;Moves: go to, run, step</source>
         <translation>&amp;Movimientos: ir a, marcha, por pasos</translation>
     </message>
     <message>
@@ -9607,8 +9603,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Respuesta</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>Veredicto</translation>
+        <source>Result</source>
+        <translation>Resultado</translation>
     </message>
 </context>
 <context>
@@ -9936,7 +9932,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Enciende el amplificador, mantiene el motor en su sitio y borra los bits enclavados: el del error de posición está activo mientras el servo está apagado.</translation>
     </message>
     <message>
-        <source>Looking for modules… This is what it said last.</source>
+        <source>Looking for modules… This is the last known state.</source>
         <translation>Buscando módulos… Esto es lo último que dijo.</translation>
     </message>
     <message>
@@ -10042,7 +10038,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Ejecutar trayectoria</translation>
     </message>
     <message>
-        <source>Run path after a question</source>
+        <source>Run path, with confirmation</source>
         <translation>Ejecutar trayectoria tras una pregunta</translation>
     </message>
     <message>
@@ -10102,7 +10098,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Guarda la trayectoria como CSV, con sus posiciones en las unidades de los ejes.</translation>
     </message>
     <message>
-        <source>Write a sequence of moves first (F3).</source>
+        <source>Create a sequence of moves first (F3).</source>
         <translation>Cree primero una secuencia de movimientos (F3).</translation>
     </message>
     <message>
@@ -10390,7 +10386,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>C&amp;opias</translation>
     </message>
     <message>
-        <source>The printer to use; it is proposed again the next time.</source>
+        <source>The printer to use. It is preselected next time.</source>
         <translation>La impresora que se usará; se propondrá de nuevo la próxima vez.</translation>
     </message>
     <message>
@@ -10622,7 +10618,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>s</translation>
     </message>
     <message>
-        <source>How long to record after the step. Then the motor is told to hold.</source>
+        <source>How long to record after the step. Then the motor is commanded to hold.</source>
         <translation>Cuánto tiempo se graba tras el escalón. Después se ordena al motor mantener la posición.</translation>
     </message>
     <message>
@@ -10678,7 +10674,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Algunas ganancias de los campos no se han enviado: %1. ¿Con qué ganancias debe hacerse el escalón?</translation>
     </message>
     <message>
-        <source>Gains that were not sent</source>
+        <source>Gains not sent</source>
         <translation>Ganancias sin enviar</translation>
     </message>
     <message>
@@ -10927,7 +10923,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Tiempo hasta que la posición permanece en la banda de establecimiento alrededor del destino. Vacío si eso solo ocurre en la última quinta parte de la grabación.</translation>
     </message>
     <message>
-        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
+        <source>Time until the position stays within the settling band around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
         <translation>Lo mismo, alrededor de la posición media de la última quinta parte de la grabación. Sin ganancia integral (Ki, IL), el rozamiento retiene un motor fuera de su destino.</translation>
     </message>
 </context>
@@ -11136,12 +11132,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::RowDelegate</name>
     <message>
-        <source>Number of the row</source>
-        <translation>Número de la fila</translation>
+        <source>Value of the row</source>
+        <translation>Valor de la fila</translation>
     </message>
     <message>
-        <source>The number</source>
-        <translation>El número</translation>
+        <source>The value</source>
+        <translation>El valor</translation>
     </message>
     <message>
         <source>Choices of the row</source>
@@ -11210,20 +11206,16 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         </translation>
     </message>
     <message>
-        <source>Do</source>
-        <translation>Hacer</translation>
+        <source>Action</source>
+        <translation>Acción</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>Qué</translation>
+        <source>Target</source>
+        <translation>Objeto</translation>
     </message>
     <message>
-        <source>How</source>
-        <translation>Cómo</translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation>Número</translation>
+        <source>Value</source>
+        <translation>Valor</translation>
     </message>
     <message>
         <source>%1 high</source>
@@ -11256,6 +11248,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Within</source>
         <translation>Plazo</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Cómo</translation>
     </message>
 </context>
 <context>
@@ -11364,7 +11360,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>&amp;Copiar imagen</translation>
     </message>
     <message>
-        <source>Copies the visible plot to the clipboard, with its samples if these are few.</source>
+        <source>Copies the visible plot to the clipboard, with its samples if there are only a few.</source>
         <translation>Copia la gráfica visible al portapapeles, con sus muestras si son pocas.</translation>
     </message>
     <message>
@@ -11584,7 +11580,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Drag it to resize the strips. A double click makes them equal.</source>
+        <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>Arrastre para cambiar la altura de las franjas. Un doble clic las iguala.</translation>
     </message>
     <message>
@@ -11719,8 +11715,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Quitar fila</translation>
     </message>
     <message>
-        <source>Remove row that is selected</source>
-        <translation>Quitar fila seleccionada</translation>
+        <source>Remove row: the selected one</source>
+        <translation>Quitar fila: la seleccionada</translation>
     </message>
     <message>
         <source>Up</source>
@@ -11743,7 +11739,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Deshacer</translation>
     </message>
     <message>
-        <source>Undo the last change of points and sequences</source>
+        <source>Undo the last change to points and sequences</source>
         <translation>Deshacer el último cambio en puntos y secuencias</translation>
     </message>
     <message>
@@ -11751,7 +11747,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Rehacer</translation>
     </message>
     <message>
-        <source>Redo the last undone change of points and sequences</source>
+        <source>Redo the last undone change to points and sequences</source>
         <translation>Rehacer el último cambio deshecho en puntos y secuencias</translation>
     </message>
     <message>
@@ -12101,8 +12097,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Onda cuadrada</translation>
     </message>
     <message>
-        <source>Begin</source>
-        <translation>Empezar</translation>
+        <source>Start test</source>
+        <translation>Iniciar prueba</translation>
     </message>
     <message>
         <source>The motor jumps back and forth around its position. Make sure that everything it drives can move freely.</source>
@@ -12275,7 +12271,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Elegir un puerto serie…</translation>
     </message>
     <message>
-        <source>No serial port found. Plug in the adapter of the modules: it shows up here.</source>
+        <source>No serial port found. Plug in the modules&apos; adapter; it then appears here.</source>
         <translation>No se encontró ningún puerto serie. Conecte el adaptador de los módulos: aparecerá aquí.</translation>
     </message>
     <message>
@@ -12291,7 +12287,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Conectar a %1</translation>
     </message>
     <message>
-        <source>Needs the modules powered, and their cable plugged in.</source>
+        <source>The modules must be powered and their cable plugged in.</source>
         <translation>Requiere los módulos alimentados y su cable conectado.</translation>
     </message>
     <message>
@@ -13041,7 +13037,7 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
         <translation>desde arriba</translation>
     </message>
     <message>
-        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight.</source>
+        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight to its goal.</source>
         <translation>“Ir a posición”, “Ir a referencia” y “Paso” llegan a su destino desde este lado. Un movimiento cargado va directo.</translation>
     </message>
     <message>
@@ -13093,7 +13089,7 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
         <translation>Marca la referencia como desconocida. Los límites de recorrido no tienen efecto hasta que se conozca de nuevo la referencia.</translation>
     </message>
     <message>
-        <source>With this backlash, no move can end at home: it would turn round beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
+        <source>With this backlash, no move can end at home: it would reverse beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
         <translation>Con esta holgura, ningún movimiento puede terminar en la referencia: daría la vuelta más allá del límite. Aleje el límite de la referencia, o cambie la holgura o su sentido.</translation>
     </message>
 </context>

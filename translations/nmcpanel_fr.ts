@@ -44,7 +44,7 @@
         <translation>Choisissez un port et connectez-vous.</translation>
     </message>
     <message>
-        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC.</source>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
         <translation>Vérifiez dans cet ordre&#xa0;: l’alimentation des modules&#x202f;; chaque câble de la chaîne, car un seul câble débranché masque tous les modules&#x202f;; le cavalier ADDR_IN du module le plus éloigné du PC.</translation>
     </message>
     <message>
@@ -68,7 +68,7 @@
         <translation>Vérifiez son alimentation et son câble&#x202f;; utilisez l’arrêt câblé si son moteur bouge. Le programme réessaie de temps en temps.</translation>
     </message>
     <message>
-        <source>Modules between it and the PC may not answer until it has its address again. Restart the network once all motors can stop and lose their positions.</source>
+        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
         <translation>Les modules entre lui et le PC peuvent ne pas répondre tant qu’il n’a pas retrouvé son adresse. Redémarrez le réseau dès que tous les moteurs peuvent s’arrêter et perdre leur position.</translation>
     </message>
     <message>
@@ -123,7 +123,7 @@
         <translation>Programme de commande pour modules moteurs NMC (Networked Modular Control).</translation>
     </message>
     <message>
-        <source>Connect to a serial port on start.</source>
+        <source>Connect to a serial port at startup.</source>
         <translation>Se connecter à un port série au démarrage.</translation>
     </message>
     <message>
@@ -139,7 +139,7 @@
         <translation>N</translation>
     </message>
     <message>
-        <source>Connect to the built-in simulator on start. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
+        <source>Connect to the built-in simulator at startup. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
         <translation>Se connecter au simulateur intégré au démarrage. CHAÎNE énumère ses modules, en commençant par le plus éloigné de l’ordinateur&#x202f;; par défaut&#xa0;: %1.</translation>
     </message>
     <message>
@@ -167,7 +167,7 @@
         <translation>Avec --port ou --simulator&#xa0;: se connecter en lecture seule. Seules des demandes d’état sont envoyées, et la fermeture n’arrête pas les moteurs. TOUT ARRÊTER fonctionne toujours.</translation>
     </message>
     <message>
-        <source>Machine file to open on start.</source>
+        <source>Machine file to open at startup.</source>
         <translation>Fichier machine à ouvrir au démarrage.</translation>
     </message>
 </context>
@@ -273,7 +273,7 @@
         <translation>EL, limite d’erreur de position en incréments&#xa0;: le servo se coupe quand l’erreur la dépasse, par exemple après une collision ou un blocage.</translation>
     </message>
     <message>
-        <source>SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
+        <source>SR, servo rate divisor: one servo tick is SR × 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
         <translation>SR, diviseur de cadence servo&#xa0;: un cycle servo dure SR x 0,512&#xa0;ms. Une cadence plus lente amortit les charges lourdes avec moins de Kd. Modifier SR change la signification de toutes les vitesses et accélérations.</translation>
     </message>
     <message>
@@ -614,11 +614,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Marge de phase %1°</translation>
     </message>
     <message>
-        <source>Uncertain: step once more. Until then the suggested gains are careful.</source>
+        <source>Uncertain: step once more. Until then the suggested gains are conservative.</source>
         <translation>Incertain : faites encore un échelon. D’ici là, les gains proposés sont prudents.</translation>
     </message>
     <message>
-        <source>The motor stopped dead short of its goal. Something is in its way: a hard stop, or what it drives. Make room, or step the other way.</source>
+        <source>The motor stopped abruptly short of its goal. Something is in its way: a hard stop, or its load. Clear the way, or step in the other direction.</source>
         <translation>Le moteur s’est arrêté net avant sa cible. Quelque chose le gêne : une butée ou ce qu’il entraîne. Dégagez le passage ou faites l’échelon dans l’autre sens.</translation>
     </message>
     <message>
@@ -642,7 +642,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Une résonance au-dessus de %1 Hz ne se verrait pas&#x202f;; les marges en tiennent compte.</translation>
     </message>
     <message>
-        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <source>The motor probably has more than %1 counts of play: that much motion is lost at each reversal. Take up the play between motor and encoder.</source>
         <translation>Le moteur a sans doute plus de %1 incréments de jeu&#x202f;: c’est ce qui se perd lorsqu’il change de sens. Rattrapez le jeu entre moteur et codeur.</translation>
     </message>
 </context>
@@ -716,11 +716,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Arrêt ici, à la cible</translation>
     </message>
     <message>
-        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
+        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick.</source>
         <translation>Déplacement à vitesse et accélération telles que le profil atteint la cible en un cycle.</translation>
     </message>
     <message>
-        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
+        <source>The servo holds the goal at once, without a profile. Not available with version 1.</source>
         <translation>Le servo maintient aussitôt la cible, sans profil. Pas avec la version 1.</translation>
     </message>
     <message>
@@ -1091,7 +1091,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>État du moteur inconnu&#x202f;; aucun moteur n’était en mouvement à la dernière lecture.</translation>
     </message>
     <message>
-        <source>Your user account may not use %1.</source>
+        <source>Your user account has no permission to use %1.</source>
         <translation>Votre compte utilisateur n’a pas le droit d’utiliser %1.</translation>
     </message>
     <message>
@@ -1203,7 +1203,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Connecté à %1&#xa0;: %2 à %3&#xa0;Bd.</translation>
     </message>
     <message>
-        <source>Nothing moves until you ask for it. Gains are unknown until you apply them.</source>
+        <source>Nothing moves until you command it. Gains are unknown until you apply them.</source>
         <translation>Rien ne bouge sans votre demande. Les gains sont inconnus tant que vous ne les appliquez pas.</translation>
     </message>
     <message>
@@ -1219,7 +1219,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Utilisez l’arrêt câblé si nécessaire. Vérifiez ensuite l’alimentation des modules et le câble côté PC.</translation>
     </message>
     <message>
-        <source>The link is unreliable: %1 of the last %2 exchanges went wrong.</source>
+        <source>The link is unreliable: %1 of the last %2 exchanges failed.</source>
         <translation>La liaison n’est pas fiable&#xa0;: taux d’échec de %1 sur les %2 derniers échanges.</translation>
     </message>
     <message>
@@ -1229,10 +1229,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Set its latency timer to 1 ms.</source>
         <translation>Réglez sa temporisation (latency timer) à 1&#xa0;ms.</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Comment</translation>
     </message>
     <message>
         <source>Module %1 has not answered for %2 s. Motor state unknown: it was moving.</source>
@@ -1617,12 +1613,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Les modules sur %1 n’ont pas encore d’adresse.</translation>
     </message>
     <message>
-        <source>A read-only connection cannot assign addresses. Connect without read-only.</source>
+        <source>A read-only connection cannot assign addresses. Choose Connect fully.</source>
         <translation>Une connexion en lecture seule ne peut pas attribuer d’adresses. Connectez-vous sans la lecture seule.</translation>
     </message>
     <message>
-        <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
-        <translation>La liaison est douteuse&#xa0;: taux d’échec de %1 sur les %2 derniers échanges.</translation>
+        <source>The link is marginal: %1 of the last %2 exchanges failed.</source>
+        <translation>La liaison est limite&#xa0;: taux d’échec de %1 sur les %2 derniers échanges.</translation>
     </message>
     <message>
         <source>Motor state unknown. Look at the motor; stop all if in doubt.</source>
@@ -1653,7 +1649,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Reprise après %1&#xa0;: relecture de toutes les valeurs.</translation>
     </message>
     <message>
-        <source>Resumed after %1: motors were told to stop; reading all values again.</source>
+        <source>Resumed after %1: motors were commanded to stop; reading all values again.</source>
         <translation>Reprise après %1&#xa0;: les moteurs ont reçu l’ordre d’arrêt&#x202f;; relecture de toutes les valeurs.</translation>
     </message>
     <message>
@@ -1740,7 +1736,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le port est ouvert, mais aucun module n’a répondu (essais à 9600, 19&#x202f;200, 57&#x202f;600 et 115&#x202f;200&#xa0;Bd).</translation>
     </message>
     <message>
-        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.</source>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.</source>
         <translation>Vérifiez dans cet ordre&#xa0;: l’alimentation des modules&#x202f;; chaque câble de la chaîne, car un seul câble débranché masque tous les modules&#x202f;; le cavalier ADDR_IN du module le plus éloigné du PC&#x202f;; que TX et RX ne sont pas inversés&#x202f;; que l’adaptateur est full-duplex (4 fils). Si un autre programme a laissé la chaîne à un débit inhabituel, redémarrez le réseau.</translation>
     </message>
     <message>
@@ -1760,7 +1756,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Son moteur est coupé. Soit un module a redémarré, soit un nouveau a été ajouté. Redémarrez le réseau pour lui donner une adresse.</translation>
     </message>
     <message>
-        <source>The link to module %1 is unreliable: %2 of its last %3 exchanges went wrong.</source>
+        <source>The link to module %1 is unreliable: %2 of its last %3 exchanges failed.</source>
         <translation>La liaison avec le module %1 n’est pas fiable&#xa0;: taux d’échec de %2 sur ses %3 derniers échanges.</translation>
     </message>
     <message>
@@ -1776,12 +1772,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le programme était auparavant connecté à un autre adaptateur. Rien n’a été envoyé.</translation>
     </message>
     <message>
-        <source>Connect to it</source>
-        <translation>S’y connecter</translation>
+        <source>Connect anyway</source>
+        <translation>Se connecter quand même</translation>
     </message>
     <message>
-        <source>The link to module %1 is doubtful: %2 of its last %3 exchanges went wrong.</source>
-        <translation>La liaison avec le module %1 est douteuse&#xa0;: taux d’échec de %2 sur ses %3 derniers échanges.</translation>
+        <source>The link to module %1 is marginal: %2 of its last %3 exchanges failed.</source>
+        <translation>La liaison avec le module %1 est limite&#xa0;: taux d’échec de %2 sur ses %3 derniers échanges.</translation>
     </message>
     <message>
         <source>Its motor is off.</source>
@@ -1899,8 +1895,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>rejetée</translation>
     </message>
     <message>
-        <source>dropped for a stop</source>
-        <translation>abandonnée pour un arrêt</translation>
+        <source>cancelled by a stop</source>
+        <translation>annulée par un arrêt</translation>
     </message>
     <message>
         <source>no answer expected</source>
@@ -1987,7 +1983,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Pas de réponse de&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>%1 of %2 modules of group %3 started. All of them were told to stop.</source>
+        <source>%1 of %2 modules of group %3 started. All of them were commanded to stop.</source>
         <translation>Modules du groupe %3 démarrés&#xa0;: %1 sur %2. Tous ont reçu l’ordre d’arrêt.</translation>
     </message>
     <message>
@@ -1999,7 +1995,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Au moins un module du groupe %1 n’a pas confirmé son démarrage.</translation>
     </message>
     <message>
-        <source>Look at the motors. The start is never repeated: load again, then start again. Usually noise on the cable.</source>
+        <source>Look at the motors. The start is never repeated: load the moves again, then start the group again. Usually noise on the cable.</source>
         <translation>Regardez les moteurs. Le démarrage n’est jamais répété&#xa0;: rechargez le déplacement, puis démarrez de nouveau. Cause habituelle&#xa0;: parasites sur le câble.</translation>
     </message>
     <message>
@@ -2039,7 +2035,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Trop de commandes attendent. Rien n’a été envoyé au groupe %1.</translation>
     </message>
     <message>
-        <source>All motors were told to stop.</source>
+        <source>All motors were commanded to stop.</source>
         <translation>Tous les moteurs ont reçu l’ordre d’arrêt.</translation>
     </message>
     <message>
@@ -2079,12 +2075,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le module %1 est meneur de groupe et répondrait au nouveau débit. Faites-en d’abord un membre ordinaire.</translation>
     </message>
     <message>
-        <source>Module %2 did not answer at %1 Bd, so all modules went back. Try another baud rate, a shorter cable, or termination at both ends.</source>
+        <source>Module %2 did not answer at %1 Bd, so all modules went back to the old rate. Try another baud rate, a shorter cable, or termination at both ends.</source>
         <translation>Le module %2 n’a pas répondu à %1&#xa0;Bd&#xa0;: tous les modules sont revenus à l’ancien débit. Essayez un autre débit, un câble plus court ou une terminaison aux deux extrémités.</translation>
     </message>
     <message>
-        <source>A stop came first.</source>
-        <translation>Un arrêt est intervenu avant.</translation>
+        <source>A stop took priority.</source>
+        <translation>Un arrêt était prioritaire.</translation>
     </message>
     <message>
         <source>Module %1 has not answered since the baud rate changed. No motor was moving.</source>
@@ -2103,8 +2099,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>un nombre</translation>
     </message>
     <message>
-        <source>a text in quotation marks</source>
-        <translation>un texte entre guillemets</translation>
+        <source>text in quotation marks</source>
+        <translation>du texte entre guillemets</translation>
     </message>
     <message>
         <source>true or false</source>
@@ -2626,7 +2622,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Vérifiez le capteur et son câble, le sens et la vitesse de recherche, et la durée limite.</translation>
     </message>
     <message>
-        <source>%1 is not homed and was told to stop: the link was unreliable.</source>
+        <source>%1 is not homed and was commanded to stop: the link was unreliable.</source>
         <translation>%1 n’a pas d’origine et a reçu l’ordre d’arrêt&#xa0;: la liaison n’était pas fiable.</translation>
     </message>
     <message>
@@ -2638,7 +2634,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 n’a pas d’origine et ne répond pas. État du moteur inconnu.</translation>
     </message>
     <message>
-        <source>It was told to stop. Use the hardware stop if it moves.</source>
+        <source>It was commanded to stop. Use the hardware stop if it moves.</source>
         <translation>Il a reçu l’ordre d’arrêt. Utilisez l’arrêt câblé s’il bouge.</translation>
     </message>
     <message>
@@ -2650,7 +2646,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>L’erreur de position était trop grande, ou l’alimentation moteur a fait défaut. Vérifiez l’absence de blocage, activez le moteur, puis répétez la recherche.</translation>
     </message>
     <message>
-        <source>%1 is not homed and was told to stop: a command failed, or its answer was lost.</source>
+        <source>%1 is not homed and was commanded to stop: a command failed, or its answer was lost.</source>
         <translation>%1 n’a pas d’origine et a reçu l’ordre d’arrêt&#xa0;: une commande a échoué, ou sa réponse s’est perdue.</translation>
     </message>
     <message>
@@ -2730,7 +2726,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1, %2 sur %3</translation>
     </message>
     <message>
-        <source>The switch stayed active while the motor backed off. It was stopped.</source>
+        <source>The switch stayed active while the motor backed off. The motor was stopped.</source>
         <translation>Le capteur est resté actif pendant le dégagement du moteur. Celui-ci a été arrêté.</translation>
     </message>
     <message>
@@ -2746,7 +2742,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Pas d’origine dans la durée limite. Le moteur a été arrêté.</translation>
     </message>
     <message>
-        <source>The link was unreliable. The motor was told to stop.</source>
+        <source>The link was unreliable. The motor was commanded to stop.</source>
         <translation>La liaison n’était pas fiable. Le moteur a reçu l’ordre d’arrêt.</translation>
     </message>
     <message>
@@ -2754,7 +2750,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le moteur s’est coupé et peut tourner librement.</translation>
     </message>
     <message>
-        <source>A command failed or was not answered. The motor was told to stop.</source>
+        <source>A command failed or was not answered. The motor was commanded to stop.</source>
         <translation>Une commande a échoué ou est restée sans réponse. Le moteur a reçu l’ordre d’arrêt.</translation>
     </message>
     <message>
@@ -2934,7 +2930,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Absent de la chaîne&#x202f;; ses réglages sont conservés.</translation>
     </message>
     <message>
-        <source>%1 holds again: it moved the wrong way, or more than twice the step.</source>
+        <source>%1 was stopped and holds: it moved the wrong way, or by more than twice the step.</source>
         <translation>%1 maintient de nouveau sa position&#xa0;: il a bougé dans le mauvais sens, ou de plus du double de l’échelon.</translation>
     </message>
     <message>
@@ -2954,7 +2950,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 ne se stabilise pas&#x202f;; son servo reste actif.</translation>
     </message>
     <message>
-        <source>It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd; Motor off ends it at once.</source>
+        <source>It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd. Choose Motor off to end it at once.</source>
         <translation>Il oscille, ou une force extérieure le fait tourner. Réduisez Kp et Ki, ou augmentez Kd&#x202f;; «&#xa0;Couper le moteur&#xa0;» y met fin aussitôt.</translation>
     </message>
     <message>
@@ -2970,11 +2966,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 ne répond pas&#xa0;: son échelon n’a pas été enregistré. État du moteur inconnu.</translation>
     </message>
     <message>
-        <source>It was told to hold. Use the hardware stop if it moves.</source>
+        <source>It was commanded to hold. Use the hardware stop if it moves.</source>
         <translation>Il a reçu l’ordre de maintien. Utilisez l’arrêt câblé s’il bouge.</translation>
     </message>
     <message>
-        <source>%1 was told to hold, and its step was not recorded: the link was unreliable.</source>
+        <source>%1 was commanded to hold, and its step was not recorded: the link was unreliable.</source>
         <translation>%1 a reçu l’ordre de maintien, et son échelon n’a pas été enregistré&#xa0;: la liaison n’était pas fiable.</translation>
     </message>
     <message>
@@ -2982,7 +2978,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Vérifiez la liaison, puis refaites l’échelon.</translation>
     </message>
     <message>
-        <source>%1 was told to hold, and its step was not recorded: a command failed, or its answer was lost.</source>
+        <source>%1 was commanded to hold, and its step was not recorded: a command failed, or its answer was lost.</source>
         <translation>%1 a reçu l’ordre de maintien, et son échelon n’a pas été enregistré&#xa0;: une commande a échoué, ou sa réponse s’est perdue.</translation>
     </message>
     <message>
@@ -3086,7 +3082,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>L’enregistrement dans «&#xa0;%1&#xa0;» s’est arrêté&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 Control continues. To continue recording, choose another file.</source>
+        <source>%1 Motor control continues. To continue recording, choose another file.</source>
         <translation>%1 La commande des moteurs continue. Pour continuer l’enregistrement, choisissez un autre fichier.</translation>
     </message>
     <message>
@@ -3142,19 +3138,19 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Un enregistrement doit durer de 0,02&#xa0;s à 3&#xa0;s.</translation>
     </message>
     <message>
-        <source>No motor is moving. All are told to stop before the port closes.</source>
+        <source>No motor is moving. All motors are commanded to stop before the port closes.</source>
         <translation>Aucun moteur n’est en mouvement. Tous reçoivent l’ordre d’arrêt avant la fermeture du port.</translation>
     </message>
     <message>
-        <source>Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.</source>
+        <source>Nothing was lost: the panel detects wrong answers and retries. If it gets worse, motors are commanded to stop. Usually noise on the cable.</source>
         <translation>Rien n’est perdu&#xa0;: le programme détecte les réponses fausses et redemande. Si cela empire, les moteurs reçoivent l’ordre d’arrêt. Cause habituelle&#xa0;: parasites sur le câble.</translation>
     </message>
     <message>
-        <source>It listens at 19 200 Bd and may misread the other modules&apos; traffic: all motors were told to stop, and sending has stopped.</source>
+        <source>It listens at 19 200 Bd and may misread the other modules&apos; traffic: all motors were commanded to stop, and sending has stopped.</source>
         <translation>Il écoute à 19&#x202f;200&#xa0;Bd et peut mal interpréter le trafic des autres modules&#xa0;: tous les moteurs ont reçu l’ordre d’arrêt, et plus rien n’est envoyé.</translation>
     </message>
     <message>
-        <source>The panel froze for %1; motors were told to stop after 2 s.</source>
+        <source>The panel froze for %1; motors were commanded to stop after 2 s.</source>
         <translation>Le programme est resté figé pendant %1&#x202f;; les moteurs ont reçu l’ordre d’arrêt au bout de 2&#xa0;s.</translation>
     </message>
     <message>
@@ -3173,7 +3169,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         </translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 were told to stop but were not seen at rest</source>
+        <source>Modules %1 were commanded to stop but were not seen at rest</source>
         <translation>
             <numerusform>Le module %1 a reçu l’ordre d’arrêt mais n’a pas été vu à l’arrêt</numerusform>
             <numerusform>Les modules %1 ont reçu l’ordre d’arrêt mais n’ont pas été vus à l’arrêt</numerusform>
@@ -3228,11 +3224,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Il s’est arrêté.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop jogging: the panel stalled for over 250 ms.</source>
+        <source>Module %1 was commanded to stop jogging: the panel stalled for over 250 ms.</source>
         <translation>Le module %1 a reçu l’ordre d’arrêter le jog&#xa0;: le programme s’est bloqué plus de 250&#xa0;ms.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop: it reports motion, but its position stays at %2 counts.</source>
+        <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>
         <translation>Le module %1 a reçu l’ordre d’arrêt&#xa0;: il signale un mouvement, mais sa position reste à %2 incréments.</translation>
     </message>
     <message>
@@ -3260,7 +3256,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le moteur est à l’arrêt, mais son courant a été limité&#xa0;: il peut ne pas tenir sa charge. Cet état persiste jusqu’à l’effacement des bits mémorisés.</translation>
     </message>
     <message numerus="yes">
-        <source>The panel ended without stopping its motors; its guardian told modules %1 to stop.</source>
+        <source>The panel ended without stopping its motors; its guardian commanded modules %1 to stop.</source>
         <translation>
             <numerusform>Le programme s’est terminé sans arrêter ses moteurs&#x202f;; son gardien a donné l’ordre d’arrêt au module %1.</numerusform>
             <numerusform>Le programme s’est terminé sans arrêter ses moteurs&#x202f;; son gardien a donné l’ordre d’arrêt aux modules %1.</numerusform>
@@ -3271,7 +3267,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le programme a été fermé de force ou s’est bloqué. Le gardien ne peut pas voir si un moteur s’est arrêté&#xa0;: regardez les moteurs avant de vous connecter&#x202f;; utilisez l’arrêt câblé si l’un d’eux bouge.</translation>
     </message>
     <message>
-        <source>The panel stalled while a motor was moving; its guardian told the motors to stop.</source>
+        <source>The panel stalled while a motor was moving; its guardian commanded the motors to stop.</source>
         <translation>Le programme s’est figé alors qu’un moteur était en mouvement&#x202f;; son gardien a donné l’ordre d’arrêt aux moteurs.</translation>
     </message>
     <message>
@@ -3287,7 +3283,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>nmcguard est absent. Réinstallez le programme. Tout le reste fonctionne.</translation>
     </message>
     <message>
-        <source>Your user account may not start nmcguard. Reinstall the program. Everything else works.</source>
+        <source>Your user account has no permission to start nmcguard. Reinstall the program. Everything else works.</source>
         <translation>Votre compte utilisateur n’a pas le droit de lancer nmcguard. Réinstallez le programme. Tout le reste fonctionne.</translation>
     </message>
     <message>
@@ -3374,7 +3370,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Seul l’écho de l’adaptateur est revenu de %1&#xa0;: aucun module n’a répondu.</translation>
     </message>
     <message>
-        <source>The echo is harmless. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the modules&apos; transmit pair is wired to the adapter.</source>
+        <source>The echo is harmless. Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the modules&apos; transmit pair is wired to the adapter.</source>
         <translation>L’écho est sans danger. Vérifiez dans cet ordre&#xa0;: l’alimentation des modules&#x202f;; chaque câble de la chaîne, car un seul câble débranché masque tous les modules&#x202f;; que la paire d’émission des modules est raccordée à l’adaptateur.</translation>
     </message>
     <message>
@@ -3394,7 +3390,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Un autre hôte émet sur cette ligne.</translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 were told to stop.</source>
+        <source>Modules %1 were commanded to stop.</source>
         <translation>
             <numerusform>Le module %1 a reçu l’ordre d’arrêt.</numerusform>
             <numerusform>Les modules %1 ont reçu l’ordre d’arrêt.</numerusform>
@@ -3429,7 +3425,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Contrôle de sens de %1 non concluant&#x202f;; son moteur est coupé.</translation>
     </message>
     <message>
-        <source>Direction check of %1 inconclusive; its motor was told to switch off.</source>
+        <source>Direction check of %1 inconclusive; its motor was commanded to switch off.</source>
         <translation>Contrôle de sens de %1 non concluant&#x202f;; il a reçu l’ordre de couper son moteur.</translation>
     </message>
     <message>
@@ -3449,7 +3445,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Contrôle de sens de %1 non concluant&#xa0;: il ne répond pas. État du moteur inconnu.</translation>
     </message>
     <message>
-        <source>It was told to switch off. Use the hardware stop if it moves.</source>
+        <source>It was commanded to switch off. Use the hardware stop if it moves.</source>
         <translation>Il a reçu l’ordre de couper son moteur. Utilisez l’arrêt câblé s’il bouge.</translation>
     </message>
     <message>
@@ -3481,7 +3477,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 n’a pas bougé dans les deux sens.</translation>
     </message>
     <message>
-        <source>It rests %1 off home; its position is 0 there.</source>
+        <source>It is at rest %1 from home; its position there is 0.</source>
         <translation>Il s’est arrêté à %1 de l’origine&#x202f;; sa position est 0 à cet endroit.</translation>
     </message>
     <message>
@@ -3757,8 +3753,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 n’a pas cette entrée ou sortie.</translation>
     </message>
     <message>
-        <source>The outputs of %1 are unknown. Set them once on its I/O page.</source>
-        <translation>Les sorties de %1 sont inconnues. Définissez-les une fois sur sa page E/S.</translation>
+        <source>The outputs of %1 are unknown. Set them once on the module&apos;s page.</source>
+        <translation>Les sorties de %1 sont inconnues. Définissez-les une fois sur la page du module.</translation>
     </message>
     <message>
         <source>A run from the top never gets here: an earlier row repeats forever.</source>
@@ -3773,7 +3769,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>À cette ligne, %1 doit être au point «&#xa0;%2&#xa0;». Amenez-l’y d’abord.</translation>
     </message>
     <message>
-        <source>At this row, output %1 of %2 must be switched over. Set it first.</source>
+        <source>At this row, output %1 of %2 must be in the opposite state. Set it first.</source>
         <translation>À cette ligne, la sortie %1 de %2 doit être commutée. Commutez-la d’abord.</translation>
     </message>
     <message>
@@ -3929,11 +3925,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1&#xa0;: terminé.</translation>
     </message>
     <message>
-        <source>%1 paused, and its motors were told to stop.</source>
+        <source>%1 paused, and its motors were commanded to stop.</source>
         <translation>%1&#xa0;: en pause&#x202f;; ses moteurs ont reçu l’ordre d’arrêt.</translation>
     </message>
     <message>
-        <source>%1 ended, and its motors were told to stop.</source>
+        <source>%1 ended, and its motors were commanded to stop.</source>
         <translation>%1&#xa0;: interruption&#x202f;; ses moteurs ont reçu l’ordre d’arrêt.</translation>
     </message>
     <message>
@@ -4037,7 +4033,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le déplacement suivant sortirait des limites de course. Le moteur a été arrêté.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop just before its travel limit.</source>
+        <source>Module %1 was commanded to stop just before its travel limit.</source>
         <translation>Le module %1 a reçu l’ordre d’arrêt juste avant sa limite de course.</translation>
     </message>
     <message>
@@ -4085,15 +4081,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Au moins un module du groupe %1 n’a pas confirmé la commande.</translation>
     </message>
     <message>
-        <source>A group command needs an answer from every member, a state in which each can carry it out, and a known group for every module. Command the modules one by one, or set this module&apos;s group again.</source>
+        <source>A group command requires that every member answers and can carry it out in its present state, and that the group of every module is known. Command the modules one by one, or set this module&apos;s group again.</source>
         <translation>Une commande de groupe exige une réponse de chaque membre, un état où chacun peut l’exécuter, et un groupe connu pour chaque module. Commandez les modules un par un, ou redéfinissez le groupe de ce module.</translation>
     </message>
     <message>
-        <source>Group %1 was told to switch its motors off: module %2.</source>
+        <source>Group %1 was commanded to switch its motors off: module %2.</source>
         <translation>Le groupe %1 a reçu l’ordre de couper ses moteurs&#xa0;: module %2.</translation>
     </message>
     <message>
-        <source>Group %1 was told to stop: module %2.</source>
+        <source>Group %1 was commanded to stop: module %2.</source>
         <translation>Le groupe %1 a reçu l’ordre d’arrêt&#xa0;: module %2.</translation>
     </message>
     <message>
@@ -4117,7 +4113,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>La position exacte que maintient le servo est inconnue. Choisissez «&#xa0;Maintenir d’abord ici&#xa0;», ou déplacez le moteur.</translation>
     </message>
     <message>
-        <source>Module %1 holds its motor, and the motor oscillates.</source>
+        <source>Module %1 oscillates while it holds its position.</source>
         <translation>Le module %1 maintient son moteur, et le moteur oscille.</translation>
     </message>
     <message>
@@ -4133,7 +4129,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Rétablir les gains précédents</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: it began to oscillate.</source>
+        <source>The previous gains of %1 are restored: it began to oscillate.</source>
         <translation>%1 est revenu à ses gains précédents&#xa0;: il commençait à osciller.</translation>
     </message>
     <message>
@@ -4141,7 +4137,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Réduisez Kp et Ki ou augmentez Kd, puis réessayez.</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: it left its position.</source>
+        <source>The previous gains of %1 are restored: it left its position.</source>
         <translation>%1 est revenu à ses gains précédents&#xa0;: il a quitté sa position.</translation>
     </message>
     <message>
@@ -4149,7 +4145,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Ces gains ne tiennent pas sa charge, ou autre chose l’a fait tourner.</translation>
     </message>
     <message>
-        <source>%1 switched itself off while gains were tried, and is free to turn.</source>
+        <source>%1 switched itself off while gains were being tried, and is free to turn.</source>
         <translation>%1 s’est coupé pendant l’essai de gains et peut tourner librement.</translation>
     </message>
     <message>
@@ -4157,7 +4153,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Ses gains précédents ont été renvoyés. Vérifiez l’absence de blocage, puis activez-le.</translation>
     </message>
     <message>
-        <source>%1 does not answer while gains are tried. Motor state unknown.</source>
+        <source>%1 does not answer while gains are being tried. Motor state unknown.</source>
         <translation>%1 ne répond pas pendant l’essai de gains. État du moteur inconnu.</translation>
     </message>
     <message>
@@ -4185,7 +4181,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Essai de gains</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: the trial has ended.</source>
+        <source>The previous gains of %1 are restored: the trial has ended.</source>
         <translation>%1 est revenu à ses gains précédents&#xa0;: l’essai est terminé.</translation>
     </message>
     <message>
@@ -4237,11 +4233,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Écriture impossible dans %1. Exportez-les avant de fermer le programme.</translation>
     </message>
     <message>
-        <source>%1: its loop test ended early.</source>
+        <source>The loop test of %1 ended early.</source>
         <translation>%1&#xa0;: son essai de boucle s’est terminé avant la fin.</translation>
     </message>
     <message>
-        <source>The motor moved farther than the test allows, and was told to hold. Check for a load that pulls it, or use lower gains.</source>
+        <source>The motor moved farther than the test allows, and was commanded to hold. Check for a load that pulls it, or use lower gains.</source>
         <translation>Le moteur s’est déplacé plus loin que l’essai ne le permet et a reçu l’ordre de maintien. Vérifiez si une charge l’entraîne, ou utilisez des gains plus faibles.</translation>
     </message>
     <message>
@@ -4265,7 +4261,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Ce module n’est pas un PIC-I/O.</translation>
     </message>
     <message>
-        <source>A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were told to stop.</source>
+        <source>A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were commanded to stop.</source>
         <translation>Un module a mis fin à la trajectoire de lui-même&#xa0;: fin de course, erreur de position ou absence d’alimentation moteur. Tous les axes de la trajectoire ont reçu l’ordre d’arrêt.</translation>
     </message>
     <message>
@@ -4273,7 +4269,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 n’a pas terminé sa trajectoire.</translation>
     </message>
     <message>
-        <source>Not all axes started the path. All of them were told to stop.</source>
+        <source>Not all axes started the path. All of them were commanded to stop.</source>
         <translation>Tous les axes n’ont pas démarré la trajectoire. Tous ont reçu l’ordre de s’arrêter.</translation>
     </message>
     <message>
@@ -4281,7 +4277,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Les points de la trajectoire ne sont pas arrivés à temps&#xa0;: le moteur s’est arrêté au dernier qu’il avait reçu.</translation>
     </message>
     <message>
-        <source>The command position left the path. The motor was told to stop.</source>
+        <source>The command position left the path. The motor was commanded to stop.</source>
         <translation>Le moteur n’a pas été conduit là où va la trajectoire. Il a reçu l’ordre d’arrêt.</translation>
     </message>
     <message>
@@ -4337,7 +4333,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>«&#xa0;%1&#xa0;» n’est pas un nombre.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is beyond what the module can count.</source>
+        <source>&quot;%1&quot; is outside the module&apos;s position range.</source>
         <translation>«&#xa0;%1&#xa0;» dépasse la plage de comptage du module.</translation>
     </message>
     <message>
@@ -4369,7 +4365,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Ligne %1, %2&#xa0;: %3</translation>
     </message>
     <message>
-        <source>%1 has no path buffer. Only a PIC-SERVO CMC or SC follows a path.</source>
+        <source>%1 has no path buffer. Only a PIC-SERVO CMC or SC can follow a path.</source>
         <translation>%1 n’a pas de tampon de trajectoire. Seul un PIC-SERVO CMC ou SC suit une trajectoire.</translation>
     </message>
     <message>
@@ -4377,23 +4373,23 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Les réglages d’E/S de %1 sont inconnus&#xa0;: un autre programme les a définis. Appliquez-les d’abord sur la page Amplificateur ou Fins de course et E/S.</translation>
     </message>
     <message>
-        <source>%1 takes step and direction pulses. Switch that off on its page Amplifier first.</source>
+        <source>%1 is set to step and direction input. Switch that off on its Amplifier page first.</source>
         <translation>%1 reçoit des impulsions pas et direction. Désactivez d’abord cette entrée sur sa page Amplificateur.</translation>
     </message>
     <message>
-        <source>%1: a path at 30 Hz needs fast path off (page Amplifier or Limits and I/O).</source>
+        <source>%1: a path at 30 Hz needs fast path off (Amplifier or Limits and I/O page).</source>
         <translation>%1&#xa0;: une trajectoire à 30&#xa0;Hz exige «&#xa0;Trajectoire rapide&#xa0;» inactif (page Amplificateur ou Fins de course et E/S).</translation>
     </message>
     <message>
-        <source>%1: a path at 120 Hz needs fast path on (page Amplifier or Limits and I/O).</source>
+        <source>%1: a path at 120 Hz needs fast path on (Amplifier or Limits and I/O page).</source>
         <translation>%1&#xa0;: une trajectoire à 120&#xa0;Hz exige «&#xa0;Trajectoire rapide&#xa0;» actif (page Amplificateur ou Fins de course et E/S).</translation>
     </message>
     <message>
-        <source>%1: a path needs the servo rate SR = 1. Apply the gains with SR 1 first.</source>
+        <source>%1: a path needs a servo rate divisor of 1. Apply the gains with SR = 1 first.</source>
         <translation>%1&#xa0;: une trajectoire exige la cadence servo SR = 1. Appliquez d’abord les gains avec SR 1.</translation>
     </message>
     <message>
-        <source>%1 has not told its command position yet.</source>
+        <source>%1 has not reported its command position yet.</source>
         <translation>%1 n’a pas encore transmis sa position de consigne.</translation>
     </message>
     <message>
@@ -4465,7 +4461,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Démarrage de la trajectoire</translation>
     </message>
     <message>
-        <source>Point %1 of %2, %3 s left, %4 points ahead in the buffer</source>
+        <source>Point %1 of %2, %3 s left, %4 points left in the buffer</source>
         <translation>Point %1 sur %2, encore %3&#xa0;s, %4 points d’avance dans le tampon</translation>
     </message>
     <message>
@@ -4493,7 +4489,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Cette broche de %1 est configurée en sortie.</translation>
     </message>
     <message>
-        <source>This pin of %1 is not set as an output. Set it on the I/O page.</source>
+        <source>This pin of %1 is not set as an output. Make it an output first.</source>
         <translation>Cette broche de %1 n’est pas configurée en sortie. Configurez-la sur la page E/S.</translation>
     </message>
     <message>
@@ -4505,7 +4501,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>attendre A/D</translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 cannot be told to stop</source>
+        <source>No stop command is known for modules %1</source>
         <translation>
             <numerusform>Le module %1 ne peut pas recevoir d’ordre d’arrêt</numerusform>
             <numerusform>Les modules %1 ne peuvent pas recevoir d’ordre d’arrêt</numerusform>
@@ -4536,11 +4532,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Son arrêt sur fin de course a interrompu l’essai.</translation>
     </message>
     <message>
-        <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
+        <source>The motor did not follow the sine wave, and was commanded to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
         <translation>Le moteur n’a pas suivi la sinusoïde et a reçu l’ordre de maintien. Vérifiez s’il y a un blocage, une butée mécanique, un accouplement qui glisse ou une alimentation moteur absente, ou utilisez une autre amplitude.</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: its output reached the limit OL.</source>
+        <source>The previous gains of %1 are restored: its output reached the limit OL.</source>
         <translation>%1 a retrouvé ses gains précédents&#xa0;: sa sortie a atteint la limite OL.</translation>
     </message>
     <message>
@@ -4568,7 +4564,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>La ligne sur %1 a été perturbée pendant l’attribution des adresses aux modules.</translation>
     </message>
     <message>
-        <source>A module that had answered fell silent, so how many there are is not known. No motor was moved. Check the cable and the adapter, then scan again.</source>
+        <source>A module that had answered stopped answering, so the number of modules is unknown. No motor was moved. Check the cable and the adapter, then scan again.</source>
         <translation>Un module qui avait répondu s’est tu : le nombre de modules est donc inconnu. Aucun moteur n’a bougé. Vérifiez le câble et l’adaptateur, puis relancez la recherche.</translation>
     </message>
     <message>
@@ -4580,11 +4576,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Les concentrateurs USB, le Bluetooth et les serveurs de ports font cela. Le programme attend la suite : les valeurs arrivent donc plus lentement. Rien à faire.</translation>
     </message>
     <message>
-        <source>Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>Les moteurs ont reçu l’ordre d’arrêt. Rien d’autre n’est envoyé tant que les réponses n’ont pas été justes pendant 2 s ; le programme relance alors la recherche. Essayez un débit plus faible, un câble plus court ou une terminaison aux deux extrémités.</translation>
+        <source>Motors were commanded to stop. Until answers have been correct for 2 s, only presence queries are sent; then the panel looks for the modules again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
+        <translation>Les moteurs ont reçu l’ordre d’arrêt. Tant que les réponses n’ont pas été justes pendant 2&#xa0;s, seules des requêtes de présence sont envoyées&#xa0;; le programme relance alors la recherche. Essayez un débit plus faible, un câble plus court ou une terminaison aux deux extrémités.</translation>
     </message>
     <message>
-        <source>%1 is %2; the module takes %3 to %4.</source>
+        <source>%1 is %2; the module accepts %3 to %4.</source>
         <translation>%1 vaut %2 ; le module accepte de %3 à %4.</translation>
     </message>
     <message numerus="yes">
@@ -4609,7 +4605,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n I/O modules as set for a stop</source>
+        <source>%n I/O modules in their stop state</source>
         <translation>
             <numerusform>%n module d’E/S comme prévu pour un arrêt</numerusform>
             <numerusform>%n modules d’E/S comme prévu pour un arrêt</numerusform>
@@ -4620,23 +4616,23 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1, %2 ms.</translation>
     </message>
     <message>
-        <source>Module %1 was told to switch off: one answer said that it moved the wrong way, to %2 counts.</source>
+        <source>Module %1 was commanded to switch off: one answer reported a move in the wrong direction, to %2 counts.</source>
         <translation>Le module %1 a reçu l’ordre de couper son moteur : d’après une réponse, il est parti dans le mauvais sens, jusqu’à %2 incréments.</translation>
     </message>
     <message>
-        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If the position is right, the answer was not its own: check the cable.</source>
+        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If it did not, the answer was wrong: check the cable.</source>
         <translation>Si c’est vrai, les fils du codeur ou du moteur sont inversés, ou les gains le font osciller. Si la position est juste, la réponse n’était pas la sienne : vérifiez le câble.</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop: one answer said that it went past its goal, to %2 counts.</source>
+        <source>Module %1 was commanded to stop: one answer reported that it went past its goal, to %2 counts.</source>
         <translation>Le module %1 a reçu l’ordre d’arrêt : d’après une réponse, il a dépassé sa cible, jusqu’à %2 incréments.</translation>
     </message>
     <message>
-        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If not, the answer was not its own: check the cable.</source>
+        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If it did not, the answer was wrong: check the cable.</source>
         <translation>Vérifiez la position avant le prochain déplacement. S’il y est allé, la commande a été altérée en chemin, ou les gains provoquent un fort dépassement. Sinon, la réponse n’était pas la sienne : vérifiez le câble.</translation>
     </message>
     <message>
-        <source>A question waits for your answer: %1</source>
+        <source>A question is waiting for your answer: %1</source>
         <translation>Une question attend votre réponse : %1</translation>
     </message>
     <message>
@@ -4652,19 +4648,19 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Bouge peut-être</translation>
     </message>
     <message>
-        <source>One answer says that the module switched its motor off. The next will tell.</source>
+        <source>One answer says that the motor is off. The next answer will show whether it is.</source>
         <translation>D’après une réponse, le module a coupé son moteur. La suivante le dira.</translation>
     </message>
     <message>
-        <source>The motor stands in the last answers, but whether it was started is not known yet.</source>
+        <source>The last answers show the motor at rest, but it is not yet known whether it was started.</source>
         <translation>D’après les dernières réponses, le moteur est à l’arrêt, mais on ne sait pas encore s’il a été démarré.</translation>
     </message>
     <message>
-        <source>Looking for modules… Until they are found, only stops act.</source>
+        <source>Looking for modules… Until they are found, only stop commands work.</source>
         <translation>Recherche des modules… Jusque-là, seuls les arrêts agissent.</translation>
     </message>
     <message>
-        <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
+        <source>The servo rate of this module is unknown, so speeds per second cannot be calculated. Apply its gains first: they include SR.</source>
         <translation>La cadence servo de ce module est inconnue, donc toute vitesse par seconde aussi. Appliquez d’abord ses gains : SR en fait partie.</translation>
     </message>
     <message>
@@ -4680,15 +4676,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>périmée</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
+        <source>&quot;%1&quot; has one column per signal, a format for other programs. The scope opens files with one row per reply.</source>
         <translation>« %1 » a une colonne par signal, une forme pour d’autres programmes. L’oscilloscope ouvre les fichiers avec une ligne par réponse.</translation>
     </message>
     <message>
-        <source>The position of module %1 has wrapped.</source>
+        <source>The position counter of module %1 has wrapped.</source>
         <translation>La position du module %1 a débordé.</translation>
     </message>
     <message>
-        <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
+        <source>The 32-bit counter has overflowed and continues at the other end of its range. Earlier positions and travel limits no longer match: find home, then clear the sticky bits on the Details page.</source>
         <translation>Elle a 32 bits et a continué à l’autre bout de leur plage. Les positions et limites de course d’avant ne sont plus où elles étaient : cherchez l’origine, puis effacez les bits mémorisés à la page Détails.</translation>
     </message>
     <message>
@@ -4698,6 +4694,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>Le fin de course 2 est actif&#xa0;: le moteur ne peut que s’en éloigner.</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Comment</translation>
     </message>
 </context>
 <context>
@@ -4759,11 +4759,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Regardez d’abord l’axe&#xa0;: %1 est-il vraiment à %2&#x202f;? Si oui, l’origine est à la position 0, et les limites de course s’appliquent à partir de là. Sinon, elles protègent la mauvaise plage.</translation>
     </message>
     <message>
-        <source>To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
+        <source>To take up the backlash, the move would reverse at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
         <translation>Pour rattraper le jeu, le déplacement ferait demi-tour à %1, sous la position minimale %2. Abaissez cette position, ou modifiez le jeu ou son sens (page Axe).</translation>
     </message>
     <message>
-        <source>To take up the backlash, the move would turn round at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
+        <source>To take up the backlash, the move would reverse at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
         <translation>Pour rattraper le jeu, le déplacement ferait demi-tour à %1, au-dessus de la position maximale %2. Relevez cette position, ou modifiez le jeu ou son sens (page Axe).</translation>
     </message>
     <message>
@@ -4854,7 +4854,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Kp est à 0&#xa0;: le servo freine le moteur mais ne maintient aucune position.</translation>
     </message>
     <message>
-        <source>%1 off the position to hold, and pushing with up to all of the output limit. Something may be in the way.</source>
+        <source>%1 off the position to hold, and pushing with up to the full output limit. Something may be in the way.</source>
         <translation>À %1 de la position à maintenir, et pousse jusqu’à toute la limite de sortie. Quelque chose gêne peut-être.</translation>
     </message>
     <message>
@@ -4949,7 +4949,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Enregistrer dans le module…</translation>
     </message>
     <message>
-        <source>Save in module the configuration for power-up</source>
+        <source>Save in module: configuration for power-up</source>
         <translation>Enregistrer dans le module la configuration de mise sous tension</translation>
     </message>
     <message>
@@ -5013,7 +5013,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>En mode pas et direction, les broches de fin de course en sont les entrées&#xa0;: choisissez «&#xa0;sans effet&#xa0;» pour les fins de course.</translation>
     </message>
     <message>
-        <source>The module has these settings.</source>
+        <source>The module already has these settings.</source>
         <translation>Le module a ces réglages.</translation>
     </message>
     <message>
@@ -5021,19 +5021,19 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Met AMP_EN à l’état bas et envoie ces réglages.</translation>
     </message>
     <message>
-        <source>Sends the gains that the module has, with this multiplier.</source>
+        <source>Sends the module&apos;s present gains with this multiplier.</source>
         <translation>Envoie les gains du module avec ce multiplicateur.</translation>
     </message>
     <message>
-        <source>Apply the amplifier settings first: what the module has now is not known.</source>
+        <source>Apply the amplifier settings first: the module&apos;s present settings are unknown.</source>
         <translation>Appliquez d’abord les réglages de l’amplificateur&#xa0;: l’état actuel du module est inconnu.</translation>
     </message>
     <message>
-        <source>Saves what the module has now, and restarts it.</source>
+        <source>Saves the module&apos;s present settings and restarts it.</source>
         <translation>Enregistre ce que le module a maintenant, et le redémarre.</translation>
     </message>
     <message>
-        <source>Makes the module forget what it saved, and restarts it.</source>
+        <source>Erases the module&apos;s saved configuration and restarts it.</source>
         <translation>Fait oublier au module ce qu’il a enregistré, et le redémarre.</translation>
     </message>
     <message>
@@ -5073,7 +5073,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Effacer la configuration enregistrée</translation>
     </message>
     <message>
-        <source>Erase what %1 has saved? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
+        <source>Erase the saved configuration of %1? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
         <translation>Effacer ce que %1 a enregistré&#x202f;? À la prochaine mise sous tension, il démarre comme un module neuf. Il redémarre maintenant&#xa0;: son moteur est coupé, et ses gains doivent lui être renvoyés.</translation>
     </message>
     <message>
@@ -5116,8 +5116,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Chaque axe à sa propre vitesse de jog.</translation>
     </message>
     <message>
-        <source>Each axis at its own max jog speed, set on its Axis page.</source>
-        <translation>Chaque axe à sa propre vitesse de jog max., définie sur sa page Axe.</translation>
+        <source>Each axis at its own max jog speed, set on its Axis or Parameters page.</source>
+        <translation>Chaque axe à sa propre vitesse de jog max., définie sur sa page Axe ou Paramètres.</translation>
     </message>
     <message>
         <source>Distance that one click on Step moves an axis, in its own unit.</source>
@@ -5311,7 +5311,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>inversé&#xa0;: avant compte vers le bas</translation>
     </message>
     <message>
-        <source>Turns positions, directions and travel limits of this axis round on the screen. Sends nothing.</source>
+        <source>Reverses positions, directions and travel limits of this axis on the screen. Sends nothing.</source>
         <translation>Inverse à l’écran les positions, les sens et les limites de course de cet axe. N’envoie rien.</translation>
     </message>
 </context>
@@ -6071,7 +6071,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>octets en trop&#xa0;: reçus sans demande</translation>
     </message>
     <message>
-        <source>of them stale: late answers, discarded</source>
+        <source>of these, stale: late answers, discarded</source>
         <translation>dont périmés&#xa0;: réponses tardives, rejetées</translation>
     </message>
     <message>
@@ -6083,7 +6083,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>rejetées par une règle&#xa0;: somme de contrôle juste, mais réponse invraisemblable</translation>
     </message>
     <message>
-        <source>  of them: %1</source>
+        <source>  of these: %1</source>
         <translation>  dont&#xa0;: %1</translation>
     </message>
     <message>
@@ -6371,7 +6371,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Laisse tout en l’état.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those of the file.</source>
+        <source>&quot;%1&quot; differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those in the file.</source>
         <translation>«&#xa0;%1&#xa0;» diffère des réglages actuels. Rien n’est modifié ni envoyé tant que vous ne choisissez pas «&#xa0;Appliquer&#xa0;», et aucun moteur ne bouge. Les valeurs saisies mais non envoyées sont remplacées par celles du fichier.</translation>
     </message>
     <message>
@@ -6422,7 +6422,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>%1&#xa0;: charger</translation>
     </message>
     <message>
-        <source>If cleared, the chip keeps the value loaded before.</source>
+        <source>If cleared, the chip keeps the previously loaded value.</source>
         <translation>Si la case est décochée, la puce garde la valeur chargée auparavant.</translation>
     </message>
 </context>
@@ -6667,10 +6667,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Envoyer l’arrêt</translation>
     </message>
     <message>
-        <source>How</source>
-        <translation>Comment</translation>
-    </message>
-    <message>
         <source>Amplifier only</source>
         <translation>Amplificateur seul</translation>
     </message>
@@ -6747,7 +6743,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Puis</translation>
     </message>
     <message>
-        <source>Table 4 has no such mode from the present state of the motor.</source>
+        <source>Table 4 of the data sheet has no such mode for the present state of the motor.</source>
         <translation>Le tableau 4 ne prévoit pas ce mode depuis l’état actuel du moteur.</translation>
     </message>
     <message>
@@ -6901,6 +6897,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>The position becomes this value. Nothing moves.</source>
         <translation>La position prend cette valeur. Rien ne bouge.</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Comment</translation>
     </message>
 </context>
 <context>
@@ -7068,7 +7068,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Sens de la limite de courant</translation>
     </message>
     <message>
-        <source>Whether a high or a low A/D value means overcurrent. The chip tells them apart by odd and even numbers.</source>
+        <source>Whether a high or a low A/D value means overcurrent. The chip distinguishes them by odd and even values.</source>
         <translation>Indique si une valeur A/D élevée ou faible signifie surintensité. La puce les distingue par les nombres impairs et pairs.</translation>
     </message>
     <message>
@@ -7076,7 +7076,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Annuler la dernière modification d’un gain</translation>
     </message>
     <message>
-        <source>Redo the edit of a gain</source>
+        <source>Redo the last undone edit of a gain</source>
         <translation>Rétablir la modification d’un gain</translation>
     </message>
     <message>
@@ -7132,12 +7132,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Essayer %1&#xa0;s&#xa0;: ces gains</translation>
     </message>
     <message>
-        <source>Keep them</source>
-        <translation>Les garder</translation>
+        <source>Keep gains</source>
+        <translation>Garder les gains</translation>
     </message>
     <message>
-        <source>Keep them: the gains being tried</source>
-        <translation>Les garder&#xa0;: les gains à l’essai</translation>
+        <source>Keep gains: those being tried</source>
+        <translation>Garder les gains à l’essai</translation>
     </message>
     <message>
         <source>These gains are already being tried.</source>
@@ -7199,7 +7199,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Envoie No Operation, qui ne fait que demander l’état.</translation>
     </message>
     <message>
-        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL may not stop its motor: use the hardware stop.</source>
+        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL might not stop its motor: use the hardware stop.</source>
         <translation>Le programme ne prend pas en charge ce type et cette version (pris en charge&#xa0;: PIC-SERVO v1 à v5 et v10, PIC-STEP v1, PIC-I/O v1)&#x202f;; il n’affiche donc que l’état du module. TOUT ARRÊTER n’arrête peut-être pas son moteur&#xa0;: utilisez l’arrêt matériel.</translation>
     </message>
 </context>
@@ -7242,11 +7242,11 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Groupe que ce module écoute. Envoyé aussitôt&#x202f;; rien ne bouge.</translation>
     </message>
     <message>
-        <source>leads</source>
+        <source>leader</source>
         <translation>meneur</translation>
     </message>
     <message>
-        <source>Module %1 leads its group</source>
+        <source>Leader of its group: module %1</source>
         <translation>Meneur de son groupe&#xa0;: module %1</translation>
     </message>
     <message>
@@ -7298,7 +7298,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Un module écoute un groupe en plus de sa propre adresse. Tous les membres exécutent une commande de groupe dans le même cycle&#x202f;; le meneur, s’il y en a un, répond pour eux, et le programme vérifie ensuite chaque membre. Les demandes d’état vont à un seul module à la fois.</translation>
     </message>
     <message>
-        <source>The group that the buttons command.</source>
+        <source>The group that the buttons act on.</source>
         <translation>Groupe que commandent les boutons.</translation>
     </message>
     <message>
@@ -7535,7 +7535,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Limite de courant</translation>
     </message>
     <message>
-        <source>Home is at a hard stop: the motor runs against it until the current limit is reached. Alone, it takes effect only at full speed; with other conditions from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
+        <source>Home is at a hard stop: the motor runs against it until the current limit is reached. On its own, it takes effect only at full speed; combined with other conditions, from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
         <translation>L’origine est sur une butée mécanique&#xa0;: le moteur va contre elle jusqu’à la limite de courant. Seule, elle n’agit qu’à pleine vitesse&#x202f;; avec d’autres conditions, dès le départ, si bien que le courant de démarrage doit lui rester inférieur. Les bits mémorisés sont d’abord effacés.</translation>
     </message>
     <message>
@@ -7667,7 +7667,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>La première recherche trouve déjà l’index.</translation>
     </message>
     <message>
-        <source>Needs Go to home: the position where the motor is becomes 0.</source>
+        <source>Needs Go to home, because the position at which the motor rests becomes 0.</source>
         <translation>Exige «&#xa0;Aller à l’origine&#xa0;»&#xa0;: la position où se trouve le moteur devient 0.</translation>
     </message>
     <message>
@@ -7899,7 +7899,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Valeur de %1</translation>
     </message>
     <message>
-        <source>%1, each step</source>
+        <source>%1 per count</source>
         <translation>%1, par unité</translation>
     </message>
     <message>
@@ -7994,7 +7994,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Se déplace en arrière tant que le bouton est maintenu, puis s’arrête.</translation>
     </message>
     <message>
-        <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value on every connect; set the max jog speed on the Axis page.</source>
+        <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value at each connection; set the max jog speed on the Axis page.</source>
         <translation>Vitesse du moteur tant que vous maintenez un bouton, ou la barre d’espace sur celui-ci. Revient à une valeur faible à chaque connexion&#x202f;; la vitesse de jog max. se définit sur la page Axe.</translation>
     </message>
     <message>
@@ -8003,7 +8003,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>How fast the motor turns while you hold a button, or Space on it: %1 to %2. Set the max jog speed on the Parameters page.</source>
-        <translation>Vitesse du moteur tant que vous maintenez un bouton, ou la barre d’espace sur celui-ci : %1 à %2. La vitesse de jog max. se définit sur la page Paramètres.</translation>
+        <translation>Vitesse du moteur tant que vous maintenez un bouton, ou la barre d’espace sur celui-ci&#xa0;: %1 à %2. La vitesse de jog max. se définit sur la page Paramètres.</translation>
     </message>
 </context>
 <context>
@@ -8106,10 +8106,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Stop at</source>
         <translation>Arrêt sur</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Comment</translation>
     </message>
     <message>
         <source>A search for home is running and uses the same function of the chip.</source>
@@ -8230,6 +8226,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>L’arrêt sur fin de course est armé pour chaque mouvement. Décochez d’abord cette case.</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Comment</translation>
     </message>
 </context>
 <context>
@@ -8380,7 +8380,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>&amp;Enregistrer et fermer</translation>
     </message>
     <message>
-        <source>&amp;Close: the next start offers to restore them</source>
+        <source>&amp;Close: the changes can be restored at the next start</source>
         <translation>&amp;Fermer&#xa0;: le prochain démarrage proposera de les rétablir</translation>
     </message>
     <message>
@@ -8396,8 +8396,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Modifications non enregistrées</translation>
     </message>
     <message>
-        <source>S&amp;tay</source>
-        <translation>Res&amp;ter</translation>
+        <source>Ca&amp;ncel</source>
+        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>%1 (being saved)</source>
@@ -8463,16 +8463,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Moteurs en mouvement</translation>
     </message>
     <message>
-        <source>St&amp;ay</source>
-        <translation>Re&amp;ster</translation>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>Restart the network</source>
         <translation>Redémarrer le réseau</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>&amp;Restart the network: positions and gains are lost</source>
@@ -8531,8 +8527,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Demande le code PIN.</translation>
     </message>
     <message>
-        <source>End it</source>
-        <translation>Terminer</translation>
+        <source>End pendant mode</source>
+        <translation>Terminer le mode pupitre</translation>
     </message>
     <message>
         <source>No module can be moved. Connect a motor module first.</source>
@@ -8649,7 +8645,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Messages</translation>
     </message>
     <message>
-        <source>No messages. Problems appear here, and when they end.</source>
+        <source>No messages. Problems are listed here, with the time when they ended.</source>
         <translation>Aucun message. Les problèmes s’affichent ici, ainsi que leur fin.</translation>
     </message>
     <message>
@@ -8761,12 +8757,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Modèle du moteur</translation>
     </message>
     <message>
-        <source>Find the motor</source>
-        <translation>Identifier le moteur</translation>
+        <source>Find motor model</source>
+        <translation>Identifier le modèle</translation>
     </message>
     <message>
-        <source>Find the motor model from the steps</source>
-        <translation>Identifier le moteur d’après les échelons</translation>
+        <source>Find motor model from the steps</source>
+        <translation>Identifier le modèle du moteur d’après les échelons</translation>
     </message>
     <message>
         <source>Motor model found</source>
@@ -8821,8 +8817,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Calcule le modèle du moteur à partir des %1 derniers échelons au plus de ce module. N’envoie rien.</translation>
     </message>
     <message>
-        <source>No suggested gains. Find the motor first.</source>
-        <translation>Pas de gains proposés. Identifiez d’abord le moteur.</translation>
+        <source>No suggested gains. Find the motor model first.</source>
+        <translation>Pas de gains proposés. Identifiez d’abord le modèle du moteur.</translation>
     </message>
     <message>
         <source>Copies the suggested gains to the Gains page. Sends nothing.</source>
@@ -8833,8 +8829,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Calcul du modèle du moteur…</translation>
     </message>
     <message>
-        <source>The run behind this model was removed. Find the motor again.</source>
-        <translation>Le relevé qui a servi à ce modèle a été supprimé. Identifiez de nouveau le moteur.</translation>
+        <source>The run behind this model was removed. Find the motor model again.</source>
+        <translation>Le relevé qui a servi à ce modèle a été supprimé. Identifiez de nouveau le modèle du moteur.</translation>
     </message>
     <message>
         <source>No gains keep this motor stable and quiet.</source>
@@ -8861,19 +8857,19 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>° au moins</translation>
     </message>
     <message>
-        <source>Step once more and find</source>
+        <source>Step once more and find model</source>
         <translation>1 échelon de plus, puis identifier</translation>
     </message>
     <message>
-        <source>Step %1 times and find</source>
+        <source>Step %1 times and find model</source>
         <translation>%1 échelons, puis identifier</translation>
     </message>
     <message>
-        <source>The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps once more, as far as before; the model is then found from the recent steps. Make sure that everything it drives can move freely.</source>
         <translation>Le moteur saute encore une fois, aussi loin qu’avant, et est identifié à partir des derniers échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>Le moteur saute de la distance de l’échelon et revient, puis deux fois plus loin et revient, et est identifié à partir de ces échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
     </message>
 </context>
@@ -9080,7 +9076,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>A/D %1</translation>
     </message>
     <message>
-        <source>255 stands for 5 V.</source>
+        <source>255 is 5 V.</source>
         <translation>255 correspond à 5&#xa0;V.</translation>
     </message>
     <message>
@@ -9088,7 +9084,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>PWM 1 et 2</translation>
     </message>
     <message>
-        <source>The output of the module, of 255.</source>
+        <source>The module&apos;s PWM outputs, 0 to 255.</source>
         <translation>Valeurs que le module délivre, sur 255.</translation>
     </message>
     <message>
@@ -9096,7 +9092,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Timer ou compteur</translation>
     </message>
     <message>
-        <source>As the module counts.</source>
+        <source>The module&apos;s own count.</source>
         <translation>Tel que le module le compte.</translation>
     </message>
     <message>
@@ -9505,7 +9501,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>&amp;Points et séquences</translation>
     </message>
     <message>
-        <source>&amp;Moves: go to, run, by N</source>
+        <source>&amp;Moves: go to, run, step</source>
         <translation>Déplace&amp;ments&#xa0;: cible, marche continue, par pas</translation>
     </message>
     <message>
@@ -9607,8 +9603,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Réponse</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>Verdict</translation>
+        <source>Result</source>
+        <translation>Résultat</translation>
     </message>
 </context>
 <context>
@@ -9936,7 +9932,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Active l’amplificateur, maintient le moteur en place et efface les bits mémorisés&#xa0;: le bit d’erreur de position est à 1 tant que le servo est coupé.</translation>
     </message>
     <message>
-        <source>Looking for modules… This is what it said last.</source>
+        <source>Looking for modules… This is the last known state.</source>
         <translation>Recherche des modules… Voici ce qu’il a indiqué en dernier.</translation>
     </message>
     <message>
@@ -10042,7 +10038,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Exécuter</translation>
     </message>
     <message>
-        <source>Run path after a question</source>
+        <source>Run path, with confirmation</source>
         <translation>Exécuter la trajectoire après confirmation</translation>
     </message>
     <message>
@@ -10102,7 +10098,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Enregistre la trajectoire en CSV, avec ses positions dans les unités des axes.</translation>
     </message>
     <message>
-        <source>Write a sequence of moves first (F3).</source>
+        <source>Create a sequence of moves first (F3).</source>
         <translation>Créez d’abord une séquence de déplacements (F3).</translation>
     </message>
     <message>
@@ -10390,7 +10386,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>&amp;Exemplaires</translation>
     </message>
     <message>
-        <source>The printer to use; it is proposed again the next time.</source>
+        <source>The printer to use. It is preselected next time.</source>
         <translation>L’imprimante à utiliser&#xa0;; elle sera proposée de nouveau la prochaine fois.</translation>
     </message>
     <message>
@@ -10622,7 +10618,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>s</translation>
     </message>
     <message>
-        <source>How long to record after the step. Then the motor is told to hold.</source>
+        <source>How long to record after the step. Then the motor is commanded to hold.</source>
         <translation>Durée d’enregistrement après l’échelon. Le moteur reçoit ensuite l’ordre de maintien.</translation>
     </message>
     <message>
@@ -10678,7 +10674,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Certains gains des champs n’ont pas été envoyés&#xa0;: %1. Avec quels gains faire l’échelon&#x202f;?</translation>
     </message>
     <message>
-        <source>Gains that were not sent</source>
+        <source>Gains not sent</source>
         <translation>Gains non envoyés</translation>
     </message>
     <message>
@@ -10927,7 +10923,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Temps jusqu’à ce que la position reste dans la bande de tolérance autour de la cible. Vide si cela n’arrive que dans le dernier cinquième de l’enregistrement.</translation>
     </message>
     <message>
-        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
+        <source>Time until the position stays within the settling band around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
         <translation>De même, autour de la position moyenne du dernier cinquième de l’enregistrement. Sans gain intégral (Ki, IL), le frottement retient le moteur à l’écart de sa cible.</translation>
     </message>
 </context>
@@ -11136,12 +11132,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::RowDelegate</name>
     <message>
-        <source>Number of the row</source>
-        <translation>Nombre de la ligne</translation>
+        <source>Value of the row</source>
+        <translation>Valeur de la ligne</translation>
     </message>
     <message>
-        <source>The number</source>
-        <translation>Le nombre</translation>
+        <source>The value</source>
+        <translation>La valeur</translation>
     </message>
     <message>
         <source>Choices of the row</source>
@@ -11210,20 +11206,16 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         </translation>
     </message>
     <message>
-        <source>Do</source>
+        <source>Action</source>
         <translation>Action</translation>
     </message>
     <message>
-        <source>What</source>
+        <source>Target</source>
         <translation>Objet</translation>
     </message>
     <message>
-        <source>How</source>
-        <translation>Comment</translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation>Nombre</translation>
+        <source>Value</source>
+        <translation>Valeur</translation>
     </message>
     <message>
         <source>%1 high</source>
@@ -11256,6 +11248,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Within</source>
         <translation>Délai</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Comment</translation>
     </message>
 </context>
 <context>
@@ -11364,7 +11360,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>&amp;Copier l’image</translation>
     </message>
     <message>
-        <source>Copies the visible plot to the clipboard, with its samples if these are few.</source>
+        <source>Copies the visible plot to the clipboard, with its samples if there are only a few.</source>
         <translation>Copie le graphique visible dans le presse-papiers, avec ses échantillons s’ils sont peu nombreux.</translation>
     </message>
     <message>
@@ -11584,7 +11580,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>Drag it to resize the strips. A double click makes them equal.</source>
+        <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>Faites glisser pour redimensionner les bandes. Un double-clic les rend égales.</translation>
     </message>
     <message>
@@ -11719,8 +11715,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Supprimer la ligne</translation>
     </message>
     <message>
-        <source>Remove row that is selected</source>
-        <translation>Supprimer la ligne sélectionnée</translation>
+        <source>Remove row: the selected one</source>
+        <translation>Supprimer la ligne&#xa0;: celle qui est sélectionnée</translation>
     </message>
     <message>
         <source>Up</source>
@@ -11743,7 +11739,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Undo the last change of points and sequences</source>
+        <source>Undo the last change to points and sequences</source>
         <translation>Annuler la dernière modification des points et séquences</translation>
     </message>
     <message>
@@ -11751,7 +11747,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Rétablir</translation>
     </message>
     <message>
-        <source>Redo the last undone change of points and sequences</source>
+        <source>Redo the last undone change to points and sequences</source>
         <translation>Rétablir la dernière modification annulée des points et séquences</translation>
     </message>
     <message>
@@ -12101,8 +12097,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Signal carré</translation>
     </message>
     <message>
-        <source>Begin</source>
-        <translation>Commencer</translation>
+        <source>Start test</source>
+        <translation>Lancer le test</translation>
     </message>
     <message>
         <source>The motor jumps back and forth around its position. Make sure that everything it drives can move freely.</source>
@@ -12275,7 +12271,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Choisir un port série…</translation>
     </message>
     <message>
-        <source>No serial port found. Plug in the adapter of the modules: it shows up here.</source>
+        <source>No serial port found. Plug in the modules&apos; adapter; it then appears here.</source>
         <translation>Aucun port série trouvé. Branchez l’adaptateur des modules&#xa0;: il apparaît ici.</translation>
     </message>
     <message>
@@ -12291,7 +12287,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Se connecter à %1</translation>
     </message>
     <message>
-        <source>Needs the modules powered, and their cable plugged in.</source>
+        <source>The modules must be powered and their cable plugged in.</source>
         <translation>Les modules doivent être alimentés et leur câble branché.</translation>
     </message>
     <message>
@@ -13041,7 +13037,7 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
         <translation>par le haut</translation>
     </message>
     <message>
-        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight.</source>
+        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight to its goal.</source>
         <translation>«&#xa0;Aller à la position&#xa0;», «&#xa0;Aller à l’origine&#xa0;» et «&#xa0;Pas&#xa0;» approchent leur cible de ce côté. Un déplacement chargé y va directement.</translation>
     </message>
     <message>
@@ -13093,7 +13089,7 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
         <translation>Marque l’origine comme inconnue. Les limites de course sont inactives jusqu’à ce que l’origine soit de nouveau connue.</translation>
     </message>
     <message>
-        <source>With this backlash, no move can end at home: it would turn round beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
+        <source>With this backlash, no move can end at home: it would reverse beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
         <translation>Avec ce jeu, aucun déplacement ne peut finir à l’origine : il ferait demi-tour au-delà de la limite. Éloignez la limite de l’origine, ou modifiez le jeu ou son sens.</translation>
     </message>
 </context>

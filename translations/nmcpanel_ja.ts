@@ -44,7 +44,7 @@
         <translation>ポートを選択して接続してください。</translation>
     </message>
     <message>
-        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC.</source>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
         <translation>次の順に確認してください：モジュールの電源、チェーンの全ケーブル（1本の緩みですべてのモジュールが見えなくなります）、PCから最も遠いモジュールのADDR_INジャンパー。</translation>
     </message>
     <message>
@@ -68,7 +68,7 @@
         <translation>電源とケーブルを確認してください。モーターが動く場合はハードウェア停止装置を使用してください。パネルは時々再試行します。</translation>
     </message>
     <message>
-        <source>Modules between it and the PC may not answer until it has its address again. Restart the network once all motors can stop and lose their positions.</source>
+        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
         <translation>このモジュールとPCの間にあるモジュールは、アドレスが戻るまで応答しないことがあります。すべてのモーターを停止でき、位置を失ってもよい状態になったら、ネットワークを再起動してください。</translation>
     </message>
     <message>
@@ -123,7 +123,7 @@
         <translation>Networked Modular Control（NMC）モーターモジュール用の操作パネル。</translation>
     </message>
     <message>
-        <source>Connect to a serial port on start.</source>
+        <source>Connect to a serial port at startup.</source>
         <translation>起動時にシリアルポートへ接続します。</translation>
     </message>
     <message>
@@ -139,7 +139,7 @@
         <translation>N</translation>
     </message>
     <message>
-        <source>Connect to the built-in simulator on start. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
+        <source>Connect to the built-in simulator at startup. CHAIN lists its modules, the one farthest from the host first; the default is %1.</source>
         <translation>起動時に内蔵シミュレーターへ接続します。チェーンには、ホストから最も遠いものから順にモジュールを並べます。既定は%1です。</translation>
     </message>
     <message>
@@ -167,7 +167,7 @@
         <translation>--portまたは--simulatorとの併用：読み取り専用で接続します。ステータス要求だけを送信し、終了してもモーターを停止しません。全停止は使用できます。</translation>
     </message>
     <message>
-        <source>Machine file to open on start.</source>
+        <source>Machine file to open at startup.</source>
         <translation>起動時に開くマシンファイル。</translation>
     </message>
 </context>
@@ -273,7 +273,7 @@
         <translation>EL、位置偏差上限（カウント）：衝突や拘束などで偏差がこれを超えると、サーボがオフになります。</translation>
     </message>
     <message>
-        <source>SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
+        <source>SR, servo rate divisor: one servo tick is SR × 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.</source>
         <translation>SR、サーボレート分周比：サーボ1周期はSR x 0.512 msです。周期を長くすると、重い負荷の振動を小さなKdで抑えられます。SRを変えると、すべての速度と加速度の意味が変わります。</translation>
     </message>
     <message>
@@ -612,11 +612,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>位相余裕 %1°</translation>
     </message>
     <message>
-        <source>Uncertain: step once more. Until then the suggested gains are careful.</source>
+        <source>Uncertain: step once more. Until then the suggested gains are conservative.</source>
         <translation>不確かです。もう一度ステップを実行してください。それまで提案ゲインは控えめになります。</translation>
     </message>
     <message>
-        <source>The motor stopped dead short of its goal. Something is in its way: a hard stop, or what it drives. Make room, or step the other way.</source>
+        <source>The motor stopped abruptly short of its goal. Something is in its way: a hard stop, or its load. Clear the way, or step in the other direction.</source>
         <translation>モーターが目標の手前で急に止まりました。メカストッパーや駆動対象など、何かが妨げています。空間を空けるか、逆方向にステップしてください。</translation>
     </message>
     <message>
@@ -640,7 +640,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1 Hzを超える共振はこのステップでは見えません。余裕はそれを見込んでいます。</translation>
     </message>
     <message>
-        <source>The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.</source>
+        <source>The motor probably has more than %1 counts of play: that much motion is lost at each reversal. Take up the play between motor and encoder.</source>
         <translation>モーターにおそらく%1カウントを超えるバックラッシがあります。反転時にその分が失われています。モーターとエンコーダーの間のバックラッシを取り除いてください。</translation>
     </message>
 </context>
@@ -714,11 +714,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>目標位置で「ここで停止」</translation>
     </message>
     <message>
-        <source>A move with so much velocity and acceleration that the profile reaches the goal in one tick.</source>
+        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick.</source>
         <translation>速度と加速度が非常に大きく、プロファイルが1周期で目標位置に達する移動です。</translation>
     </message>
     <message>
-        <source>The servo holds the goal at once, without a profile. Not with version 1.</source>
+        <source>The servo holds the goal at once, without a profile. Not available with version 1.</source>
         <translation>サーボがプロファイルなしで直ちに目標位置を保持します。バージョン1では使用できません。</translation>
     </message>
     <message>
@@ -1089,7 +1089,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モーターの状態は不明です。最後の確認時に動いていたモーターはありません。</translation>
     </message>
     <message>
-        <source>Your user account may not use %1.</source>
+        <source>Your user account has no permission to use %1.</source>
         <translation>お使いのユーザーアカウントには%1の使用権限がありません。</translation>
     </message>
     <message>
@@ -1201,7 +1201,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1に接続しました：%2、%3 Bd。</translation>
     </message>
     <message>
-        <source>Nothing moves until you ask for it. Gains are unknown until you apply them.</source>
+        <source>Nothing moves until you command it. Gains are unknown until you apply them.</source>
         <translation>操作するまで何も動きません。ゲインは、適用するまで不明です。</translation>
     </message>
     <message>
@@ -1217,7 +1217,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>必要ならハードウェア停止装置を使用してください。その後、モジュールの電源とPC側のケーブルを確認してください。</translation>
     </message>
     <message>
-        <source>The link is unreliable: %1 of the last %2 exchanges went wrong.</source>
+        <source>The link is unreliable: %1 of the last %2 exchanges failed.</source>
         <translation>通信が不安定です。直近%2回の通信のうち%1回が失敗しました。</translation>
     </message>
     <message>
@@ -1227,10 +1227,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Set its latency timer to 1 ms.</source>
         <translation>アダプターのレイテンシタイマーを1 msに設定してください。</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>方法</translation>
     </message>
     <message>
         <source>Module %1 has not answered for %2 s. Motor state unknown: it was moving.</source>
@@ -1613,11 +1609,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1のモジュールにはまだアドレスがありません。</translation>
     </message>
     <message>
-        <source>A read-only connection cannot assign addresses. Connect without read-only.</source>
+        <source>A read-only connection cannot assign addresses. Choose Connect fully.</source>
         <translation>読み取り専用接続ではアドレスを割り当てられません。読み取り専用を使わずに接続してください。</translation>
     </message>
     <message>
-        <source>The link is doubtful: %1 of the last %2 exchanges went wrong.</source>
+        <source>The link is marginal: %1 of the last %2 exchanges failed.</source>
         <translation>通信の信頼性に疑いがあります。直近%2回の通信のうち%1回が失敗しました。</translation>
     </message>
     <message>
@@ -1649,7 +1645,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1後に復帰しました。すべての値を読み直しています。</translation>
     </message>
     <message>
-        <source>Resumed after %1: motors were told to stop; reading all values again.</source>
+        <source>Resumed after %1: motors were commanded to stop; reading all values again.</source>
         <translation>%1後に復帰しました。モーターに停止を指令し、すべての値を読み直しています。</translation>
     </message>
     <message>
@@ -1735,7 +1731,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>ポートは開いていますが、応答したモジュールはありません（9600、19 200、57 600、115 200 Bdを試行）。</translation>
     </message>
     <message>
-        <source>Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.</source>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.</source>
         <translation>次の順に確認してください：モジュールの電源、チェーンの全ケーブル（1本の緩みですべてのモジュールが見えなくなります）、PCから最も遠いモジュールのADDR_INジャンパー、TXとRXが入れ替わっていないこと、全二重（4線式）アダプターであること。別のプログラムがチェーンを通常と異なるボーレートのままにした場合は、ネットワークを再起動してください。</translation>
     </message>
     <message>
@@ -1755,7 +1751,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>そのモーターはオフです。モジュールが再起動したか、新しいモジュールが追加されました。アドレスを割り当てるには、ネットワークを再起動してください。</translation>
     </message>
     <message>
-        <source>The link to module %1 is unreliable: %2 of its last %3 exchanges went wrong.</source>
+        <source>The link to module %1 is unreliable: %2 of its last %3 exchanges failed.</source>
         <translation>モジュール%1との通信が不安定です。直近%3回の通信のうち%2回が失敗しました。</translation>
     </message>
     <message>
@@ -1771,11 +1767,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>以前に接続していたアダプターとは異なります。何も送信していません。</translation>
     </message>
     <message>
-        <source>Connect to it</source>
-        <translation>これに接続</translation>
+        <source>Connect anyway</source>
+        <translation>それでも接続</translation>
     </message>
     <message>
-        <source>The link to module %1 is doubtful: %2 of its last %3 exchanges went wrong.</source>
+        <source>The link to module %1 is marginal: %2 of its last %3 exchanges failed.</source>
         <translation>モジュール%1との通信の信頼性に疑いがあります。直近%3回の通信のうち%2回が失敗しました。</translation>
     </message>
     <message>
@@ -1893,7 +1889,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>棄却</translation>
     </message>
     <message>
-        <source>dropped for a stop</source>
+        <source>cancelled by a stop</source>
         <translation>停止のため取り消し</translation>
     </message>
     <message>
@@ -1981,7 +1977,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>応答なし：%1。</translation>
     </message>
     <message>
-        <source>%1 of %2 modules of group %3 started. All of them were told to stop.</source>
+        <source>%1 of %2 modules of group %3 started. All of them were commanded to stop.</source>
         <translation>グループ%3の%2台中%1台のモジュールが開始しました。全台に停止を指令しました。</translation>
     </message>
     <message>
@@ -1993,7 +1989,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>グループ%1に、開始を確認応答していないモジュールがあります。</translation>
     </message>
     <message>
-        <source>Look at the motors. The start is never repeated: load again, then start again. Usually noise on the cable.</source>
+        <source>Look at the motors. The start is never repeated: load the moves again, then start the group again. Usually noise on the cable.</source>
         <translation>モーターを目視で確認してください。開始は再送されません。もう一度ロードしてから開始してください。多くの場合、ケーブルのノイズです。</translation>
     </message>
     <message>
@@ -2033,7 +2029,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>待機中のコマンドが多すぎます。グループ %1 には何も送信していません。</translation>
     </message>
     <message>
-        <source>All motors were told to stop.</source>
+        <source>All motors were commanded to stop.</source>
         <translation>すべてのモーターに停止を指令しました。</translation>
     </message>
     <message>
@@ -2073,11 +2069,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モジュール%1はグループリーダーのため、新しいボーレートで応答してしまいます。先に通常のメンバーにしてください。</translation>
     </message>
     <message>
-        <source>Module %2 did not answer at %1 Bd, so all modules went back. Try another baud rate, a shorter cable, or termination at both ends.</source>
+        <source>Module %2 did not answer at %1 Bd, so all modules went back to the old rate. Try another baud rate, a shorter cable, or termination at both ends.</source>
         <translation>モジュール%2が%1 Bdで応答しなかったため、全モジュールを元に戻しました。別のボーレート、短いケーブル、または両端の終端を試してください。</translation>
     </message>
     <message>
-        <source>A stop came first.</source>
+        <source>A stop took priority.</source>
         <translation>停止が先に実行されました。</translation>
     </message>
     <message>
@@ -2097,7 +2093,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>数値</translation>
     </message>
     <message>
-        <source>a text in quotation marks</source>
+        <source>text in quotation marks</source>
         <translation>引用符で囲んだ文字列</translation>
     </message>
     <message>
@@ -2619,7 +2615,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>スイッチとケーブル、サーチの方向と速度、制限時間を確認してください。</translation>
     </message>
     <message>
-        <source>%1 is not homed and was told to stop: the link was unreliable.</source>
+        <source>%1 is not homed and was commanded to stop: the link was unreliable.</source>
         <translation>%1は原点復帰しておらず、停止を指令しました。通信が不安定だったためです。</translation>
     </message>
     <message>
@@ -2631,7 +2627,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1は原点復帰しておらず、応答しません。モーターの状態は不明です。</translation>
     </message>
     <message>
-        <source>It was told to stop. Use the hardware stop if it moves.</source>
+        <source>It was commanded to stop. Use the hardware stop if it moves.</source>
         <translation>停止を指令しました。モーターが動く場合はハードウェア停止装置を使用してください。</translation>
     </message>
     <message>
@@ -2643,7 +2639,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>位置偏差が大きすぎたか、モーター電源が失われました。引っ掛かりがないか確認し、モーターをオンにしてから、サーチをやり直してください。</translation>
     </message>
     <message>
-        <source>%1 is not homed and was told to stop: a command failed, or its answer was lost.</source>
+        <source>%1 is not homed and was commanded to stop: a command failed, or its answer was lost.</source>
         <translation>%1は原点復帰しておらず、停止を指令しました。コマンドが失敗したか、その応答が失われたためです。</translation>
     </message>
     <message>
@@ -2723,7 +2719,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1、%2 / %3</translation>
     </message>
     <message>
-        <source>The switch stayed active while the motor backed off. It was stopped.</source>
+        <source>The switch stayed active while the motor backed off. The motor was stopped.</source>
         <translation>退避中もスイッチがオンのままでした。モーターを停止しました。</translation>
     </message>
     <message>
@@ -2739,7 +2735,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>制限時間内に原点がありません。モーターを停止しました。</translation>
     </message>
     <message>
-        <source>The link was unreliable. The motor was told to stop.</source>
+        <source>The link was unreliable. The motor was commanded to stop.</source>
         <translation>通信が不安定でした。モーターに停止を指令しました。</translation>
     </message>
     <message>
@@ -2747,7 +2743,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モーターは自動でオフになり、自由に回ります。</translation>
     </message>
     <message>
-        <source>A command failed or was not answered. The motor was told to stop.</source>
+        <source>A command failed or was not answered. The motor was commanded to stop.</source>
         <translation>コマンドが失敗したか、応答がありませんでした。モーターに停止を指令しました。</translation>
     </message>
     <message>
@@ -2927,7 +2923,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>チェーンにありません。設定は保持されます。</translation>
     </message>
     <message>
-        <source>%1 holds again: it moved the wrong way, or more than twice the step.</source>
+        <source>%1 was stopped and holds: it moved the wrong way, or by more than twice the step.</source>
         <translation>%1は再び保持しています。誤った方向に動いたか、ステップの2倍を超えて動いたためです。</translation>
     </message>
     <message>
@@ -2947,7 +2943,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1が静止しません。サーボはオンのままです。</translation>
     </message>
     <message>
-        <source>It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd; Motor off ends it at once.</source>
+        <source>It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd. Choose Motor off to end it at once.</source>
         <translation>発振しているか、外力で回されています。KpとKiを下げるか、Kdを上げてください。「モーターオフ」で直ちに終わります。</translation>
     </message>
     <message>
@@ -2963,11 +2959,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1が応答しないため、ステップは記録されませんでした。モーターの状態は不明です。</translation>
     </message>
     <message>
-        <source>It was told to hold. Use the hardware stop if it moves.</source>
+        <source>It was commanded to hold. Use the hardware stop if it moves.</source>
         <translation>保持を指令しました。モーターが動く場合はハードウェア停止装置を使用してください。</translation>
     </message>
     <message>
-        <source>%1 was told to hold, and its step was not recorded: the link was unreliable.</source>
+        <source>%1 was commanded to hold, and its step was not recorded: the link was unreliable.</source>
         <translation>%1に保持を指令しました。ステップは記録されませんでした。通信が不安定だったためです。</translation>
     </message>
     <message>
@@ -2975,7 +2971,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>通信を確認して、もう一度ステップを実行してください。</translation>
     </message>
     <message>
-        <source>%1 was told to hold, and its step was not recorded: a command failed, or its answer was lost.</source>
+        <source>%1 was commanded to hold, and its step was not recorded: a command failed, or its answer was lost.</source>
         <translation>%1に保持を指令しました。ステップは記録されませんでした。コマンドが失敗したか、その応答が失われたためです。</translation>
     </message>
     <message>
@@ -3079,7 +3075,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>「%1」への記録が停止しました：%2</translation>
     </message>
     <message>
-        <source>%1 Control continues. To continue recording, choose another file.</source>
+        <source>%1 Motor control continues. To continue recording, choose another file.</source>
         <translation>%1 制御は続いています。記録を続けるには、別のファイルを選択してください。</translation>
     </message>
     <message>
@@ -3135,19 +3131,19 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>記録の長さは0.02～3秒でなければなりません。</translation>
     </message>
     <message>
-        <source>No motor is moving. All are told to stop before the port closes.</source>
+        <source>No motor is moving. All motors are commanded to stop before the port closes.</source>
         <translation>動いているモーターはありません。ポートを閉じる前に、全モーターに停止を指令します。</translation>
     </message>
     <message>
-        <source>Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.</source>
+        <source>Nothing was lost: the panel detects wrong answers and retries. If it gets worse, motors are commanded to stop. Usually noise on the cable.</source>
         <translation>失われたものはありません。パネルは誤った応答を検出し、再度問い合わせます。悪化すると、モーターに停止を指令します。多くの場合、ケーブルのノイズです。</translation>
     </message>
     <message>
-        <source>It listens at 19 200 Bd and may misread the other modules&apos; traffic: all motors were told to stop, and sending has stopped.</source>
+        <source>It listens at 19 200 Bd and may misread the other modules&apos; traffic: all motors were commanded to stop, and sending has stopped.</source>
         <translation>このモジュールは19 200 Bdで受信しており、ほかのモジュールの通信を誤って解釈するおそれがあります。全モーターに停止を指令し、送信を中止しました。</translation>
     </message>
     <message>
-        <source>The panel froze for %1; motors were told to stop after 2 s.</source>
+        <source>The panel froze for %1; motors were commanded to stop after 2 s.</source>
         <translation>パネルが%1応答しませんでした。モーターには2秒後に停止を指令しました。</translation>
     </message>
     <message>
@@ -3165,7 +3161,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         </translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 were told to stop but were not seen at rest</source>
+        <source>Modules %1 were commanded to stop but were not seen at rest</source>
         <translation>
             <numerusform>モジュール%1に停止を指令しましたが、停止を確認できませんでした</numerusform>
         </translation>
@@ -3219,11 +3215,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>停止しました。</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop jogging: the panel stalled for over 250 ms.</source>
+        <source>Module %1 was commanded to stop jogging: the panel stalled for over 250 ms.</source>
         <translation>モジュール%1にジョグの停止を指令しました。パネルが250 msを超えて停滞したためです。</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop: it reports motion, but its position stays at %2 counts.</source>
+        <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>
         <translation>モジュール%1に停止を指令しました。動いていると報告していますが、位置が%2カウントから変わらないためです。</translation>
     </message>
     <message>
@@ -3251,7 +3247,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モーターは停止していますが、電流が制限されました。負荷を保持できないおそれがあります。この表示は、スティッキービットをクリアするまで残ります。</translation>
     </message>
     <message numerus="yes">
-        <source>The panel ended without stopping its motors; its guardian told modules %1 to stop.</source>
+        <source>The panel ended without stopping its motors; its guardian commanded modules %1 to stop.</source>
         <translation>
             <numerusform>パネルがモーターを停止せずに終了しました。監視プログラムがモジュール%1に停止を指令しました。</numerusform>
         </translation>
@@ -3261,7 +3257,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>プログラムが強制終了されたか、ハングしました。監視プログラムはモーターが停止したかどうかを確認できません。接続する前にモーターを目視で確認し、動いている場合はハードウェア停止装置を使用してください。</translation>
     </message>
     <message>
-        <source>The panel stalled while a motor was moving; its guardian told the motors to stop.</source>
+        <source>The panel stalled while a motor was moving; its guardian commanded the motors to stop.</source>
         <translation>モーターが動いているときに、パネルが停滞しました。監視プログラムがモーターに停止を指令しました。</translation>
     </message>
     <message>
@@ -3277,7 +3273,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>nmcguardが見つかりません。プログラムを再インストールしてください。ほかはすべて動作します。</translation>
     </message>
     <message>
-        <source>Your user account may not start nmcguard. Reinstall the program. Everything else works.</source>
+        <source>Your user account has no permission to start nmcguard. Reinstall the program. Everything else works.</source>
         <translation>お使いのユーザーアカウントではnmcguardを起動できません。プログラムを再インストールしてください。ほかはすべて動作します。</translation>
     </message>
     <message>
@@ -3363,7 +3359,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1からはアダプターのエコーだけが返りました。応答したモジュールはありません。</translation>
     </message>
     <message>
-        <source>The echo is harmless. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the modules&apos; transmit pair is wired to the adapter.</source>
+        <source>The echo is harmless. Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the modules&apos; transmit pair is wired to the adapter.</source>
         <translation>エコー自体は問題ありません。次の順に確認してください：モジュールの電源、チェーンの全ケーブル（1本の緩みですべてのモジュールが見えなくなります）、モジュールの送信ペアがアダプターに配線されていること。</translation>
     </message>
     <message>
@@ -3383,7 +3379,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>別のホストがこの回線で送信しています。</translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 were told to stop.</source>
+        <source>Modules %1 were commanded to stop.</source>
         <translation>
             <numerusform>モジュール%1に停止を指令しました。</numerusform>
         </translation>
@@ -3417,7 +3413,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1の方向チェックは判定できませんでした。モーターはオフです。</translation>
     </message>
     <message>
-        <source>Direction check of %1 inconclusive; its motor was told to switch off.</source>
+        <source>Direction check of %1 inconclusive; its motor was commanded to switch off.</source>
         <translation>%1の方向チェックは判定できませんでした。モーターオフを指令しました。</translation>
     </message>
     <message>
@@ -3437,7 +3433,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1の方向チェックは判定できませんでした（応答なし）。モーターの状態は不明です。</translation>
     </message>
     <message>
-        <source>It was told to switch off. Use the hardware stop if it moves.</source>
+        <source>It was commanded to switch off. Use the hardware stop if it moves.</source>
         <translation>モーターオフを指令しました。モーターが動く場合はハードウェア停止装置を使用してください。</translation>
     </message>
     <message>
@@ -3469,7 +3465,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1は両方向には動きませんでした。</translation>
     </message>
     <message>
-        <source>It rests %1 off home; its position is 0 there.</source>
+        <source>It is at rest %1 from home; its position there is 0.</source>
         <translation>原点から%1ずれて止まっています。そこを位置0としました。</translation>
     </message>
     <message>
@@ -3745,8 +3741,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1にはこの入力または出力がありません。</translation>
     </message>
     <message>
-        <source>The outputs of %1 are unknown. Set them once on its I/O page.</source>
-        <translation>%1の出力が不明です。「I/O」ページで一度設定してください。</translation>
+        <source>The outputs of %1 are unknown. Set them once on the module&apos;s page.</source>
+        <translation>%1の出力が不明です。モジュールのページで一度設定してください。</translation>
     </message>
     <message>
         <source>A run from the top never gets here: an earlier row repeats forever.</source>
@@ -3761,7 +3757,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>この行では、%1がポイント「%2」になければなりません。先に移動してください。</translation>
     </message>
     <message>
-        <source>At this row, output %1 of %2 must be switched over. Set it first.</source>
+        <source>At this row, output %1 of %2 must be in the opposite state. Set it first.</source>
         <translation>この行では、%2の出力%1が切り替わっていなければなりません。先に設定してください。</translation>
     </message>
     <message>
@@ -3917,11 +3913,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1が完了しました。</translation>
     </message>
     <message>
-        <source>%1 paused, and its motors were told to stop.</source>
+        <source>%1 paused, and its motors were commanded to stop.</source>
         <translation>%1を一時停止し、モーターに停止を指令しました。</translation>
     </message>
     <message>
-        <source>%1 ended, and its motors were told to stop.</source>
+        <source>%1 ended, and its motors were commanded to stop.</source>
         <translation>%1を終了し、モーターに停止を指令しました。</translation>
     </message>
     <message>
@@ -4025,7 +4021,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>次の移動は移動範囲を超えます。モーターを停止しました。</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop just before its travel limit.</source>
+        <source>Module %1 was commanded to stop just before its travel limit.</source>
         <translation>モジュール%1に、移動範囲の限界の直前で停止を指令しました。</translation>
     </message>
     <message>
@@ -4073,15 +4069,15 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>グループ%1に、コマンドを確認応答していないモジュールがあります。</translation>
     </message>
     <message>
-        <source>A group command needs an answer from every member, a state in which each can carry it out, and a known group for every module. Command the modules one by one, or set this module&apos;s group again.</source>
+        <source>A group command requires that every member answers and can carry it out in its present state, and that the group of every module is known. Command the modules one by one, or set this module&apos;s group again.</source>
         <translation>グループコマンドには、全メンバーが応答すること、各メンバーが実行できる状態であること、全モジュールのグループが分かっていることが必要です。モジュールに1台ずつ指令するか、このモジュールのグループを設定し直してください。</translation>
     </message>
     <message>
-        <source>Group %1 was told to switch its motors off: module %2.</source>
+        <source>Group %1 was commanded to switch its motors off: module %2.</source>
         <translation>グループ%1にモーターオフを指令しました：モジュール%2。</translation>
     </message>
     <message>
-        <source>Group %1 was told to stop: module %2.</source>
+        <source>Group %1 was commanded to stop: module %2.</source>
         <translation>グループ%1に停止を指令しました：モジュール%2。</translation>
     </message>
     <message>
@@ -4105,7 +4101,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>サーボが保持している正確な位置が不明です。「先にここで保持」を選択するか、モーターを動かしてください。</translation>
     </message>
     <message>
-        <source>Module %1 holds its motor, and the motor oscillates.</source>
+        <source>Module %1 oscillates while it holds its position.</source>
         <translation>モジュール%1はモーターを保持していますが、発振しています。</translation>
     </message>
     <message>
@@ -4121,7 +4117,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>以前のゲインを復元</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: it began to oscillate.</source>
+        <source>The previous gains of %1 are restored: it began to oscillate.</source>
         <translation>%1のゲインを元に戻しました。発振し始めたためです。</translation>
     </message>
     <message>
@@ -4129,7 +4125,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>KpとKiを下げるかKdを上げて、もう一度試してください。</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: it left its position.</source>
+        <source>The previous gains of %1 are restored: it left its position.</source>
         <translation>%1のゲインを元に戻しました。位置から離れたためです。</translation>
     </message>
     <message>
@@ -4137,7 +4133,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>このゲインでは負荷を保持できないか、ほかの力で回されました。</translation>
     </message>
     <message>
-        <source>%1 switched itself off while gains were tried, and is free to turn.</source>
+        <source>%1 switched itself off while gains were being tried, and is free to turn.</source>
         <translation>%1はゲインの試用中に自動でオフになり、自由に回ります。</translation>
     </message>
     <message>
@@ -4145,7 +4141,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>以前のゲインを再送しました。引っ掛かりがないか確認してから、オンにしてください。</translation>
     </message>
     <message>
-        <source>%1 does not answer while gains are tried. Motor state unknown.</source>
+        <source>%1 does not answer while gains are being tried. Motor state unknown.</source>
         <translation>%1がゲインの試用中に応答しません。モーターの状態は不明です。</translation>
     </message>
     <message>
@@ -4173,7 +4169,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>ゲイン試用中</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: the trial has ended.</source>
+        <source>The previous gains of %1 are restored: the trial has ended.</source>
         <translation>%1のゲインを元に戻しました。試用が終わったためです。</translation>
     </message>
     <message>
@@ -4225,11 +4221,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1に書き込めません。パネルを閉じる前にエクスポートしてください。</translation>
     </message>
     <message>
-        <source>%1: its loop test ended early.</source>
+        <source>The loop test of %1 ended early.</source>
         <translation>%1：ループテストが途中で終了しました。</translation>
     </message>
     <message>
-        <source>The motor moved farther than the test allows, and was told to hold. Check for a load that pulls it, or use lower gains.</source>
+        <source>The motor moved farther than the test allows, and was commanded to hold. Check for a load that pulls it, or use lower gains.</source>
         <translation>モーターがテストの許容量を超えて動いたため、保持を指令しました。引っ張る負荷がないか確認するか、ゲインを下げてください。</translation>
     </message>
     <message>
@@ -4253,7 +4249,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>このモジュールはPIC-I/Oではありません。</translation>
     </message>
     <message>
-        <source>A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were told to stop.</source>
+        <source>A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were commanded to stop.</source>
         <translation>モジュールがパスを自動で終了しました：リミットスイッチ、位置偏差、またはモーター電源なし。パスの全軸に停止を指令しました。</translation>
     </message>
     <message>
@@ -4261,7 +4257,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1はパスを完了していません。</translation>
     </message>
     <message>
-        <source>Not all axes started the path. All of them were told to stop.</source>
+        <source>Not all axes started the path. All of them were commanded to stop.</source>
         <translation>パスの一部の軸が開始しませんでした。全軸に停止を指令しました。</translation>
     </message>
     <message>
@@ -4269,7 +4265,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>パスの点が間に合わなかったため、モーターは最後に受け取った点で停止しました。</translation>
     </message>
     <message>
-        <source>The command position left the path. The motor was told to stop.</source>
+        <source>The command position left the path. The motor was commanded to stop.</source>
         <translation>指令位置がパスから外れました。停止を指令しました。</translation>
     </message>
     <message>
@@ -4325,7 +4321,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>「%1」は数値ではありません。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is beyond what the module can count.</source>
+        <source>&quot;%1&quot; is outside the module&apos;s position range.</source>
         <translation>「%1」は、モジュールが数えられる範囲を超えています。</translation>
     </message>
     <message>
@@ -4357,7 +4353,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1行目、%2：%3</translation>
     </message>
     <message>
-        <source>%1 has no path buffer. Only a PIC-SERVO CMC or SC follows a path.</source>
+        <source>%1 has no path buffer. Only a PIC-SERVO CMC or SC can follow a path.</source>
         <translation>%1にはパスバッファーがありません。パスに追従するのは、PIC-SERVO CMCとSCだけです。</translation>
     </message>
     <message>
@@ -4365,23 +4361,23 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1のI/O設定は不明です。別のプログラムが設定したものです。先に「アンプ」ページまたは「リミットとI/O」ページで適用してください。</translation>
     </message>
     <message>
-        <source>%1 takes step and direction pulses. Switch that off on its page Amplifier first.</source>
+        <source>%1 is set to step and direction input. Switch that off on its Amplifier page first.</source>
         <translation>%1はステップ/方向パルスに従います。先に「アンプ」ページでオフにしてください。</translation>
     </message>
     <message>
-        <source>%1: a path at 30 Hz needs fast path off (page Amplifier or Limits and I/O).</source>
+        <source>%1: a path at 30 Hz needs fast path off (Amplifier or Limits and I/O page).</source>
         <translation>%1：30 Hzのパスでは、「高速パス」をオフにする必要があります（「アンプ」ページまたは「リミットとI/O」ページ）。</translation>
     </message>
     <message>
-        <source>%1: a path at 120 Hz needs fast path on (page Amplifier or Limits and I/O).</source>
+        <source>%1: a path at 120 Hz needs fast path on (Amplifier or Limits and I/O page).</source>
         <translation>%1：120 Hzのパスでは、「高速パス」をオンにする必要があります（「アンプ」ページまたは「リミットとI/O」ページ）。</translation>
     </message>
     <message>
-        <source>%1: a path needs the servo rate SR = 1. Apply the gains with SR 1 first.</source>
+        <source>%1: a path needs a servo rate divisor of 1. Apply the gains with SR = 1 first.</source>
         <translation>%1：パスにはサーボレートSR = 1が必要です。先にSRを1にしてゲインを適用してください。</translation>
     </message>
     <message>
-        <source>%1 has not told its command position yet.</source>
+        <source>%1 has not reported its command position yet.</source>
         <translation>%1はまだ指令位置を報告していません。</translation>
     </message>
     <message>
@@ -4453,7 +4449,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>パスを開始中</translation>
     </message>
     <message>
-        <source>Point %1 of %2, %3 s left, %4 points ahead in the buffer</source>
+        <source>Point %1 of %2, %3 s left, %4 points left in the buffer</source>
         <translation>点%1 / %2、残り%3 s、バッファー内の先行点数%4</translation>
     </message>
     <message>
@@ -4481,7 +4477,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1のこのピンは出力に設定されています。</translation>
     </message>
     <message>
-        <source>This pin of %1 is not set as an output. Set it on the I/O page.</source>
+        <source>This pin of %1 is not set as an output. Make it an output first.</source>
         <translation>%1のこのピンは出力に設定されていません。「I/O」ページで設定してください。</translation>
     </message>
     <message>
@@ -4493,7 +4489,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>A/Dを待つ</translation>
     </message>
     <message numerus="yes">
-        <source>Modules %1 cannot be told to stop</source>
+        <source>No stop command is known for modules %1</source>
         <translation>
             <numerusform>モジュール%1には停止を指令できません</numerusform>
         </translation>
@@ -4523,11 +4519,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>リミット停止がテストを終了しました。</translation>
     </message>
     <message>
-        <source>The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
+        <source>The motor did not follow the sine wave, and was commanded to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.</source>
         <translation>モーターが正弦波に追従しなかったため、保持を指令しました。引っ掛かり、メカストッパー、カップリングの滑り、モーター電源を確認するか、別の振幅を使用してください。</translation>
     </message>
     <message>
-        <source>%1 is back to its previous gains: its output reached the limit OL.</source>
+        <source>The previous gains of %1 are restored: its output reached the limit OL.</source>
         <translation>%1は以前のゲインに戻りました。出力が制限値OLに達しました。</translation>
     </message>
     <message>
@@ -4555,7 +4551,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モジュールにアドレスを割り当てている間に、%1の回線が乱れました。</translation>
     </message>
     <message>
-        <source>A module that had answered fell silent, so how many there are is not known. No motor was moved. Check the cable and the adapter, then scan again.</source>
+        <source>A module that had answered stopped answering, so the number of modules is unknown. No motor was moved. Check the cable and the adapter, then scan again.</source>
         <translation>応答していたモジュールが応答しなくなったため、台数は不明です。モーターは動かしていません。ケーブルとアダプターを確認してから、再スキャンしてください。</translation>
     </message>
     <message>
@@ -4567,11 +4563,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>USBハブ、Bluetooth、デバイスサーバーではよくあることです。パネルは残りを待つため、更新が遅くなります。対処は不要です。</translation>
     </message>
     <message>
-        <source>Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
-        <translation>モーターに停止を指令しました。正しい応答が2秒続くまで、ほかには何も送信しません。その後、パネルが再スキャンします。ボーレートを下げるか、短いケーブル、または両端の終端を試してください。</translation>
+        <source>Motors were commanded to stop. Until answers have been correct for 2 s, only presence queries are sent; then the panel looks for the modules again. Try a lower baud rate, a shorter cable, or termination at both ends.</source>
+        <translation>モーターに停止を指令しました。正しい応答が2秒続くまで、モジュールの存在確認だけを送信します。その後、パネルが再スキャンします。ボーレートを下げるか、短いケーブル、または両端の終端を試してください。</translation>
     </message>
     <message>
-        <source>%1 is %2; the module takes %3 to %4.</source>
+        <source>%1 is %2; the module accepts %3 to %4.</source>
         <translation>%1は%2ですが、モジュールが受け付けるのは%3～%4です。</translation>
     </message>
     <message numerus="yes">
@@ -4593,7 +4589,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n I/O modules as set for a stop</source>
+        <source>%n I/O modules in their stop state</source>
         <translation>
             <numerusform>I/Oモジュール%n台は停止時の設定どおり</numerusform>
         </translation>
@@ -4603,23 +4599,23 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1、%2 ms。</translation>
     </message>
     <message>
-        <source>Module %1 was told to switch off: one answer said that it moved the wrong way, to %2 counts.</source>
+        <source>Module %1 was commanded to switch off: one answer reported a move in the wrong direction, to %2 counts.</source>
         <translation>モジュール%1にモーターオフを指令しました。誤った方向に動き、位置%2カウントに達したという応答が1つあったためです。</translation>
     </message>
     <message>
-        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If the position is right, the answer was not its own: check the cable.</source>
+        <source>If it did, encoder or motor wires are swapped, or the gains make it oscillate. If it did not, the answer was wrong: check the cable.</source>
         <translation>事実なら、エンコーダー線またはモーター線の逆接続か、ゲインによる発振です。位置が正しければ、別のモジュールの応答です。ケーブルを確認してください。</translation>
     </message>
     <message>
-        <source>Module %1 was told to stop: one answer said that it went past its goal, to %2 counts.</source>
+        <source>Module %1 was commanded to stop: one answer reported that it went past its goal, to %2 counts.</source>
         <translation>モジュール%1に停止を指令しました。目標位置を行き過ぎ、位置%2カウントに達したという応答が1つあったためです。</translation>
     </message>
     <message>
-        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If not, the answer was not its own: check the cable.</source>
+        <source>Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If it did not, the answer was wrong: check the cable.</source>
         <translation>次の移動の前に位置を確認してください。そこまで動いていれば、コマンドが途中で壊れたか、ゲインのためにオーバーシュートが大きくなっています。動いていなければ、別のモジュールの応答です。ケーブルを確認してください。</translation>
     </message>
     <message>
-        <source>A question waits for your answer: %1</source>
+        <source>A question is waiting for your answer: %1</source>
         <translation>質問への回答待ちです：%1</translation>
     </message>
     <message>
@@ -4635,19 +4631,19 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>動作中の可能性</translation>
     </message>
     <message>
-        <source>One answer says that the module switched its motor off. The next will tell.</source>
+        <source>One answer says that the motor is off. The next answer will show whether it is.</source>
         <translation>モジュールがモーターをオフにしたという応答が1つありました。次の応答で分かります。</translation>
     </message>
     <message>
-        <source>The motor stands in the last answers, but whether it was started is not known yet.</source>
+        <source>The last answers show the motor at rest, but it is not yet known whether it was started.</source>
         <translation>最近の応答ではモーターは停止していますが、始動したかどうかはまだ不明です。</translation>
     </message>
     <message>
-        <source>Looking for modules… Until they are found, only stops act.</source>
+        <source>Looking for modules… Until they are found, only stop commands work.</source>
         <translation>モジュールを検索中… 見つかるまでは、停止だけが有効です。</translation>
     </message>
     <message>
-        <source>The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.</source>
+        <source>The servo rate of this module is unknown, so speeds per second cannot be calculated. Apply its gains first: they include SR.</source>
         <translation>このモジュールのサーボレートが不明なため、1秒あたりの速度も不明です。先にゲインを適用してください。SRはゲインに含まれます。</translation>
     </message>
     <message>
@@ -4663,15 +4659,15 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>古い値</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has one column per signal, a form for other programs. The scope opens files with one row per reply.</source>
+        <source>&quot;%1&quot; has one column per signal, a format for other programs. The scope opens files with one row per reply.</source>
         <translation>「%1」は信号ごとに1列で、ほかのプログラム用の形式です。スコープで開けるのは、応答ごとに1行のファイルです。</translation>
     </message>
     <message>
-        <source>The position of module %1 has wrapped.</source>
+        <source>The position counter of module %1 has wrapped.</source>
         <translation>モジュール%1の位置が桁あふれしました。</translation>
     </message>
     <message>
-        <source>It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.</source>
+        <source>The 32-bit counter has overflowed and continues at the other end of its range. Earlier positions and travel limits no longer match: find home, then clear the sticky bits on the Details page.</source>
         <translation>32ビットの範囲の反対側の端から続いています。以前の位置や移動範囲はもう元の場所を指しません。原点復帰を行い、「詳細」ページでスティッキービットをクリアしてください。</translation>
     </message>
     <message>
@@ -4681,6 +4677,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>リミットスイッチ2がオンです。モーターはそこから離れる方向にだけ動けます。</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>方法</translation>
     </message>
 </context>
 <context>
@@ -4742,11 +4742,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>先に軸を目視で確認してください。%1は本当に%2にありますか？正しければ、位置0が原点となり、そこを基準に移動範囲が適用されます。正しくなければ、誤った範囲を保護することになります。</translation>
     </message>
     <message>
-        <source>To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
+        <source>To take up the backlash, the move would reverse at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).</source>
         <translation>バックラッシを取るには%1で折り返す必要がありますが、最小位置%2を下回ります。その位置を下げるか、バックラッシまたはその方向を変更してください（「軸」ページ）。</translation>
     </message>
     <message>
-        <source>To take up the backlash, the move would turn round at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
+        <source>To take up the backlash, the move would reverse at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).</source>
         <translation>バックラッシを取るには%1で折り返す必要がありますが、最大位置%2を上回ります。その位置を上げるか、バックラッシまたはその方向を変更してください（「軸」ページ）。</translation>
     </message>
     <message>
@@ -4837,7 +4837,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>Kpが0です。サーボはモーターを制動しますが、位置は保持しません。</translation>
     </message>
     <message>
-        <source>%1 off the position to hold, and pushing with up to all of the output limit. Something may be in the way.</source>
+        <source>%1 off the position to hold, and pushing with up to the full output limit. Something may be in the way.</source>
         <translation>保持すべき位置から%1ずれ、最大で出力制限いっぱいまで押しています。何かが妨げている可能性があります。</translation>
     </message>
     <message>
@@ -4932,7 +4932,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モジュールに保存…</translation>
     </message>
     <message>
-        <source>Save in module the configuration for power-up</source>
+        <source>Save in module: configuration for power-up</source>
         <translation>モジュールに保存：電源投入時の構成</translation>
     </message>
     <message>
@@ -4996,7 +4996,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>ステップ/方向では、リミットのピンがその入力になります。リミット入力を「何もしない」に設定してください。</translation>
     </message>
     <message>
-        <source>The module has these settings.</source>
+        <source>The module already has these settings.</source>
         <translation>モジュールはこの設定になっています。</translation>
     </message>
     <message>
@@ -5004,19 +5004,19 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>AMP_ENをLowにして、この設定を送信します。</translation>
     </message>
     <message>
-        <source>Sends the gains that the module has, with this multiplier.</source>
+        <source>Sends the module&apos;s present gains with this multiplier.</source>
         <translation>現在モジュールにあるゲインを、この倍率とともに送信します。</translation>
     </message>
     <message>
-        <source>Apply the amplifier settings first: what the module has now is not known.</source>
+        <source>Apply the amplifier settings first: the module&apos;s present settings are unknown.</source>
         <translation>先にアンプ設定を適用してください。モジュールの現在の設定が不明です。</translation>
     </message>
     <message>
-        <source>Saves what the module has now, and restarts it.</source>
+        <source>Saves the module&apos;s present settings and restarts it.</source>
         <translation>現在のモジュールの内容を保存し、再起動します。</translation>
     </message>
     <message>
-        <source>Makes the module forget what it saved, and restarts it.</source>
+        <source>Erases the module&apos;s saved configuration and restarts it.</source>
         <translation>モジュールの保存内容を消去し、再起動します。</translation>
     </message>
     <message>
@@ -5056,7 +5056,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>保存済み構成の消去</translation>
     </message>
     <message>
-        <source>Erase what %1 has saved? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
+        <source>Erase the saved configuration of %1? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.</source>
         <translation>%1の保存内容を消去しますか？次の電源投入時には、新品のモジュールと同じ状態で起動します。モジュールは今すぐ再起動します。モーターはオフになり、ゲインを再度送る必要があります。</translation>
     </message>
     <message>
@@ -5099,8 +5099,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>各軸を、それぞれのジョグ速度で動かします。</translation>
     </message>
     <message>
-        <source>Each axis at its own max jog speed, set on its Axis page.</source>
-        <translation>各軸を、それぞれの「軸」ページで設定した最高ジョグ速度で動かします。</translation>
+        <source>Each axis at its own max jog speed, set on its Axis or Parameters page.</source>
+        <translation>各軸を、それぞれの「軸」または「パラメーター」ページで設定した最高ジョグ速度で動かします。</translation>
     </message>
     <message>
         <source>Distance that one click on Step moves an axis, in its own unit.</source>
@@ -5294,7 +5294,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>反転：正方向でカウントが減る</translation>
     </message>
     <message>
-        <source>Turns positions, directions and travel limits of this axis round on the screen. Sends nothing.</source>
+        <source>Reverses positions, directions and travel limits of this axis on the screen. Sends nothing.</source>
         <translation>この軸の位置、方向、移動範囲の表示を反転します。何も送信しません。</translation>
     </message>
 </context>
@@ -6054,7 +6054,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>余分なバイト：要求なしに受信</translation>
     </message>
     <message>
-        <source>of them stale: late answers, discarded</source>
+        <source>of these, stale: late answers, discarded</source>
         <translation>うち期限切れ：遅れて届き破棄した応答</translation>
     </message>
     <message>
@@ -6066,7 +6066,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>規則による棄却：チェックサムは正しいが、あり得ない応答</translation>
     </message>
     <message>
-        <source>  of them: %1</source>
+        <source>  of these: %1</source>
         <translation>  うち：%1</translation>
     </message>
     <message>
@@ -6354,7 +6354,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>すべて現在のままにします。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those of the file.</source>
+        <source>&quot;%1&quot; differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those in the file.</source>
         <translation>「%1」は現在の設定と異なります。「適用」を選択するまで、変更も送信も行われず、モーターも動きません。入力済みで未送信の値は、ファイルの値に置き換わります。</translation>
     </message>
     <message>
@@ -6405,7 +6405,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>%1：ロード</translation>
     </message>
     <message>
-        <source>If cleared, the chip keeps the value loaded before.</source>
+        <source>If cleared, the chip keeps the previously loaded value.</source>
         <translation>チェックを外すと、チップは以前にロードした値を保ちます。</translation>
     </message>
 </context>
@@ -6650,10 +6650,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>停止を送信</translation>
     </message>
     <message>
-        <source>How</source>
-        <translation>方法</translation>
-    </message>
-    <message>
         <source>Amplifier only</source>
         <translation>アンプのみ</translation>
     </message>
@@ -6730,7 +6726,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>その後</translation>
     </message>
     <message>
-        <source>Table 4 has no such mode from the present state of the motor.</source>
+        <source>Table 4 of the data sheet has no such mode for the present state of the motor.</source>
         <translation>モーターの現在の状態からは、データシートの表4にこのようなモードがありません。</translation>
     </message>
     <message>
@@ -6884,6 +6880,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>The position becomes this value. Nothing moves.</source>
         <translation>位置がこの値になります。何も動きません。</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>方法</translation>
     </message>
 </context>
 <context>
@@ -7051,7 +7051,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>電流制限の極性</translation>
     </message>
     <message>
-        <source>Whether a high or a low A/D value means overcurrent. The chip tells them apart by odd and even numbers.</source>
+        <source>Whether a high or a low A/D value means overcurrent. The chip distinguishes them by odd and even values.</source>
         <translation>A/D値が高いときと低いときのどちらを過電流とみなすかを選びます。チップは奇数と偶数で区別します。</translation>
     </message>
     <message>
@@ -7059,7 +7059,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>元に戻す：ゲインの最後の編集</translation>
     </message>
     <message>
-        <source>Redo the edit of a gain</source>
+        <source>Redo the last undone edit of a gain</source>
         <translation>やり直し：ゲインの編集</translation>
     </message>
     <message>
@@ -7115,12 +7115,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>%1秒試用：このゲイン</translation>
     </message>
     <message>
-        <source>Keep them</source>
-        <translation>採用</translation>
+        <source>Keep gains</source>
+        <translation>ゲインを採用</translation>
     </message>
     <message>
-        <source>Keep them: the gains being tried</source>
-        <translation>採用：試用中のゲイン</translation>
+        <source>Keep gains: those being tried</source>
+        <translation>ゲインを採用：試用中のもの</translation>
     </message>
     <message>
         <source>These gains are already being tried.</source>
@@ -7182,7 +7182,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>No Operationを送信します。ステータスを要求するだけです。</translation>
     </message>
     <message>
-        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL may not stop its motor: use the hardware stop.</source>
+        <source>The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module&apos;s status. STOP ALL might not stop its motor: use the hardware stop.</source>
         <translation>このタイプとバージョンにはパネルが対応していないため（対応：PIC-SERVO v1～v5およびv10、PIC-STEP v1、PIC-I/O v1）、モジュールのステータスだけを表示します。全停止ではモーターが止まらない可能性があります。ハードウェア停止を使用してください。</translation>
     </message>
 </context>
@@ -7225,12 +7225,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>このモジュールが従うグループです。直ちに送信されます。何も動きません。</translation>
     </message>
     <message>
-        <source>leads</source>
+        <source>leader</source>
         <translation>リーダー</translation>
     </message>
     <message>
-        <source>Module %1 leads its group</source>
-        <translation>モジュール%1をグループのリーダーにする</translation>
+        <source>Leader of its group: module %1</source>
+        <translation>リーダー（グループの）：モジュール%1</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -7281,7 +7281,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モジュールは自分のアドレスに加えて、1つのグループに従います。グループコマンドは全メンバーが同じ周期に実行し、リーダーがいれば代表して応答します。その後、パネルが各メンバーを確認します。ステータス要求は個々のモジュールに送られます。</translation>
     </message>
     <message>
-        <source>The group that the buttons command.</source>
+        <source>The group that the buttons act on.</source>
         <translation>ボタンで指令するグループです。</translation>
     </message>
     <message>
@@ -7518,7 +7518,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>電流制限</translation>
     </message>
     <message>
-        <source>Home is at a hard stop: the motor runs against it until the current limit is reached. Alone, it takes effect only at full speed; with other conditions from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
+        <source>Home is at a hard stop: the motor runs against it until the current limit is reached. On its own, it takes effect only at full speed; combined with other conditions, from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
         <translation>メカストッパーが原点です。電流制限に達するまで、モーターを突き当てます。単独では全速のときだけ働きます。ほかの条件と併用すると開始時から働くため、始動電流はこれより低くなければなりません。先にスティッキービットをクリアします。</translation>
     </message>
     <message>
@@ -7650,7 +7650,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>最初のサーチでインデックスが見つかります。</translation>
     </message>
     <message>
-        <source>Needs Go to home: the position where the motor is becomes 0.</source>
+        <source>Needs Go to home, because the position at which the motor rests becomes 0.</source>
         <translation>「原点へ移動」が必要です。モーターのある位置が0になります。</translation>
     </message>
     <message>
@@ -7882,7 +7882,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>%1の値</translation>
     </message>
     <message>
-        <source>%1, each step</source>
+        <source>%1 per count</source>
         <translation>%1、1刻み</translation>
     </message>
     <message>
@@ -7977,7 +7977,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>押している間、逆方向に動き、離すと停止します。</translation>
     </message>
     <message>
-        <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value on every connect; set the max jog speed on the Axis page.</source>
+        <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value at each connection; set the max jog speed on the Axis page.</source>
         <translation>ボタン、またはその上でスペースキーを押している間のモーターの速度です。接続のたびに低い値に戻ります。最高ジョグ速度は「軸」ページで設定します。</translation>
     </message>
     <message>
@@ -8089,10 +8089,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Stop at</source>
         <translation>停止条件</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>方法</translation>
     </message>
     <message>
         <source>A search for home is running and uses the same function of the chip.</source>
@@ -8213,6 +8209,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>リミット停止は動作ごとに有効になります。先にそのチェックボックスを外してください。</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>方法</translation>
     </message>
 </context>
 <context>
@@ -8362,7 +8362,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>保存して閉じる(&amp;S)</translation>
     </message>
     <message>
-        <source>&amp;Close: the next start offers to restore them</source>
+        <source>&amp;Close: the changes can be restored at the next start</source>
         <translation>閉じる：次回の起動時に復元できます(&amp;C)</translation>
     </message>
     <message>
@@ -8378,8 +8378,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>未保存の変更</translation>
     </message>
     <message>
-        <source>S&amp;tay</source>
-        <translation>このまま続ける(&amp;T)</translation>
+        <source>Ca&amp;ncel</source>
+        <translation>キャンセル(&amp;T)</translation>
     </message>
     <message>
         <source>%1 (being saved)</source>
@@ -8445,16 +8445,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モーターが動いています</translation>
     </message>
     <message>
-        <source>St&amp;ay</source>
-        <translation>このまま続ける(&amp;A)</translation>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
         <source>Restart the network</source>
         <translation>ネットワークを再起動</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Restart the network: positions and gains are lost</source>
@@ -8513,8 +8509,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>PINの入力が必要です。</translation>
     </message>
     <message>
-        <source>End it</source>
-        <translation>終了する</translation>
+        <source>End pendant mode</source>
+        <translation>ペンダントモードを終了</translation>
     </message>
     <message>
         <source>No module can be moved. Connect a motor module first.</source>
@@ -8631,7 +8627,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>メッセージ</translation>
     </message>
     <message>
-        <source>No messages. Problems appear here, and when they end.</source>
+        <source>No messages. Problems are listed here, with the time when they ended.</source>
         <translation>メッセージはありません。問題の発生と終了がここに表示されます。</translation>
     </message>
     <message>
@@ -8742,12 +8738,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モーターモデル</translation>
     </message>
     <message>
-        <source>Find the motor</source>
-        <translation>モーターを同定</translation>
+        <source>Find motor model</source>
+        <translation>モーターモデルを同定</translation>
     </message>
     <message>
-        <source>Find the motor model from the steps</source>
-        <translation>モーターを同定：ステップからモデルを算出</translation>
+        <source>Find motor model from the steps</source>
+        <translation>モーターモデルを同定：ステップから</translation>
     </message>
     <message>
         <source>Motor model found</source>
@@ -8802,8 +8798,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>このモジュールの最近のステップ（最大%1回）からモーターモデルを計算します。何も送信しません。</translation>
     </message>
     <message>
-        <source>No suggested gains. Find the motor first.</source>
-        <translation>提案ゲインがありません。先にモーターを同定してください。</translation>
+        <source>No suggested gains. Find the motor model first.</source>
+        <translation>提案ゲインがありません。先にモーターモデルを同定してください。</translation>
     </message>
     <message>
         <source>Copies the suggested gains to the Gains page. Sends nothing.</source>
@@ -8814,8 +8810,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モーターモデルを計算中…</translation>
     </message>
     <message>
-        <source>The run behind this model was removed. Find the motor again.</source>
-        <translation>このモデルの元の測定が削除されました。もう一度モーターを同定してください。</translation>
+        <source>The run behind this model was removed. Find the motor model again.</source>
+        <translation>このモデルの元の測定が削除されました。もう一度モーターモデルを同定してください。</translation>
     </message>
     <message>
         <source>No gains keep this motor stable and quiet.</source>
@@ -8842,19 +8838,19 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>° 以上</translation>
     </message>
     <message>
-        <source>Step once more and find</source>
+        <source>Step once more and find model</source>
         <translation>もう1回動かして同定</translation>
     </message>
     <message>
-        <source>Step %1 times and find</source>
+        <source>Step %1 times and find model</source>
         <translation>%1回動かして同定</translation>
     </message>
     <message>
-        <source>The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps once more, as far as before; the model is then found from the recent steps. Make sure that everything it drives can move freely.</source>
         <translation>モーターがもう一度、これまでと同じ距離だけ急に動き、最近のステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>モーターがステップの距離だけ急に動いて戻り、次にその2倍動いて戻り、これらのステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
     </message>
 </context>
@@ -9061,7 +9057,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>A/D %1</translation>
     </message>
     <message>
-        <source>255 stands for 5 V.</source>
+        <source>255 is 5 V.</source>
         <translation>255が5 Vに相当します。</translation>
     </message>
     <message>
@@ -9069,7 +9065,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>PWM 1と2</translation>
     </message>
     <message>
-        <source>The output of the module, of 255.</source>
+        <source>The module&apos;s PWM outputs, 0 to 255.</source>
         <translation>モジュールの出力値です（/ 255）。</translation>
     </message>
     <message>
@@ -9077,7 +9073,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>タイマーまたはカウンター</translation>
     </message>
     <message>
-        <source>As the module counts.</source>
+        <source>The module&apos;s own count.</source>
         <translation>モジュールのカウント値です。</translation>
     </message>
     <message>
@@ -9486,7 +9482,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ポイントとシーケンス(&amp;P)</translation>
     </message>
     <message>
-        <source>&amp;Moves: go to, run, by N</source>
+        <source>&amp;Moves: go to, run, step</source>
         <translation>移動：位置へ、運転、ステップ(&amp;M)</translation>
     </message>
     <message>
@@ -9588,8 +9584,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>応答</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>判定</translation>
+        <source>Result</source>
+        <translation>結果</translation>
     </message>
 </context>
 <context>
@@ -9917,7 +9913,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>アンプをオンにしてモーターをその場で保持し、スティッキービットをクリアします。サーボがオフの間、位置偏差のビットはセットされています。</translation>
     </message>
     <message>
-        <source>Looking for modules… This is what it said last.</source>
+        <source>Looking for modules… This is the last known state.</source>
         <translation>モジュールを検索中… これは最後に報告された状態です。</translation>
     </message>
     <message>
@@ -10023,7 +10019,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>パスを運転</translation>
     </message>
     <message>
-        <source>Run path after a question</source>
+        <source>Run path, with confirmation</source>
         <translation>パスを運転：確認の後</translation>
     </message>
     <message>
@@ -10083,7 +10079,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>パスをCSVで保存します。位置は各軸の単位で書き込みます。</translation>
     </message>
     <message>
-        <source>Write a sequence of moves first (F3).</source>
+        <source>Create a sequence of moves first (F3).</source>
         <translation>先に移動のシーケンスを作成してください（F3）。</translation>
     </message>
     <message>
@@ -10371,7 +10367,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>部数(&amp;O)</translation>
     </message>
     <message>
-        <source>The printer to use; it is proposed again the next time.</source>
+        <source>The printer to use. It is preselected next time.</source>
         <translation>使用するプリンター。次回もこのプリンターが選択されます。</translation>
     </message>
     <message>
@@ -10603,7 +10599,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>s</translation>
     </message>
     <message>
-        <source>How long to record after the step. Then the motor is told to hold.</source>
+        <source>How long to record after the step. Then the motor is commanded to hold.</source>
         <translation>ステップの後に記録する時間です。その後、モーターに保持を指令します。</translation>
     </message>
     <message>
@@ -10659,7 +10655,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>欄に未送信のゲインがあります：%1。どちらのゲインでステップを実行しますか？</translation>
     </message>
     <message>
-        <source>Gains that were not sent</source>
+        <source>Gains not sent</source>
         <translation>未送信のゲイン</translation>
     </message>
     <message>
@@ -10908,7 +10904,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>位置が目標位置の整定幅内に留まるまでの時間です。記録の最後の5分の1で初めてそうなった場合は空欄です。</translation>
     </message>
     <message>
-        <source>The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
+        <source>Time until the position stays within the settling band around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
         <translation>同じく、記録の最後の5分の1の平均位置を中心とした値です。積分ゲイン（Ki、IL）がないと、摩擦によりモーターが目標位置からずれて止まります。</translation>
     </message>
 </context>
@@ -11117,12 +11113,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::RowDelegate</name>
     <message>
-        <source>Number of the row</source>
-        <translation>行の数値</translation>
+        <source>Value of the row</source>
+        <translation>行の値</translation>
     </message>
     <message>
-        <source>The number</source>
-        <translation>数値の入力</translation>
+        <source>The value</source>
+        <translation>値の入力</translation>
     </message>
     <message>
         <source>Choices of the row</source>
@@ -11190,20 +11186,16 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         </translation>
     </message>
     <message>
-        <source>Do</source>
+        <source>Action</source>
         <translation>実行内容</translation>
     </message>
     <message>
-        <source>What</source>
+        <source>Target</source>
         <translation>対象</translation>
     </message>
     <message>
-        <source>How</source>
-        <translation>方法</translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation>数値</translation>
+        <source>Value</source>
+        <translation>値</translation>
     </message>
     <message>
         <source>%1 high</source>
@@ -11236,6 +11228,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Within</source>
         <translation>制限時間</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>方法</translation>
     </message>
 </context>
 <context>
@@ -11344,7 +11340,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>画像をコピー(&amp;C)</translation>
     </message>
     <message>
-        <source>Copies the visible plot to the clipboard, with its samples if these are few.</source>
+        <source>Copies the visible plot to the clipboard, with its samples if there are only a few.</source>
         <translation>表示中のグラフをクリップボードにコピーします。サンプルが少なければ一緒にコピーします。</translation>
     </message>
     <message>
@@ -11564,7 +11560,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>Drag it to resize the strips. A double click makes them equal.</source>
+        <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>ドラッグして表示欄の大きさを変えます。ダブルクリックで均等になります。</translation>
     </message>
     <message>
@@ -11699,7 +11695,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>行を削除</translation>
     </message>
     <message>
-        <source>Remove row that is selected</source>
+        <source>Remove row: the selected one</source>
         <translation>行を削除：選択した行</translation>
     </message>
     <message>
@@ -11723,7 +11719,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>元に戻す</translation>
     </message>
     <message>
-        <source>Undo the last change of points and sequences</source>
+        <source>Undo the last change to points and sequences</source>
         <translation>元に戻す：ポイントとシーケンスの最後の変更</translation>
     </message>
     <message>
@@ -11731,7 +11727,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>やり直し</translation>
     </message>
     <message>
-        <source>Redo the last undone change of points and sequences</source>
+        <source>Redo the last undone change to points and sequences</source>
         <translation>やり直し：元に戻したポイントとシーケンスの変更</translation>
     </message>
     <message>
@@ -12081,8 +12077,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>矩形波</translation>
     </message>
     <message>
-        <source>Begin</source>
-        <translation>開始</translation>
+        <source>Start test</source>
+        <translation>テスト開始</translation>
     </message>
     <message>
         <source>The motor jumps back and forth around its position. Make sure that everything it drives can move freely.</source>
@@ -12255,7 +12251,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>シリアルポートを選択…</translation>
     </message>
     <message>
-        <source>No serial port found. Plug in the adapter of the modules: it shows up here.</source>
+        <source>No serial port found. Plug in the modules&apos; adapter; it then appears here.</source>
         <translation>シリアルポートが見つかりません。モジュールのアダプターを差し込むと、ここに表示されます。</translation>
     </message>
     <message>
@@ -12271,7 +12267,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>%1に接続</translation>
     </message>
     <message>
-        <source>Needs the modules powered, and their cable plugged in.</source>
+        <source>The modules must be powered and their cable plugged in.</source>
         <translation>モジュールの電源を入れ、ケーブルを接続しておいてください。</translation>
     </message>
     <message>
@@ -13021,7 +13017,7 @@ It works only while the link works: fit a hardware stop as well.</source>
         <translation>上から</translation>
     </message>
     <message>
-        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight.</source>
+        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight to its goal.</source>
         <translation>「位置へ移動」、「原点へ移動」、「ステップ」は、目標位置にこの側から接近します。ロード済みの移動は直接向かいます。</translation>
     </message>
     <message>
@@ -13073,7 +13069,7 @@ It works only while the link works: fit a hardware stop as well.</source>
         <translation>原点を不明にします。原点が再び分かるまで、移動範囲の制限は無効です。</translation>
     </message>
     <message>
-        <source>With this backlash, no move can end at home: it would turn round beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
+        <source>With this backlash, no move can end at home: it would reverse beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
         <translation>このバックラッシでは、原点で終わる移動ができません。リミットの外側で折り返すことになるためです。リミットを原点から離すか、バックラッシまたはその方向を変更してください。</translation>
     </message>
 </context>

@@ -13,7 +13,7 @@ void Health::add(bool wrong, int change) {
     if (m_level == LinkHealth::Lost || m_bucket >= kLost)
         m_level = LinkHealth::Lost;
     else if (m_bucket >= kDoubtful)
-        m_level = LinkHealth::Doubtful;
+        m_level = LinkHealth::Marginal;
     else if (m_bucket == 0)
         m_level = LinkHealth::Good;  // not already below 30: the level would fluctuate
 }

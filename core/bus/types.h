@@ -376,7 +376,7 @@ struct EchoNoticed {};
 struct LinkLost {};
 
 /// How far the link can be trusted (link.md 2.5).
-enum class LinkHealth : std::uint8_t { Good, Doubtful, Lost };
+enum class LinkHealth : std::uint8_t { Good, Marginal, Lost };
 
 /// For the whole bus, or for one module. When Lost, the motors concerned were stopped (not by a read-only
 /// connection), and are only queried for their presence until they are well again (wellagain.h).

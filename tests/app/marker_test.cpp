@@ -79,7 +79,7 @@ TEST(H02_Killed, IsSaidAtTheNextStartWithWhatItsGuardianDidAndTheOtherPanelsMark
         [&] { return reports.entryList({QStringLiteral("guardian-*.report")}).size() == 1; }, 20'000));
     IntentPanel next(reports.filePath(QStringLiteral("next.ini")), {}, killed.data());
     next.start();
-    const QString told = QStringLiteral("its guardian told module 1 to stop");
+    const QString told = QStringLiteral("its guardian commanded module 1 to stop");
     ASSERT_NE(next.standing(told), nullptr);
     EXPECT_EQ(next.count(kEnded), 0) << "one event gives one message";
     const QString body = next.standing(told)->message().body;

@@ -21,7 +21,7 @@ TEST(H02_Guardian, WhatItHadToDoIsSaidAtTheNextStartOnce) {
     {
         IntentPanel next(settings);
         next.start();
-        EXPECT_EQ(next.count(QStringLiteral("its guardian told modules 1 and 3 to stop")), 1)
+        EXPECT_EQ(next.count(QStringLiteral("its guardian commanded modules 1 and 3 to stop")), 1)
             << next.headlines().join(QLatin1Char('\n')).toStdString();
     }
     IntentPanel oneAfter(settings);

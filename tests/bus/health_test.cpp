@@ -34,7 +34,7 @@ TEST(Health, BecomesDoubtfulAtThirty) {
     wrong(health, 2);
     EXPECT_EQ(health.level(), LinkHealth::Good);
     health.wrong();
-    EXPECT_EQ(health.level(), LinkHealth::Doubtful);
+    EXPECT_EQ(health.level(), LinkHealth::Marginal);
 }
 
 TEST(Health, CountsAGoodExchangeAsATenthOfAWrongOne) {
@@ -44,14 +44,14 @@ TEST(Health, CountsAGoodExchangeAsATenthOfAWrongOne) {
     health.wrong();
     EXPECT_EQ(health.level(), LinkHealth::Good) << "29";
     health.wrong();
-    EXPECT_EQ(health.level(), LinkHealth::Doubtful) << "39";
+    EXPECT_EQ(health.level(), LinkHealth::Marginal) << "39";
 }
 
 TEST(Health, StaysDoubtfulUntilTheBucketIsEmpty) {
     Health health;
     wrong(health, 3);
     good(health, 29);
-    EXPECT_EQ(health.level(), LinkHealth::Doubtful);
+    EXPECT_EQ(health.level(), LinkHealth::Marginal);
     health.good();
     EXPECT_EQ(health.level(), LinkHealth::Good);
 }
@@ -60,7 +60,7 @@ TEST(Health, DoesNotSaveUpGoodExchanges) {
     Health health;
     good(health, 10'000);
     wrong(health, 3);
-    EXPECT_EQ(health.level(), LinkHealth::Doubtful);
+    EXPECT_EQ(health.level(), LinkHealth::Marginal);
 }
 
 TEST(Health, IsLostAtAHundredForGood) {
@@ -68,7 +68,7 @@ TEST(Health, IsLostAtAHundredForGood) {
     wrong(health, 9);
     good(health, 1);
     health.wrong();
-    EXPECT_EQ(health.level(), LinkHealth::Doubtful) << "99";
+    EXPECT_EQ(health.level(), LinkHealth::Marginal) << "99";
     health.wrong();
     EXPECT_EQ(health.level(), LinkHealth::Lost);
     good(health, 10'000);
@@ -97,7 +97,7 @@ RC_GTEST_PROP(Health, IsLostExactlyOnceTheBucketHasHeldAHundred, (std::vector<bo
         bucket = isWrong ? bucket + 10 : bucket > 0 ? bucket - 1 : 0;
         lost = lost || bucket >= 100;
         RC_ASSERT((health.level() == LinkHealth::Lost) == lost);
-        RC_ASSERT(lost || bucket < 30 || health.level() == LinkHealth::Doubtful);
+        RC_ASSERT(lost || bucket < 30 || health.level() == LinkHealth::Marginal);
         RC_ASSERT(lost || bucket > 0 || health.level() == LinkHealth::Good);
     }
 }

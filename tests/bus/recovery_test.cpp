@@ -148,14 +148,14 @@ TEST(Recovery, TellsOfADoubtfulLinkOnceAndOfItsEndOnce) {
     BadLine line;
     line.isBad = true;
     ASSERT_TRUE(line.bus.runUntil([&] { return line.bus.count<HealthChanged>() > 0; }, 60s));
-    EXPECT_EQ(line.bus.all<HealthChanged>().front().health, LinkHealth::Doubtful);
+    EXPECT_EQ(line.bus.all<HealthChanged>().front().health, LinkHealth::Marginal);
     EXPECT_GE(line.bus.all<HealthChanged>().front().wrong, 3U);
     line.isBad = false;
     line.bus.runFor(10s);
     for (const bool ofModule : {false, true}) {
         const auto healths = line.healths(ofModule);
         if (!healths.empty()) {
-            EXPECT_EQ(healths, (std::vector{LinkHealth::Doubtful, LinkHealth::Good})) << ofModule;
+            EXPECT_EQ(healths, (std::vector{LinkHealth::Marginal, LinkHealth::Good})) << ofModule;
         }
     }
     EXPECT_FALSE(line.healths(true).empty());

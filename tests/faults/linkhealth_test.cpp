@@ -49,7 +49,7 @@ private:
 
 // Each round of four answers puts 10 in and takes 3 out: 10, 17, 24, 31; and 94, 101 at the 13th and 14th.
 TEST_F(LinkHealthOfOneModule, IsDoubtfulFromThirtyAndLostFromAHundred) {
-    ASSERT_TRUE(reaches(LinkHealth::Doubtful));
+    ASSERT_TRUE(reaches(LinkHealth::Marginal));
     EXPECT_EQ(wrong, 4U);
     ASSERT_TRUE(reaches(LinkHealth::Lost));
     EXPECT_EQ(wrong, 14U);
@@ -86,7 +86,7 @@ TEST_F(LinkHealthOfOneModule, StaysLost) {
     bus.engine.stopAll(bus.now);
     bus.runFor(5s);
     ASSERT_EQ(bus.count<StopFinished>(), 1U);
-    EXPECT_EQ(levels(), (std::vector{LinkHealth::Doubtful, LinkHealth::Lost}));
+    EXPECT_EQ(levels(), (std::vector{LinkHealth::Marginal, LinkHealth::Lost}));
 }
 
 }  // namespace

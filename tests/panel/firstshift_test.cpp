@@ -46,7 +46,7 @@ protected:
     }
     void typeInRow(int row, const QString& number) {
         auto* table = doubleClick(row, 3);
-        auto* field = hand->find<QLineEdit>(u"Number of the row"_s);
+        auto* field = hand->find<QLineEdit>(u"Value of the row"_s);
         ASSERT_NE(field, nullptr);
         field->selectAll();
         QTest::keyClicks(field, number);

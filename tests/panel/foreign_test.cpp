@@ -62,7 +62,8 @@ TEST_F(AnotherHost, ThatStartsAModuleIsToldOfAtOnceAndItsMotionEndsByTheButtonIn
 TEST_F(AnotherHost, ThatAsksQuestionsIsToldOfAndEndsTheMotionOfThisPanel) {
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     sim.tell("fault bus foreign on=nop t=10ms..40ms");
-    const QString told = QStringLiteral("Another host is sending on this line. Module 1 was told to stop.");
+    const QString told =
+        QStringLiteral("Another host is sending on this line. Module 1 was commanded to stop.");
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(told) > 0; }))
         << panel.headlines().join(QLatin1Char('\n')).toStdString();
     EXPECT_TRUE(panel.waitFor([&] { return !sim.driven(0); }));

@@ -328,7 +328,7 @@ TEST_F(MachineFiles, ABadFileNamesLineAndFieldAndNothingChanges) {
     panel.start();
     open(panel, path);
     EXPECT_EQ(panel.headlines().first(),
-              QStringLiteral("\"bad.json\" line %1: Kp is 40000; the module takes 0 to 32767.").arg(line));
+              QStringLiteral("\"bad.json\" line %1: Kp is 40000; the module accepts 0 to 32767.").arg(line));
     EXPECT_EQ(table(panel), nullptr);
     EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel"));
     open(panel, directory.filePath(QStringLiteral("none.json")));

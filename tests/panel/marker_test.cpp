@@ -89,7 +89,7 @@ TEST_F(LeftMark, WithWhatTheGuardianDidCanBeLookedAt) {
                                  *StopBurst::of(stop, 19'200)));
     VirtualPanel next(home.filePath(QStringLiteral("next.ini")), {}, home.path());
     next.start();
-    const QString told = QStringLiteral("its guardian told module 1 to stop");
+    const QString told = QStringLiteral("its guardian commanded module 1 to stop");
     ASSERT_NE(next.standing(told), nullptr);
     EXPECT_EQ(next.count(kEnded), 0) << "one event gives one message";
     ASSERT_TRUE(next.press(told, QStringLiteral("Look first")));

@@ -123,7 +123,7 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     EXPECT_EQ(panel.count(kDifferent), 2) << "a second request is reported again";
     EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
 
-    ASSERT_TRUE(panel.press(kDifferent, QStringLiteral("Connect to it")));
+    ASSERT_TRUE(panel.press(kDifferent, QStringLiteral("Connect anyway")));
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
     EXPECT_EQ(panel.count(kBack), 0);
 }

@@ -241,7 +241,7 @@ TEST_F(H02_ReadOnly, MotorsAreLeftAloneWhenThePanelFreezes) {
     ASSERT_NO_FATAL_FAILURE(look());
     panel.freeze(2'600ms);
     ASSERT_TRUE(panel.answersFor(0.5));
-    EXPECT_EQ(panel.count(u"motors were told to stop"_s), 0);
+    EXPECT_EQ(panel.count(u"motors were commanded to stop"_s), 0);
     expectUndisturbed();
 }
 
@@ -251,7 +251,7 @@ TEST_F(H02_ReadOnly, MotorsAreLeftAloneWhenTheMachineSlept) {
     ASSERT_NO_FATAL_FAILURE(look());
     asleep = Duration(2h).count();
     ASSERT_TRUE(panel.answersFor(1.0));
-    EXPECT_EQ(panel.count(u"told to stop"_s), 0);
+    EXPECT_EQ(panel.count(u"commanded to stop"_s), 0);
     expectUndisturbed();
     panel.composition().worker().close();
     ASSERT_TRUE(closes());

@@ -54,7 +54,7 @@ TEST(H01_FrozenPanel, HasItsMotorsStoppedAndSaysSo) {
     panel.freeze(600ms);
     EXPECT_FALSE(sim.driven(0));
     EXPECT_TRUE(panel.waitFor([&] {
-        return panel.count(QStringLiteral("motors were told to stop after 2 s")) == 1;
+        return panel.count(QStringLiteral("motors were commanded to stop after 2 s")) == 1;
     })) << panel.headlines().join(QLatin1Char('\n')).toStdString();
 }
 

@@ -21,7 +21,7 @@ TEST(ChainTexts, GroupStartedInPart) {
                                                 {ModuleIndex(1), MemberOutcome::NotDone},
                                                 {ModuleIndex(2), MemberOutcome::Done}},
                                                true));
-    EXPECT_EQ(m.headline, u"2 of 3 modules of group 81 started. All of them were told to stop."_s);
+    EXPECT_EQ(m.headline, u"2 of 3 modules of group 81 started. All of them were commanded to stop."_s);
     EXPECT_TRUE(m.body.startsWith(u"Carried out by: 1 and 3. Not carried out by: 2."_s))
         << m.body.toStdString();
     EXPECT_EQ(m.severity, Severity::Fault);
@@ -58,9 +58,9 @@ TEST(ChainTexts, GroupThatIsToldToStop) {
     const std::vector<bus::GroupMember> both{{ModuleIndex(0), MemberOutcome::Done},
                                              {ModuleIndex(2), MemberOutcome::Done}};
     EXPECT_EQ(texts::groupToldToStop(command(GroupAction::StopSmoothly, bus::Outcome::Done, both)).headline,
-              u"Group 81 was told to stop: module 1 and 3."_s);
+              u"Group 81 was commanded to stop: module 1 and 3."_s);
     EXPECT_EQ(texts::groupToldToStop(command(GroupAction::MotorOff, bus::Outcome::Done, both)).headline,
-              u"Group 81 was told to switch its motors off: module 1 and 3."_s);
+              u"Group 81 was commanded to switch its motors off: module 1 and 3."_s);
     EXPECT_EQ(texts::stopConfirmed({ModuleIndex(2), bus::StopCause::GroupStop}), u"Module 3 has stopped."_s);
 }
 
@@ -84,7 +84,8 @@ TEST(ChainTexts, RateThatAModuleDidNotHear) {
     const Message m = texts::rateNotChanged({RateFailure::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {}});
     EXPECT_EQ(m.headline,
               u"Could not change the baud rate: the chain stays at 19 200 Bd. No motor was moved."_s);
-    EXPECT_TRUE(m.body.startsWith(u"Module 2 did not answer at 115 200 Bd, so all modules went back."_s))
+    EXPECT_TRUE(m.body.startsWith(
+        u"Module 2 did not answer at 115 200 Bd, so all modules went back to the old rate."_s))
         << m.body.toStdString();
     const Message lost =
         texts::rateNotChanged({RateFailure::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {ModuleIndex(1)}});

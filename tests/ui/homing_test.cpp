@@ -356,7 +356,7 @@ TEST(ProcedureTexts, AZeroThatIsRefusedNamesTheBoxesToChange) {
     report.failure.reset();
     report.home = -1'000;
     EXPECT_EQ(texts::procedureEnded(report, AxisScale::servo({}, 1))->body,
-              u"It rests 4 counts off home; its position is 0 there."_s);
+              u"It is at rest 4 counts from home; its position there is 0."_s);
 }
 
 TEST(ProcedureTexts, EachRefusalHasASentenceOfItsOwn) {

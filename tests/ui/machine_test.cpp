@@ -270,7 +270,7 @@ TEST_F(MachineWindow, AQuestionThatWaitsSaysSoWhereTheUserLooks) {
     window->activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
     ASSERT_TRUE(QTest::qWaitFor([&] { return find(u"banner"_s)->isVisible(); }));
-    EXPECT_EQ(text(u"bannerHeadline"_s), u"A question waits for your answer: Unsaved changes"_s);
+    EXPECT_EQ(text(u"bannerHeadline"_s), u"A question is waiting for your answer: Unsaved changes"_s);
     EXPECT_EQ(text(u"bannerBody"_s), u"Save the changes to \"mill\"?"_s);
     click(u"bannerAction_showQuestion"_s);
     EXPECT_TRUE(QTest::qWaitFor([&] { return asked->isActiveWindow(); }));

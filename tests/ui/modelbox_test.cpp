@@ -141,7 +141,7 @@ TEST_F(ModelPage, SaysHowSureAPredictionIs) {
 
 TEST_F(ModelPage, SaysThatItStepsFourTimesBeforeItDoes) {
     const QAbstractButton* steps = button(u"stepAndFindButton"_s);
-    EXPECT_EQ(steps->text(), u"Step 4 times and find"_s);
+    EXPECT_EQ(steps->text(), u"Step 4 times and find model"_s);
     EXPECT_TRUE(steps->accessibleName().startsWith(steps->text()));
     EXPECT_TRUE(steps->toolTip().contains(u"twice as far"_s));
     EXPECT_EQ(intents.size(), 0);
@@ -178,14 +178,15 @@ TEST_F(ModelPage, StepsOnceMoreWhereAllThatLeavesTheMotorUncertain) {
     for (const int next : {100, -100, 200, -200}) {
         showStepBy(made);
         findUncertain();
-        EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step once more and find"_s);
+        EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step once more and find model"_s);
         click(u"stepAndFindButton"_s);
         EXPECT_EQ(steppedBy(), std::vector<std::int32_t>{next});
         made = next;
     }
     click(u"identifyButton"_s);
     dock().showMotor(ModuleIndex(0), motor());
-    EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step 4 times and find"_s) << "this motor is certain";
+    EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step 4 times and find model"_s)
+        << "this motor is certain";
 }
 
 /// One step, or several equal ones, are not enough to continue from.
@@ -193,7 +194,7 @@ TEST_F(ModelPage, StepsFourTimesWhereTheStepsWereTooFewOrAlike) {
     for (int i = 0; i < 3; ++i) {
         showStepBy(100);
         findUncertain();
-        EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step 4 times and find"_s);
+        EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step 4 times and find model"_s);
     }
 }
 

@@ -267,7 +267,7 @@ TEST_F(Monitor, ShowsTheCountersAndWhatTheyCount) {
         values[counters->index(row, 1).data().toString()] = counters->index(row, 0).data().toString();
     EXPECT_EQ(values.value(u"sent: commands that asked for an answer"_s), u"12\u202F345"_s);
     EXPECT_EQ(values.value(u"timeouts: no answer, or too few bytes"_s), u"3"_s);
-    EXPECT_EQ(values.value(u"  of them: home register changed without a command"_s), u"2"_s);
+    EXPECT_EQ(values.value(u"  of these: home register changed without a command"_s), u"2"_s);
     EXPECT_EQ(values.value(u"mean round trip, from sending a command to its complete answer"_s), u"2 ms"_s);
     EXPECT_EQ(values.value(u"longest round trip"_s), u"12.3 ms"_s);
 }
@@ -297,7 +297,7 @@ TEST(MonitorTexts, EachVerdictSaysWhatBecameOfTheExchange) {
     EXPECT_EQ(verdictOf(ExchangeEnd::Unresponsive), u"no answer"_s);
     EXPECT_EQ(verdictOf(ExchangeEnd::Partial), u"too few bytes"_s);
     EXPECT_EQ(verdictOf(ExchangeEnd::BadChecksum), u"wrong checksum"_s);
-    EXPECT_EQ(verdictOf(ExchangeEnd::Abandoned), u"dropped for a stop"_s);
+    EXPECT_EQ(verdictOf(ExchangeEnd::Abandoned), u"cancelled by a stop"_s);
     EXPECT_EQ(texts::verdict(resetRecord(1)), u"no answer expected"_s);
     auto rejected = with(pollRecord(1), Purpose::Poll, ExchangeEnd::Rejected);
     rejected.rejection = bus::Rejection::HomeChanged;

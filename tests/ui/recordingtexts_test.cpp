@@ -17,7 +17,7 @@ TEST(RecordingTexts, SayWhatIsWrongWithAFile) {
               u"\"mill.csv\" is not a recording of NMC Panel."_s);
     EXPECT_EQ(
         sentence({.kind = RecordingProblem::Kind::OtherForm}),
-        u"\"mill.csv\" has one column per signal, a form for other programs. The scope opens files with one row per reply."_s);
+        u"\"mill.csv\" has one column per signal, a format for other programs. The scope opens files with one row per reply."_s);
     EXPECT_EQ(
         sentence({.kind = RecordingProblem::Kind::NewerVersion, .found = "7", .max = 1}),
         u"\"mill.csv\" was written by a newer NMC Panel: its format is 7; this version reads formats up to 1."_s);
@@ -68,7 +68,7 @@ TEST(RecordingTexts, SayWhyARecordingEndedAndWhatIsKept) {
     EXPECT_EQ(full.headline, u"Recording to \"mill.csv\" stopped: the disk is full."_s);
     EXPECT_EQ(
         full.body,
-        u"The part written before (12 s) is kept. Control continues. To continue recording, choose another file."_s);
+        u"The part written before (12 s) is kept. Motor control continues. To continue recording, choose another file."_s);
     EXPECT_EQ(full.details, u"words of the system"_s);
     EXPECT_EQ(full.severity, Severity::Attention);
     EXPECT_TRUE(ended(RecordingProblemKind::NoPermission, 0).body.startsWith(u"Nothing was kept."_s));

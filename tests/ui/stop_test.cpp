@@ -74,7 +74,7 @@ TEST_F(StopAll, F41_ReachesNoModuleOfAnUnknownType) {
     EXPECT_TRUE(button(u"stopAllButton"_s)->toolTip().contains(u"reaches 1 of 2"_s));
     window->showStopResult({{ModuleIndex(0)}, {}, {}, {ModuleIndex(1)}, fromSeconds(0.021)});
     EXPECT_EQ(text(u"stopResultLabel"_s),
-              u"1 of 2 stopped. Module 2 cannot be told to stop: use the hardware stop."_s);
+              u"1 of 2 stopped. No stop command is known for module 2: use the hardware stop."_s);
 }
 
 TEST_F(StopAll, SaysWhatItReachesAndWhatItReached) {

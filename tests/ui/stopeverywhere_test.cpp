@@ -326,7 +326,8 @@ TEST_F(Standing, SaysWhatIsSoNow) {
     showServos({{.moveDone = false}, {.moveDone = false}});
     EXPECT_EQ(text(u"closeText"_s), u"2 motors are moving. They will be stopped before the port closes."_s);
     showServos({{}, {}});
-    EXPECT_EQ(text(u"closeText"_s), u"No motor is moving. All are told to stop before the port closes."_s);
+    EXPECT_EQ(text(u"closeText"_s),
+              u"No motor is moving. All motors are commanded to stop before the port closes."_s);
     click(u"stopAndCloseButton"_s);
     EXPECT_EQ(stops.size(), 1);
 }

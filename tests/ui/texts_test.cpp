@@ -17,7 +17,7 @@ QStringList verbs(const Message& message) {
 
 TEST(Texts, NoPermission) {
     const Message m = texts::portProblem({PortProblem::NoPermission, "/dev/ttyUSB0", "dialout", "anna", {}});
-    EXPECT_EQ(m.headline, u"Your user account may not use /dev/ttyUSB0."_s);
+    EXPECT_EQ(m.headline, u"Your user account has no permission to use /dev/ttyUSB0."_s);
     EXPECT_EQ(
         m.body,
         u"It belongs to the group dialout. Run sudo usermod -aG dialout anna, then log out and in again."_s);
@@ -50,7 +50,7 @@ TEST(Texts, NoModule) {
               u"The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried)."_s);
     EXPECT_EQ(
         m.body,
-        u"Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network."_s);
+        u"Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network."_s);
     EXPECT_EQ(verbs(m), (QStringList{u"Scan again"_s, u"Restart the network…"_s, u"Use simulator"_s}));
 }
 
@@ -80,13 +80,13 @@ TEST(Texts, Garbled) {
 
 TEST(Texts, BadLink) {
     const Message m = texts::badLink({bus::LinkHealth::Lost, 14, 200, {}});
-    EXPECT_EQ(m.headline, u"The link is unreliable: 14 of the last 200 exchanges went wrong."_s);
+    EXPECT_EQ(m.headline, u"The link is unreliable: 14 of the last 200 exchanges failed."_s);
     EXPECT_EQ(
         m.body,
-        u"Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends."_s);
+        u"Motors were commanded to stop. Until answers have been correct for 2 s, only presence queries are sent; then the panel looks for the modules again. Try a lower baud rate, a shorter cable, or termination at both ends."_s);
     EXPECT_EQ(verbs(m), QStringList{u"Reconnect"_s});
-    const Message one = texts::badLink({bus::LinkHealth::Doubtful, 5, 60, ModuleIndex(2)});
-    EXPECT_EQ(one.headline, u"The link to module 3 is doubtful: 5 of its last 60 exchanges went wrong."_s);
+    const Message one = texts::badLink({bus::LinkHealth::Marginal, 5, 60, ModuleIndex(2)});
+    EXPECT_EQ(one.headline, u"The link to module 3 is marginal: 5 of its last 60 exchanges failed."_s);
     EXPECT_EQ(one.severity, Severity::Attention);
 }
 
@@ -131,7 +131,7 @@ TEST(Texts, ABadFileSaysWhoseRangeItIs) {
                                                    .max = 32'767,
                                                    .ofModule = ofModule});
     };
-    EXPECT_EQ(said(true), u"\"mill.json\" line 12: Kp is 40000; the module takes 0 to 32767."_s);
+    EXPECT_EQ(said(true), u"\"mill.json\" line 12: Kp is 40000; the module accepts 0 to 32767."_s);
     EXPECT_EQ(said(false), u"\"mill.json\" line 12: Kp is 40000; it must be 0 to 32767."_s);
 }
 
@@ -170,7 +170,7 @@ TEST(Texts, StopBeforeAndAfter) {
     const std::vector<ModuleIndex> off{six[2], six[3]};
     EXPECT_EQ(
         texts::stopResult({six, {}, {}, {}, fromSeconds(0.021), off}, modules).headline,
-        u"1 stopped and holding, 1 switched off, 2 were off, 2 I/O modules as set for a stop, 21 ms."_s);
+        u"1 stopped and holding, 1 switched off, 2 were off, 2 I/O modules in their stop state, 21 ms."_s);
     EXPECT_EQ(
         texts::stopResult({{five.begin(), five.begin() + 4}, {ModuleIndex(2)}, {}, {}, {}}, modules).headline,
         u"4 of 5 stopped. Module 3 does not answer: use the hardware stop."_s);
@@ -189,18 +189,18 @@ TEST(Texts, AStopThatIsNotConfirmedSendsToTheHardwareStop) {
     };
     EXPECT_EQ(
         said({{one, three}, {}, {two}, {}, {}}),
-        u"2 of 3 stopped. Module 2 was told to stop but was not seen at rest: use the hardware stop."_s);
+        u"2 of 3 stopped. Module 2 was commanded to stop but was not seen at rest: use the hardware stop."_s);
     EXPECT_EQ(said({{one}, {three}, {two}, {}, {}}),
-              u"1 of 3 stopped. Module 3 does not answer. Module 2 was told to stop but was not seen at "
+              u"1 of 3 stopped. Module 3 does not answer. Module 2 was commanded to stop but was not seen at "
               u"rest: use the hardware stop."_s);
     EXPECT_EQ(said({{one}, {}, {two, three}, {}, {}}),
-              u"1 of 3 stopped. Modules 2 and 3 were told to stop but were not seen at rest: use the "
+              u"1 of 3 stopped. Modules 2 and 3 were commanded to stop but were not seen at rest: use the "
               u"hardware stop."_s);
     EXPECT_EQ(said({{}, {one, two}, {}, {}, {}}),
               u"No stop was confirmed. Modules 1 and 2 do not answer: use the hardware stop."_s);
     EXPECT_EQ(
         said({{}, {}, {one}, {}}),
-        u"No stop was confirmed. Module 1 was told to stop but was not seen at rest: use the hardware stop."_s);
+        u"No stop was confirmed. Module 1 was commanded to stop but was not seen at rest: use the hardware stop."_s);
     EXPECT_EQ(said({}), u"No stop was confirmed. No module is known: use the hardware stop."_s);
 }
 
@@ -215,7 +215,7 @@ TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {
           texts::restarted({ModuleIndex(0), true}, 2), texts::groupFailed(half),
           texts::machineSlept(60, true), texts::panelFroze(3, true)}) {
         const QString words = m.headline + u' ' + m.body;
-        EXPECT_TRUE(words.contains(u"told to "_s)) << words.toStdString();
+        EXPECT_TRUE(words.contains(u"commanded to "_s)) << words.toStdString();
         for (const QString& deed : {u"was stopped"_s, u"were stopped"_s, u"switched off:"_s, u" ended"_s})
             EXPECT_FALSE(words.contains(deed)) << words.toStdString();
     }

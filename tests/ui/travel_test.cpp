@@ -103,7 +103,7 @@ TEST_F(TravelPanel, SettingsThatExcludeEachOtherAreNamedWhereTheyRefuse) {
     const QString reason = whyNot(u"goHomeButton"_s);
     EXPECT_EQ(
         reason,
-        u"To take up the backlash, the move would turn round at −50 counts, below the lowest position 0 counts. Lower that position, or change the backlash or its direction (Axis page)."_s);
+        u"To take up the backlash, the move would reverse at −50 counts, below the lowest position 0 counts. Lower that position, or change the backlash or its direction (Axis page)."_s);
     EXPECT_TRUE(text(u"travelHint"_s).startsWith(u"With this backlash, no move can end at home"_s))
         << "where it is entered, too";
     // Each of the three remedies that it names works.

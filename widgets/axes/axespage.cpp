@@ -30,7 +30,7 @@ AxesPage::AxesPage(QWidget* parent)
       m_slow(form::newRadio(
           {u"jogSlowButton"_s, tr("Slow"), tr("Slow jog"), tr("Each axis at its own jog speed.")}, this)),
       m_fast(form::newRadio({u"jogFastButton"_s, tr("Fast"), tr("Fast jog"),
-                             tr("Each axis at its own max jog speed, set on its Axis page.")},
+                             tr("Each axis at its own max jog speed, set on its Axis or Parameters page.")},
                             this)),
       m_step(form::newChoice({u"jogStepBox"_s, tr("Step of all axes"), {}}, this)) {
     look::name(this, u"axesPage"_s, tr("All axes"));

@@ -51,7 +51,7 @@ GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
     m_grid->setColumnStretch(Load, 1);
 
     m_group = form::newChoice(
-        {u"groupBox"_s, tr("Group to command"), {}, tr("The group that the buttons command.")}, this);
+        {u"groupBox"_s, tr("Group to command"), {}, tr("The group that the buttons act on.")}, this);
     m_name = form::newText({u"groupNameField"_s, tr("Name of the group"), 40, {}, tr("Name")}, this);
     using enum bus::GroupCommand::Action;
     m_start = newCommand(tr("St&art loaded moves"), u"groupStartButton"_s,
@@ -109,8 +109,8 @@ void GroupsPage::addMember() {
     for (int group = kFirstGroup; group <= kLastGroup; ++group)
         member.group->addItem(titleOf(group), group);
     member.group->addItem(titleOf(kOtherGroup), kOtherGroup);
-    member.leader = new QCheckBox(tr("leads"), this);
-    look::name(member.leader, u"leader%1Box"_s.arg(number), tr("Module %1 leads its group").arg(number));
+    member.leader = new QCheckBox(tr("leader"), this);
+    look::name(member.leader, u"leader%1Box"_s.arg(number), tr("Leader of its group: module %1").arg(number));
     member.load = look::newMutedLabel({}, this);
     member.load->setObjectName(u"load%1Label"_s.arg(number));
     m_grid->addWidget(member.name, number, Name);

@@ -42,7 +42,7 @@ Message startFailed(const bus::GroupFinished& finished, quint8 group) {
     const auto started = those(finished, bus::MemberOutcome::Done).size();
     m.headline =
         finished.stopped
-            ? Texts::tr("%1 of %2 modules of group %3 started. All of them were told to stop.")
+            ? Texts::tr("%1 of %2 modules of group %3 started. All of them were commanded to stop.")
                   .arg(QString::number(started), QString::number(finished.members.size()), groupNumber(group))
         : started == 0 && those(finished, bus::MemberOutcome::NotDone).size() == finished.members.size()
             ? Texts::tr("No module of group %1 started. Nothing was moved.").arg(groupNumber(group))
@@ -50,7 +50,7 @@ Message startFailed(const bus::GroupFinished& finished, quint8 group) {
     m.body =
         membersSentence(finished) + u' ' +
         Texts::tr(
-            "Look at the motors. The start is never repeated: load again, then start again. Usually noise on the cable.");
+            "Look at the motors. The start is never repeated: load the moves again, then start the group again. Usually noise on the cable.");
     return m;
 }
 
@@ -86,7 +86,7 @@ Message withheld(const bus::GroupFinished& finished, quint8 group) {
                      .arg(groupNumber(group), listOfModules(modules));
     if (std::get<bus::GroupCommand>(finished.what).action != bus::GroupCommand::Action::StartMotion) {
         m.body = Texts::tr(
-            "A group command needs an answer from every member, a state in which each can carry it out, and a known group for every module. Command the modules one by one, or set this module's group again.");
+            "A group command requires that every member answers and can carry it out in its present state, and that the group of every module is known. Command the modules one by one, or set this module's group again.");
         return m;
     }
     m.body = Texts::tr(
@@ -119,7 +119,7 @@ Message groupFailed(const bus::GroupFinished& finished) {
             .key = u"group%1"_s.arg(command.group),
             .severity = Severity::Attention,
             .headline = Texts::tr("A stop replaced the command to group %1.").arg(groupNumber(command.group)),
-            .body = Texts::tr("All motors were told to stop.")};
+            .body = Texts::tr("All motors were commanded to stop.")};
     if (finished.outcome == Outcome::QueueFull)
         return {.key = u"group%1"_s.arg(command.group),
                 .severity = Severity::Attention,
@@ -137,8 +137,8 @@ Message groupFailed(const bus::GroupFinished& finished) {
 Message groupToldToStop(const bus::GroupFinished& finished) {
     const auto& command = std::get<bus::GroupCommand>(finished.what);
     const bool off = command.action == bus::GroupCommand::Action::MotorOff;
-    const QString text = off ? Texts::tr("Group %1 was told to switch its motors off: module %2.")
-                             : Texts::tr("Group %1 was told to stop: module %2.");
+    const QString text = off ? Texts::tr("Group %1 was commanded to switch its motors off: module %2.")
+                             : Texts::tr("Group %1 was commanded to stop: module %2.");
     return {.key = u"groupStop%1"_s.arg(command.group),
             .headline = text.arg(groupNumber(command.group),
                                  listOfModules(those(finished, bus::MemberOutcome::Done)))};
@@ -187,11 +187,11 @@ Message rateNotChanged(const bus::RateChangeFailed& failed) {
         case Reason::NotHeard:
             m.body =
                 Texts::tr(
-                    "Module %2 did not answer at %1 Bd, so all modules went back. Try another baud rate, a shorter cable, or termination at both ends.")
+                    "Module %2 did not answer at %1 Bd, so all modules went back to the old rate. Try another baud rate, a shorter cable, or termination at both ends.")
                     .arg(rate(failed.wanted), modules);
             break;
         case Reason::Interrupted:
-            m.body = Texts::tr("A stop came first.");
+            m.body = Texts::tr("A stop took priority.");
             break;
     }
     if (!failed.lost.empty()) {

@@ -66,7 +66,7 @@ QString chainAdvice(const ChainDiagnosis& chain) {
                 "Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.");
         case Finding::NobodyAnswers:
             return DoctorTexts::tr(
-                "Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC.");
+                "Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.");
         case Finding::BreakBehind:
             return DoctorTexts::
                 tr("Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.")
@@ -86,7 +86,7 @@ QString chainAdvice(const ChainDiagnosis& chain) {
                 "Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.");
         case Finding::Restarted:
             return DoctorTexts::tr(
-                "Modules between it and the PC may not answer until it has its address again. Restart the network once all motors can stop and lose their positions.");
+                "Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.");
     }
     return {};
 }

@@ -17,7 +17,7 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
             m.headline = Texts::tr(
                 "The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).");
             m.body = Texts::tr(
-                "Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.");
+                "Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.");
             break;
         case bus::ConnectFailure::RateChange:
             m.headline =
@@ -52,17 +52,17 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
             m.headline = Texts::tr("Only the adapter's echo came back from %1: no module answered.")
                              .arg(portName(port));
             m.body = Texts::tr(
-                "The echo is harmless. Check, in this order: module power; every cable in the chain, one loose cable hides all modules; the modules' transmit pair is wired to the adapter.");
+                "The echo is harmless. Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the modules' transmit pair is wired to the adapter.");
             break;
         case bus::ConnectFailure::Disturbed:
             m.headline = Texts::tr("The line at %1 was disturbed while the modules were given addresses.")
                              .arg(portName(port));
             m.body = Texts::tr(
-                "A module that had answered fell silent, so how many there are is not known. No motor was moved. Check the cable and the adapter, then scan again.");
+                "A module that had answered stopped answering, so the number of modules is unknown. No motor was moved. Check the cable and the adapter, then scan again.");
             break;
         case bus::ConnectFailure::Unaddressed:
             m.headline = Texts::tr("The modules on %1 have no addresses yet.").arg(portName(port));
-            m.body = Texts::tr("A read-only connection cannot assign addresses. Connect without read-only.");
+            m.body = Texts::tr("A read-only connection cannot assign addresses. Choose Connect fully.");
             m.actions = {connectFully(), scanAgain()};
             break;
     }
@@ -121,7 +121,7 @@ Message connected(const bus::ChainFound& found, const QString& port) {
     }
     m.headline = Texts::tr("Connected to %1: %2 at %3 Bd.")
                      .arg(portName(port), countOfModules(modules), rate(found.baud));
-    m.body = Texts::tr("Nothing moves until you ask for it. Gains are unknown until you apply them.");
+    m.body = Texts::tr("Nothing moves until you command it. Gains are unknown until you apply them.");
     return m;
 }
 
@@ -180,29 +180,29 @@ Message badLink(const bus::HealthChanged& health) {
         m.severity = Severity::Fault;
         m.headline =
             health.module
-                ? Texts::tr("The link to module %1 is unreliable: %2 of its last %3 exchanges went wrong.")
+                ? Texts::tr("The link to module %1 is unreliable: %2 of its last %3 exchanges failed.")
                       .arg(moduleNumber(*health.module))
                       .arg(health.wrong)
                       .arg(health.of)
-                : Texts::tr("The link is unreliable: %1 of the last %2 exchanges went wrong.")
+                : Texts::tr("The link is unreliable: %1 of the last %2 exchanges failed.")
                       .arg(health.wrong)
                       .arg(health.of);
         m.body = Texts::tr(
-            "Motors were told to stop. Nothing else is sent until answers have been right for 2 s; then the panel looks again. Try a lower baud rate, a shorter cable, or termination at both ends.");
+            "Motors were commanded to stop. Until answers have been correct for 2 s, only presence queries are sent; then the panel looks for the modules again. Try a lower baud rate, a shorter cable, or termination at both ends.");
         m.actions = {{MessageAction::Reconnect, Texts::tr("Reconnect")}};
         return m;
     }
     m.severity = Severity::Attention;
     m.headline = health.module
-                     ? Texts::tr("The link to module %1 is doubtful: %2 of its last %3 exchanges went wrong.")
+                     ? Texts::tr("The link to module %1 is marginal: %2 of its last %3 exchanges failed.")
                            .arg(moduleNumber(*health.module))
                            .arg(health.wrong)
                            .arg(health.of)
-                     : Texts::tr("The link is doubtful: %1 of the last %2 exchanges went wrong.")
+                     : Texts::tr("The link is marginal: %1 of the last %2 exchanges failed.")
                            .arg(health.wrong)
                            .arg(health.of);
     m.body = Texts::tr(
-        "Nothing was lost: the panel detects wrong answers and asks again. If it gets worse, motors are told to stop. Usually noise on the cable.");
+        "Nothing was lost: the panel detects wrong answers and retries. If it gets worse, motors are commanded to stop. Usually noise on the cable.");
     return m;
 }
 
@@ -235,7 +235,7 @@ Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
                     .arg(number);
     if (restarted.quiet)
         body << Texts::tr(
-            "It listens at 19 200 Bd and may misread the other modules' traffic: all motors were told to stop, and sending has stopped.");
+            "It listens at 19 200 Bd and may misread the other modules' traffic: all motors were commanded to stop, and sending has stopped.");
     QList<Message::Action> actions{restartNetwork()};
     if (!restarted.quiet) {
         body << Texts::tr(

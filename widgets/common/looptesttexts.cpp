@@ -24,7 +24,7 @@ QString testAdvice(ProcedureFailure failure) {
         case ProcedureFailure::Unstable:
             return wrongWayAdvice();
         case ProcedureFailure::ModuleUnresponsive:
-            return Texts::tr("It was told to hold. Use the hardware stop if it moves.");
+            return Texts::tr("It was commanded to hold. Use the hardware stop if it moves.");
         case ProcedureFailure::LinkSuspect:
             return Texts::tr("Check the link, then start the test again.");
         case ProcedureFailure::Refused:
@@ -53,7 +53,8 @@ Words responseFailed(ProcedureFailure failure, const QString& who) {
     switch (failure) {
         case ProcedureFailure::TravelLimit:
             return {
-                Texts::tr("%1 holds again: it moved the wrong way, or more than twice the step.").arg(who),
+                Texts::tr("%1 was stopped and holds: it moved the wrong way, or by more than twice the step.")
+                    .arg(who),
                 Texts::tr(
                     "The servo oscillates, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.") +
                     u' ' + wrongWayAdvice()};
@@ -69,7 +70,7 @@ Words responseFailed(ProcedureFailure failure, const QString& who) {
             return {
                 Texts::tr("%1 does not come to rest; its servo stays on.").arg(who),
                 Texts::tr(
-                    "It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd; Motor off ends it at once.")};
+                    "It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd. Choose Motor off to end it at once.")};
         case ProcedureFailure::StoppedShort:
             return {Texts::tr("%1 did not complete its step: its limit stop ended it.").arg(who),
                     limitStopAdvice()};
@@ -83,15 +84,16 @@ Words responseFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::ModuleUnresponsive:
             return {
                 Texts::tr("%1 does not answer, so its step was not recorded. Motor state unknown.").arg(who),
-                Texts::tr("It was told to hold. Use the hardware stop if it moves."), Severity::Fault};
+                Texts::tr("It was commanded to hold. Use the hardware stop if it moves."), Severity::Fault};
         case ProcedureFailure::LinkSuspect:
-            return {Texts::tr("%1 was told to hold, and its step was not recorded: the link was unreliable.")
-                        .arg(who),
-                    Texts::tr("Check the link, then step again.")};
+            return {
+                Texts::tr("%1 was commanded to hold, and its step was not recorded: the link was unreliable.")
+                    .arg(who),
+                Texts::tr("Check the link, then step again.")};
         case ProcedureFailure::Refused:
             return {
                 Texts::tr(
-                    "%1 was told to hold, and its step was not recorded: a command failed, or its answer was lost.")
+                    "%1 was commanded to hold, and its step was not recorded: a command failed, or its answer was lost.")
                     .arg(who),
                 Texts::tr("Usually noise on the cable. Step again.")};
         case ProcedureFailure::SwitchActive:
@@ -114,22 +116,25 @@ Words responseFailed(ProcedureFailure failure, const QString& who) {
 Words tryFailed(ProcedureFailure failure, const QString& who) {
     switch (failure) {
         case ProcedureFailure::Swings:
-            return {Texts::tr("%1 is back to its previous gains: it began to oscillate.").arg(who),
+            return {Texts::tr("The previous gains of %1 are restored: it began to oscillate.").arg(who),
                     Texts::tr("Lower Kp and Ki, or raise Kd, then try again.")};
         case ProcedureFailure::Saturates:
-            return {Texts::tr("%1 is back to its previous gains: its output reached the limit OL.").arg(who),
-                    Texts::tr("It oscillates, or was pushed. Lower Kp, or raise Kd, then try again.")};
+            return {
+                Texts::tr("The previous gains of %1 are restored: its output reached the limit OL.").arg(who),
+                Texts::tr("It oscillates, or was pushed. Lower Kp, or raise Kd, then try again.")};
         case ProcedureFailure::TravelLimit:
-            return {Texts::tr("%1 is back to its previous gains: it left its position.").arg(who),
+            return {Texts::tr("The previous gains of %1 are restored: it left its position.").arg(who),
                     Texts::tr("These gains do not hold its load, or something else turned it.")};
         case ProcedureFailure::WentOff:
-            return {Texts::tr("%1 switched itself off while gains were tried, and is free to turn.").arg(who),
+            return {Texts::tr("%1 switched itself off while gains were being tried, and is free to turn.")
+                        .arg(who),
                     Texts::tr("Its previous gains were sent again. Check for a jam, then enable it."),
                     Severity::Fault};
         case ProcedureFailure::ModuleUnresponsive:
-            return {Texts::tr("%1 does not answer while gains are tried. Motor state unknown.").arg(who),
-                    Texts::tr("Its previous gains were sent. Use the hardware stop if it moves."),
-                    Severity::Fault};
+            return {
+                Texts::tr("%1 does not answer while gains are being tried. Motor state unknown.").arg(who),
+                Texts::tr("Its previous gains were sent. Use the hardware stop if it moves."),
+                Severity::Fault};
         case ProcedureFailure::LinkSuspect:
             return {Texts::tr("The previous gains of %1 were sent again: the link was unreliable.").arg(who),
                     Texts::tr("Check the link, then try again.")};
@@ -163,7 +168,7 @@ Words testFailed(const ProcedureReport& report, const QString& who) {
         return responseFailed(*report.failure, who);
     if (report.kind == ProcedureKind::TryGains)
         return tryFailed(*report.failure, who);
-    return {Texts::tr("%1: its loop test ended early.").arg(who), loopTestFailure(*report.failure),
+    return {Texts::tr("The loop test of %1 ended early.").arg(who), loopTestFailure(*report.failure),
             freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};
 }
 
@@ -172,7 +177,7 @@ QString loopTestFailure(ProcedureFailure failure) {
         return Texts::tr("Its limit stop ended the test.") + u' ' + limitStopAdvice();
     if (failure == ProcedureFailure::TravelLimit)
         return Texts::tr(
-                   "The motor moved farther than the test allows, and was told to hold. Check for a load that pulls it, or use lower gains.") +
+                   "The motor moved farther than the test allows, and was commanded to hold. Check for a load that pulls it, or use lower gains.") +
                u' ' + wrongWayAdvice();
     const QString advice = testAdvice(failure);
     return advice.isEmpty() ? procedureFailure(failure) : procedureFailure(failure) + u' ' + advice;

@@ -20,7 +20,7 @@ QString wanted(FileProblem::Wanted wanted) {
         case FileProblem::Wanted::Number:
             return Texts::tr("a number");
         case FileProblem::Wanted::Text:
-            return Texts::tr("a text in quotation marks");
+            return Texts::tr("text in quotation marks");
         case FileProblem::Wanted::YesOrNo:
             return Texts::tr("true or false");
         case FileProblem::Wanted::Object:
@@ -63,7 +63,7 @@ QString wrongInLine(const FileProblem& problem) {
         case Kind::WrongType:
             return Texts::tr("%1 is not %2.").arg(field, wanted(problem.wanted));
         case Kind::OutOfRange:
-            return (problem.ofModule ? Texts::tr("%1 is %2; the module takes %3 to %4.")
+            return (problem.ofModule ? Texts::tr("%1 is %2; the module accepts %3 to %4.")
                                      : Texts::tr("%1 is %2; it must be %3 to %4."))
                 .arg(field, found, plainNumber(problem.min), plainNumber(problem.max));
         case Kind::UnknownWord:

@@ -66,7 +66,7 @@ QString verdict(const bus::ExchangeRecord& record) {
             return record.rejection ? Texts::tr("rejected: %1").arg(rejection(*record.rejection))
                                     : Texts::tr("rejected");
         case bus::ExchangeEnd::Abandoned:
-            return Texts::tr("dropped for a stop");
+            return Texts::tr("cancelled by a stop");
         case bus::ExchangeEnd::NotAsked:
             return record.reply.empty() ? Texts::tr("no answer expected")
                                         : Texts::tr("bytes, but no answer was expected");

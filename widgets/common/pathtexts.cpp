@@ -46,7 +46,7 @@ QString sentence(const PathProblem& problem, const AxisScale& scale) {
         case NotANumber:
             return Texts::tr("\"%1\" is not a number.").arg(text);
         case OutOfRange:
-            return Texts::tr("\"%1\" is beyond what the module can count.").arg(text);
+            return Texts::tr("\"%1\" is outside the module's position range.").arg(text);
         case Jump:
             return Texts::tr("The point is %1 from the previous one; at this rate the maximum is %2.")
                 .arg(distance(scale, problem.value), distance(scale, problem.allowed));
@@ -85,27 +85,27 @@ QString pathObstacle(const PathObstacle& obstacle, servo::PathRate rate, const S
         case Refused:
             return Texts::tr("%1: %2").arg(who, refusal(obstacle.refusal.value_or(Refusal::PathNotPossible)));
         case NoPathBuffer:
-            return Texts::tr("%1 has no path buffer. Only a PIC-SERVO CMC or SC follows a path.").arg(who);
+            return Texts::tr("%1 has no path buffer. Only a PIC-SERVO CMC or SC can follow a path.").arg(who);
         case ControlUnknown:
             return Texts::
                 tr("The I/O settings of %1 are unknown: another program set them. Apply them first on the Amplifier or Limits and I/O page.")
                     .arg(who);
         case StepAndDirection:
             return Texts::tr(
-                       "%1 takes step and direction pulses. Switch that off on its page Amplifier first.")
+                       "%1 is set to step and direction input. Switch that off on its Amplifier page first.")
                 .arg(who);
         case WrongFastPath:
             return (rate == servo::PathRate::Hz30
                         ? Texts::tr(
-                              "%1: a path at 30 Hz needs fast path off (page Amplifier or Limits and I/O).")
+                              "%1: a path at 30 Hz needs fast path off (Amplifier or Limits and I/O page).")
                         : Texts::tr(
-                              "%1: a path at 120 Hz needs fast path on (page Amplifier or Limits and I/O)."))
+                              "%1: a path at 120 Hz needs fast path on (Amplifier or Limits and I/O page)."))
                 .arg(who);
         case ServoRate:
-            return Texts::tr("%1: a path needs the servo rate SR = 1. Apply the gains with SR 1 first.")
+            return Texts::tr("%1: a path needs a servo rate divisor of 1. Apply the gains with SR = 1 first.")
                 .arg(who);
         case PlaceUnknown:
-            return Texts::tr("%1 has not told its command position yet.").arg(who);
+            return Texts::tr("%1 has not reported its command position yet.").arg(who);
         case TooFarToStart:
             return Texts::tr("%1 is %2 from the first point. Choose Move to start first.")
                 .arg(who, distance(scale, obstacle.value));
@@ -166,7 +166,7 @@ QString pathFailure(ProcedureFailure failure) {
     if (failure != ProcedureFailure::StoppedShort)
         return procedureFailure(failure);
     return Texts::tr(
-        "A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were told to stop.");
+        "A module ended the path by itself: a limit switch, a position error, or no motor power. All axes of the path were commanded to stop.");
 }
 
 QString pathState(const ProcedureReport& report) {
@@ -181,7 +181,7 @@ QString pathState(const ProcedureReport& report) {
         return Texts::tr("Starting the path");
     const bus::PathProgress& path = *report.path;
     const QString state =
-        Texts::tr("Point %1 of %2, %3 s left, %4 points ahead in the buffer")
+        Texts::tr("Point %1 of %2, %3 s left, %4 points left in the buffer")
             .arg(grouped(static_cast<qint64>(path.done)), grouped(static_cast<qint64>(path.points())),
                  fixed(toSeconds(path.remaining()), 1), grouped(static_cast<qint64>(path.left)));
     return path.runsDry ? Texts::tr("%1. The buffer is about to run dry: the bus is too slow.").arg(state)

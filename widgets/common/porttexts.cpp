@@ -18,7 +18,7 @@ Message::Action copyCommand() {
 
 Message noPermission(const PortError& error) {
     Message m;
-    m.headline = Texts::tr("Your user account may not use %1.").arg(shown(error.port));
+    m.headline = Texts::tr("Your user account has no permission to use %1.").arg(shown(error.port));
     if (error.group.empty()) {
         m.body = Texts::tr("Ask your system administrator for access.");
         m.actions = {choosePort(), useSimulator()};
@@ -190,7 +190,7 @@ Message differentAdapter(const QString& port) {
             .severity = Severity::Attention,
             .headline = Texts::tr("A different adapter is on %1.").arg(port),
             .body = Texts::tr("The panel was connected to another adapter before. Nothing was sent."),
-            .actions = {{MessageAction::ConnectOffered, Texts::tr("Connect to it")}, choosePort()}};
+            .actions = {{MessageAction::ConnectOffered, Texts::tr("Connect anyway")}, choosePort()}};
 }
 
 }  // namespace nmc::texts

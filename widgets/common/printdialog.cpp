@@ -74,7 +74,7 @@ void PrintDialog::showPrinters(const QStringList& printers, const QString& stand
 
 void PrintDialog::showPossible() {
     look::setPossible(m_printer, m_printer->count() == 0 ? m_state->text() : QString(),
-                      tr("The printer to use; it is proposed again the next time."));
+                      tr("The printer to use. It is preselected next time."));
     look::setPossible(m_print, m_printer->count() == 0 ? m_state->text() : m_copies->problemText(),
                       tr("Sends the page to this printer."));
 }

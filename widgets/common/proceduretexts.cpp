@@ -45,11 +45,12 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
                     "Check the switch and its cable, the search direction and velocity, and the time limit.")};
         case ProcedureFailure::LinkSuspect:
             return {
-                Texts::tr("%1 is not homed and was told to stop: the link was unreliable.").arg(who),
+                Texts::tr("%1 is not homed and was commanded to stop: the link was unreliable.").arg(who),
                 Texts::tr("The home position found may be wrong. Check the link, then repeat the search.")};
         case ProcedureFailure::ModuleUnresponsive:
             return {Texts::tr("%1 is not homed and does not answer. Motor state unknown.").arg(who),
-                    Texts::tr("It was told to stop. Use the hardware stop if it moves."), Severity::Fault};
+                    Texts::tr("It was commanded to stop. Use the hardware stop if it moves."),
+                    Severity::Fault};
         case ProcedureFailure::WentOff:
             return {
                 Texts::tr("%1 is not homed: its motor switched itself off and is free to turn.").arg(who),
@@ -58,7 +59,8 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
                 Severity::Fault};
         case ProcedureFailure::Refused:
             return {
-                Texts::tr("%1 is not homed and was told to stop: a command failed, or its answer was lost.")
+                Texts::tr(
+                    "%1 is not homed and was commanded to stop: a command failed, or its answer was lost.")
                     .arg(who),
                 Texts::tr("Usually noise on the cable. Repeat the search.")};
         case ProcedureFailure::ReadingsDiffer:
@@ -87,7 +89,7 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
 Words directionFailed(ProcedureFailure failure, const QString& who) {
     const QString off = Texts::tr("Direction check of %1 inconclusive; its motor is off.").arg(who);
     const QString told =
-        Texts::tr("Direction check of %1 inconclusive; its motor was told to switch off.").arg(who);
+        Texts::tr("Direction check of %1 inconclusive; its motor was commanded to switch off.").arg(who);
     switch (failure) {
         case ProcedureFailure::TravelLimit:
             return {
@@ -105,7 +107,7 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::ModuleUnresponsive:
             return {Texts::tr("Direction check of %1 inconclusive: it does not answer. Motor state unknown.")
                         .arg(who),
-                    Texts::tr("It was told to switch off. Use the hardware stop if it moves."),
+                    Texts::tr("It was commanded to switch off. Use the hardware stop if it moves."),
                     Severity::Fault};
         case ProcedureFailure::Refused:
             return {told, Texts::tr("A command failed, or its answer was lost. Repeat the direction check.")};
@@ -216,14 +218,14 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
         return message;
     }
     if (report.stage == ProcedureStage::Done && report.kind == ProcedureKind::TryGains && !report.kept) {
-        message.headline = Texts::tr("%1 is back to its previous gains: the trial has ended.").arg(who);
+        message.headline = Texts::tr("The previous gains of %1 are restored: the trial has ended.").arg(who);
         return message;
     }
     if (report.stage != ProcedureStage::Done || report.kind != ProcedureKind::Homing || !report.home)
         return std::nullopt;
     message.headline = Texts::tr("%1 found home at %2.").arg(who, position(scale, *report.home));
     if (report.offHome != 0)
-        message.body = Texts::tr("It rests %1 off home; its position is 0 there.")
+        message.body = Texts::tr("It is at rest %1 from home; its position there is 0.")
                            .arg(distance(scale, std::abs(report.offHome)));
     return message;
 }
@@ -238,7 +240,7 @@ QString procedureStage(const ProcedureReport& report) {
 QString procedureFailure(ProcedureFailure failure) {
     switch (failure) {
         case ProcedureFailure::SwitchActive:
-            return Texts::tr("The switch stayed active while the motor backed off. It was stopped.");
+            return Texts::tr("The switch stayed active while the motor backed off. The motor was stopped.");
         case ProcedureFailure::NotFound:
             return Texts::tr(
                 "The motion ended before home was found. Check the search direction and the switches.");
@@ -249,13 +251,13 @@ QString procedureFailure(ProcedureFailure failure) {
         case ProcedureFailure::SoftLimit:
             return Texts::tr("The next move would exceed the travel limits. The motor was stopped.");
         case ProcedureFailure::LinkSuspect:
-            return Texts::tr("The link was unreliable. The motor was told to stop.");
+            return Texts::tr("The link was unreliable. The motor was commanded to stop.");
         case ProcedureFailure::ModuleUnresponsive:
             return Texts::tr("The module does not answer. Motor state unknown.");
         case ProcedureFailure::WentOff:
             return Texts::tr("The motor switched itself off and is free to turn.");
         case ProcedureFailure::Refused:
-            return Texts::tr("A command failed or was not answered. The motor was told to stop.");
+            return Texts::tr("A command failed or was not answered. The motor was commanded to stop.");
         case ProcedureFailure::ReadingsDiffer:
             return Texts::tr("Two readings of home differ. The motor is at rest.");
         case ProcedureFailure::NotStill:
@@ -275,14 +277,14 @@ QString procedureFailure(ProcedureFailure failure) {
             return Texts::tr(
                 "It rests too far from home to set the position to 0. Raise Ki and IL on the Gains page.");
         case ProcedureFailure::NotStarted:
-            return Texts::tr("Not all axes started the path. All of them were told to stop.");
+            return Texts::tr("Not all axes started the path. All of them were commanded to stop.");
         case ProcedureFailure::UnderRun:
             return Texts::tr("The path points did not arrive in time, so the motor stopped at the last one.");
         case ProcedureFailure::OffPath:
-            return Texts::tr("The command position left the path. The motor was told to stop.");
+            return Texts::tr("The command position left the path. The motor was commanded to stop.");
         case ProcedureFailure::NotFollowing:
             return Texts::tr(
-                "The motor did not follow the sine wave, and was told to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.");
+                "The motor did not follow the sine wave, and was commanded to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.");
     }
     return {};
 }

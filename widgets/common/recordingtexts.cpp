@@ -116,12 +116,14 @@ Message recordingFailed(const QString& path, const RecordingFailure& failure, do
     const bool kept = failure.bytes > 0 && failure.trouble != RecordingProblemKind::Removed;
     const QString rest = kept ? Texts::tr("The part written before (%1) is kept.").arg(length(seconds))
                               : Texts::tr("Nothing was kept.");
-    return {.key = key::recording(),
-            .severity = Severity::Attention,
-            .headline =
-                Texts::tr("Recording to \"%1\" stopped: %2").arg(fileNameOf(path), cause(failure.trouble)),
-            .body = Texts::tr("%1 Control continues. To continue recording, choose another file.").arg(rest),
-            .details = failure.detail};
+    return {
+        .key = key::recording(),
+        .severity = Severity::Attention,
+        .headline =
+            Texts::tr("Recording to \"%1\" stopped: %2").arg(fileNameOf(path), cause(failure.trouble)),
+        .body =
+            Texts::tr("%1 Motor control continues. To continue recording, choose another file.").arg(rest),
+        .details = failure.detail};
 }
 
 QString recordingProblem(const QString& file, const RecordingProblem& problem) {
@@ -132,7 +134,7 @@ QString recordingProblem(const QString& file, const RecordingProblem& problem) {
         return Texts::tr("\"%1\" is not a recording of NMC Panel.").arg(file);
     if (problem.kind == Kind::OtherForm)
         return Texts::
-            tr("\"%1\" has one column per signal, a form for other programs. The scope opens files with one row per reply.")
+            tr("\"%1\" has one column per signal, a format for other programs. The scope opens files with one row per reply.")
                 .arg(file);
     if (problem.kind == Kind::NewerVersion)
         return Texts::

@@ -53,9 +53,10 @@ QString wrong(const SequenceProblem& problem) {
         case Kind::NotAnInput:
             return Texts::tr("This pin of %1 is set as an output.").arg(module);
         case Kind::NotAnOutput:
-            return Texts::tr("This pin of %1 is not set as an output. Set it on the I/O page.").arg(module);
+            return Texts::tr("This pin of %1 is not set as an output. Make it an output first.").arg(module);
         case Kind::OutputsUnknown:
-            return Texts::tr("The outputs of %1 are unknown. Set them once on its I/O page.").arg(module);
+            return Texts::tr("The outputs of %1 are unknown. Set them once on the module's page.")
+                .arg(module);
         case Kind::Unreachable:
             return Texts::tr("A run from the top never gets here: an earlier row repeats forever.");
         case Kind::NotThere:
@@ -64,7 +65,7 @@ QString wrong(const SequenceProblem& problem) {
                        : Texts::tr("At this row, %1 must be at point \"%2\". Move it there first.")
                              .arg(module, name);
         case Kind::NotSet:
-            return Texts::tr("At this row, output %1 of %2 must be switched over. Set it first.")
+            return Texts::tr("At this row, output %1 of %2 must be in the opposite state. Set it first.")
                 .arg(problem.output)
                 .arg(module);
     }
@@ -230,8 +231,8 @@ std::optional<Message> sequenceOver(const SequenceReport& report) {
         return message;
     message.module = report.module;
     message.severity = Severity::Attention;
-    message.headline = (isDoubt(*report.end) ? Texts::tr("%1 paused, and its motors were told to stop.")
-                                             : Texts::tr("%1 ended, and its motors were told to stop."))
+    message.headline = (isDoubt(*report.end) ? Texts::tr("%1 paused, and its motors were commanded to stop.")
+                                             : Texts::tr("%1 ended, and its motors were commanded to stop."))
                            .arg(runName(report));
     message.body = why(report);
     if (hasRows(report))

@@ -25,7 +25,7 @@ QString span(double seconds) {
 
 Message panelFroze(double seconds, bool stopped) {
     const QString text =
-        stopped ? Texts::tr("The panel froze for %1; motors were told to stop after 2 s.")
+        stopped ? Texts::tr("The panel froze for %1; motors were commanded to stop after 2 s.")
                 : Texts::tr("The panel froze for %1 while a motor was moving. The motor was not stopped.");
     return {.key = u"froze"_s,
             .severity = Severity::Attention,
@@ -36,7 +36,7 @@ Message panelFroze(double seconds, bool stopped) {
 
 Message machineSlept(double seconds, bool stopped) {
     const QString text =
-        stopped ? Texts::tr("Resumed after %1: motors were told to stop; reading all values again.")
+        stopped ? Texts::tr("Resumed after %1: motors were commanded to stop; reading all values again.")
                 : Texts::tr("Resumed after %1: reading all values again.");
     return {
         .key = u"slept"_s,
@@ -49,8 +49,9 @@ Message machineSlept(double seconds, bool stopped) {
 namespace {
 
 QString guardianTold(const std::vector<ModuleIndex>& modules) {
-    return Texts::tr("The panel ended without stopping its motors; its guardian told modules %1 to stop.",
-                     nullptr, howMany(modules))
+    return Texts::tr(
+               "The panel ended without stopping its motors; its guardian commanded modules %1 to stop.",
+               nullptr, howMany(modules))
         .arg(listOfModules(modules));
 }
 
@@ -96,8 +97,8 @@ Message guardianStopped() {
     return {
         .key = u"guardianStopped"_s,
         .severity = Severity::Attention,
-        .headline =
-            Texts::tr("The panel stalled while a motor was moving; its guardian told the motors to stop."),
+        .headline = Texts::tr(
+            "The panel stalled while a motor was moving; its guardian commanded the motors to stop."),
         .body = Texts::tr(
             "The program was halted, or the computer was too busy. The panel is reading all values again.")};
 }
@@ -113,7 +114,7 @@ Message guardianMissing(GuardianProblem problem) {
             break;
         case GuardianProblem::NotPermitted:
             m.body = Texts::tr(
-                "Your user account may not start nmcguard. Reinstall the program. Everything else works.");
+                "Your user account has no permission to start nmcguard. Reinstall the program. Everything else works.");
             break;
         case GuardianProblem::WrongVersion:
             m.body = Texts::tr(

@@ -61,14 +61,14 @@ Message limitStopTripped(ModuleIndex module, const HomeWatch& watch) {
 
 Message swings(const ModuleState& module) {
     const ModuleIndex index = module.info.index;
-    Message m{.key = ofModule(u"swings"_s, index),
-              .module = index,
-              .severity = Severity::Attention,
-              .headline =
-                  Texts::tr("Module %1 holds its motor, and the motor oscillates.").arg(moduleNumber(index)),
-              .body = Texts::tr(
-                  "Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them."),
-              .actions = {{MessageAction::SwitchOff, Texts::tr("Motor off")}}};
+    Message m{
+        .key = ofModule(u"swings"_s, index),
+        .module = index,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Module %1 oscillates while it holds its position.").arg(moduleNumber(index)),
+        .body = Texts::tr(
+            "Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them."),
+        .actions = {{MessageAction::SwitchOff, Texts::tr("Motor off")}}};
     if (module.gainsBefore)
         m.actions.append({MessageAction::GainsBefore, Texts::tr("Restore previous gains")});
     return m;
@@ -88,9 +88,9 @@ Message wrapped(const ModuleState& module) {
         .key = ofModule(u"wrapped"_s, index),
         .module = index,
         .severity = Severity::Attention,
-        .headline = Texts::tr("The position of module %1 has wrapped.").arg(moduleNumber(index)),
+        .headline = Texts::tr("The position counter of module %1 has wrapped.").arg(moduleNumber(index)),
         .body = Texts::tr(
-            "It has 32 bits, and went on at the other end of their range. Positions and travel limits from before are no longer where they were: find home, then clear the sticky bits on the Details page.")};
+            "The 32-bit counter has overflowed and continues at the other end of its range. Earlier positions and travel limits no longer match: find home, then clear the sticky bits on the Details page.")};
 }
 
 /// For a servo, the cause is known from a status bit; for a stepper, from its present state.

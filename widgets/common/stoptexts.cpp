@@ -15,11 +15,11 @@ QStringList missing(const bus::StopFinished& finished) {
         parts << Texts::tr("Modules %1 do not answer", nullptr, howMany(finished.unreached))
                      .arg(listOfModules(finished.unreached));
     if (!finished.unconfirmed.empty())
-        parts << Texts::tr("Modules %1 were told to stop but were not seen at rest", nullptr,
+        parts << Texts::tr("Modules %1 were commanded to stop but were not seen at rest", nullptr,
                            howMany(finished.unconfirmed))
                      .arg(listOfModules(finished.unconfirmed));
     if (!finished.noStopKnown.empty())
-        parts << Texts::tr("Modules %1 cannot be told to stop", nullptr, howMany(finished.noStopKnown))
+        parts << Texts::tr("No stop command is known for modules %1", nullptr, howMany(finished.noStopKnown))
                      .arg(listOfModules(finished.noStopKnown));
     return parts;
 }
@@ -49,7 +49,7 @@ QString howStopped(const bus::StopFinished& finished, const std::vector<ModuleSt
     if (wereOff > 0)
         parts << Texts::tr("%n were off", nullptr, wereOff);
     if (io > 0)
-        parts << Texts::tr("%n I/O modules as set for a stop", nullptr, io);
+        parts << Texts::tr("%n I/O modules in their stop state", nullptr, io);
     return parts.join(u", "_s);
 }
 
@@ -94,12 +94,13 @@ QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
 }
 
 Message holdExpired(ModuleIndex module) {
-    return {.key = ofModule(u"hold"_s, module),
-            .module = module,
-            .severity = Severity::Attention,
-            .headline = Texts::tr("Module %1 was told to stop jogging: the panel stalled for over 250 ms.")
-                            .arg(moduleNumber(module)),
-            .body = Texts::tr("The computer was busy for more than 250 ms. Press and hold again.")};
+    return {
+        .key = ofModule(u"hold"_s, module),
+        .module = module,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Module %1 was commanded to stop jogging: the panel stalled for over 250 ms.")
+                        .arg(moduleNumber(module)),
+        .body = Texts::tr("The computer was busy for more than 250 ms. Press and hold again.")};
 }
 
 Message motionSuspect(const bus::MotionSuspect& suspect) {
@@ -111,23 +112,23 @@ Message motionSuspect(const bus::MotionSuspect& suspect) {
         case bus::MotionSuspect::Reason::WrongWay:
             m.headline =
                 Texts::tr(
-                    "Module %1 was told to switch off: one answer said that it moved the wrong way, to %2 counts.")
+                    "Module %1 was commanded to switch off: one answer reported a move in the wrong direction, to %2 counts.")
                     .arg(number, position);
             m.body = Texts::tr(
-                "If it did, encoder or motor wires are swapped, or the gains make it oscillate. If the position is right, the answer was not its own: check the cable.");
+                "If it did, encoder or motor wires are swapped, or the gains make it oscillate. If it did not, the answer was wrong: check the cable.");
             break;
         case bus::MotionSuspect::Reason::Overshot:
             m.headline =
                 Texts::tr(
-                    "Module %1 was told to stop: one answer said that it went past its goal, to %2 counts.")
+                    "Module %1 was commanded to stop: one answer reported that it went past its goal, to %2 counts.")
                     .arg(number, position);
             m.body = Texts::tr(
-                "Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If not, the answer was not its own: check the cable.");
+                "Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If it did not, the answer was wrong: check the cable.");
             break;
         case bus::MotionSuspect::Reason::Frozen:
             m.headline =
                 Texts::tr(
-                    "Module %1 was told to stop: it reports motion, but its position stays at %2 counts.")
+                    "Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.")
                     .arg(number, position);
             m.body = Texts::tr("Motor state unknown. Look at the motor; stop all if in doubt.");
             break;
@@ -138,8 +139,9 @@ Message motionSuspect(const bus::MotionSuspect& suspect) {
 Message foreignTraffic(const bus::ForeignTraffic& traffic) {
     QString headline = Texts::tr("Another host is sending on this line.");
     if (!traffic.toldToStop.empty())
-        headline += u' ' + Texts::tr("Modules %1 were told to stop.", nullptr, howMany(traffic.toldToStop))
-                               .arg(listOfModules(traffic.toldToStop));
+        headline +=
+            u' ' + Texts::tr("Modules %1 were commanded to stop.", nullptr, howMany(traffic.toldToStop))
+                       .arg(listOfModules(traffic.toldToStop));
     return {
         .key = u"foreign"_s,
         .severity = Severity::Fault,

@@ -225,8 +225,8 @@ Message stoppedBeforeLimit(ModuleIndex module) {
         .key = ofModule(u"travel"_s, module),
         .module = module,
         .severity = Severity::Attention,
-        .headline =
-            Texts::tr("Module %1 was told to stop just before its travel limit.").arg(moduleNumber(module)),
+        .headline = Texts::tr("Module %1 was commanded to stop just before its travel limit.")
+                        .arg(moduleNumber(module)),
         .body = Texts::tr(
             "The chip does not end this kind of motion by itself, so the panel did. Check the position before you continue.")};
 }
@@ -242,7 +242,7 @@ Message notPossible(ModuleIndex module, const QString& reason) {
 
 QString closing(int movingMotors) {
     if (movingMotors == 0)
-        return Texts::tr("No motor is moving. All are told to stop before the port closes.");
+        return Texts::tr("No motor is moving. All motors are commanded to stop before the port closes.");
     return Texts::tr("%n motors are moving. They will be stopped before the port closes.", nullptr,
                      movingMotors);
 }
@@ -272,7 +272,7 @@ Message safety() {
 Message questionWaits(const QString& title, const QString& text) {
     return {.key = key::question(),
             .severity = Severity::Attention,
-            .headline = Texts::tr("A question waits for your answer: %1").arg(title),
+            .headline = Texts::tr("A question is waiting for your answer: %1").arg(title),
             .body = text,
             .actions = {{MessageAction::ShowQuestion, Texts::tr("Show the question")}},
             .stands = true};

@@ -52,7 +52,7 @@ namespace texts {
 /// The link is given up as unreliable, or is doubtful.
 [[nodiscard]] Message badLink(const bus::HealthChanged& health);
 [[nodiscard]] Message slowAdapter(int updatesPerSecond, int latencyMs);
-/// The answer to "How"; `file` contains the latency timer.
+/// The answer to "Show how"; `file` contains the latency timer.
 [[nodiscard]] Message latencyCure(const QString& file);
 [[nodiscard]] Message adapterBack(const QString& port, bool sameSerial);
 [[nodiscard]] Message differentAdapter(const QString& port);

@@ -44,10 +44,10 @@ QString travelProblem(const TravelProblem& problem, const AxisScale& scale) {
         const QString turn = position(scale, *problem.turn);
         return lowest
                    ? TravelTexts::tr(
-                         "To take up the backlash, the move would turn round at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).")
+                         "To take up the backlash, the move would reverse at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).")
                          .arg(turn, limit)
                    : TravelTexts::tr(
-                         "To take up the backlash, the move would turn round at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).")
+                         "To take up the backlash, the move would reverse at %1, above the highest position %2. Raise that position, or change the backlash or its direction (Axis page).")
                          .arg(turn, limit);
     }
     if (problem.refusal == Refusal::AtTravelEnd)

@@ -138,7 +138,7 @@ QString activityMeaning(const ModuleState& module, const AxisScale& scale) {
         return activityMeaning(module.activity());
     return (holding->atLimit
                 ? Units::tr(
-                      "%1 off the position to hold, and pushing with up to all of the output limit. Something may be in the way.")
+                      "%1 off the position to hold, and pushing with up to the full output limit. Something may be in the way.")
                 : Units::tr(
                       "%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more."))
         .arg(offBy(*holding, scale));

@@ -125,10 +125,11 @@ QString activityMeaning(Activity activity) {
         case Activity::PwmMode:
             return Texts::tr("A fixed PWM value drives the motor; the servo does not control it.");
         case Activity::MaybeOff:
-            return Texts::tr("One answer says that the module switched its motor off. The next will tell.");
+            return Texts::tr(
+                "One answer says that the motor is off. The next answer will show whether it is.");
         case Activity::MaybeMoving:
             return Texts::tr(
-                "The motor stands in the last answers, but whether it was started is not known yet.");
+                "The last answers show the motor at rest, but it is not yet known whether it was started.");
         case Activity::Turned:
             return Texts::tr(
                 "The shaft moves while the motor is off: a load turns it, or it is still coasting. A stop cannot hold it; use a brake, or enable the servo.");
@@ -179,14 +180,14 @@ QString refusal(Refusal refusal) {
         case Refusal::Unresponsive:
             return Texts::tr("The module does not answer, so its state is unknown.");
         case Refusal::Looking:
-            return Texts::tr("Looking for modules… Until they are found, only stops act.");
+            return Texts::tr("Looking for modules… Until they are found, only stop commands work.");
         case Refusal::NoPower:
             return Texts::tr("The module has no motor power.");
         case Refusal::GainsUnknown:
             return Texts::tr("The gains are 0 or unknown, so the motor would not hold. Apply gains first.");
         case Refusal::ServoRateUnknown:
             return Texts::tr(
-                "The servo rate of this module is not known, so no speed per second is. Apply its gains first: SR goes with them.");
+                "The servo rate of this module is unknown, so speeds per second cannot be calculated. Apply its gains first: they include SR.");
         case Refusal::CommandUnknown:
             return Texts::tr(
                 "The exact position that the servo holds is unknown. Choose Hold here first, or move the motor.");

@@ -46,7 +46,7 @@ SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
     look::name(this, u"squareWavePage"_s, tr("Square wave"));
     m_form = new TestForm(
         ProcedureKind::SquareWave,
-        {u"squareWave"_s, tr("Begin"),
+        {u"squareWave"_s, tr("Start test"),
          tr("The motor jumps back and forth around its position. Make sure that everything it drives can move freely.")},
         this);
     m_counts = m_form->addDistance(u"squareWaveDistanceField"_s, tr("Distance"), tr("The distance"));

@@ -125,7 +125,7 @@ void DifferencesDialog::build() {
 
 void DifferencesDialog::showDifferences(const QString& file, std::vector<Difference> differences) {
     m_text->setText(
-        tr("\"%1\" differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those of the file.")
+        tr("\"%1\" differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those in the file.")
             .arg(file));
     {
         const QSignalBlocker blocker(m_table);

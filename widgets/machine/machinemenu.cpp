@@ -142,7 +142,7 @@ void MachineMenu::closeDifferences() {
 void MachineMenu::askBeforeClose(const Go& close) {
     if (m_file.saving)
         return waitForSave(close);
-    ask(tr("&Save and close"), tr("&Close: the next start offers to restore them"), close);
+    ask(tr("&Save and close"), tr("&Close: the changes can be restored at the next start"), close);
 }
 
 void MachineMenu::askFirst(const Go& go) {
@@ -161,7 +161,7 @@ void MachineMenu::ask(const QString& saveText, const QString& goOnText, const Go
         {.name = u"unsavedDialog"_s,
          .title = tr("Unsaved changes"),
          .text = text,
-         .stay = tr("S&tay"),
+         .stay = tr("Ca&ncel"),
          .stayName = u"stayUnsavedButton"_s,
          .textName = u"unsavedText"_s},
         {{saveText, u"saveFirstButton"_s, [this, go] { save(go); }}, {goOnText, u"goOnUnsavedButton"_s, go}},
@@ -174,9 +174,10 @@ void MachineMenu::waitForSave(const Go& close) {
         {.name = u"savingDialog"_s,
          .title = tr("Saving"),
          .text = [this] { return m_file.saving ? texts::beingSaved(m_file.title()) : QString(); },
-         .stay = tr("S&tay"),
+         .stay = tr("Ca&ncel"),
          .stayName = u"staySavingButton"_s},
-        {{tr("&Close: the next start offers to restore them"), u"closeUnsavedButton"_s, close}}, m_window);
+        {{tr("&Close: the changes can be restored at the next start"), u"closeUnsavedButton"_s, close}},
+        m_window);
     // If the question is withdrawn because the file has been saved, the window closes.
     connect(&question, &QDialog::finished, this, [this] {
         if (m_file.saving)

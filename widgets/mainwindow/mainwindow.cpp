@@ -138,7 +138,7 @@ void MainWindow::buildRibbons(QWidget* top) {
     connect(leave, &QPushButton::clicked, m_operator, &OperatorLock::open);
     m_pendantRibbon = new Ribbon(u"pendantRibbon"_s, tr("Pendant"), {}, top);
     QPushButton* end =
-        m_pendantRibbon->addButton(u"endPendantButton"_s, tr("End it"),
+        m_pendantRibbon->addButton(u"endPendantButton"_s, tr("End pendant mode"),
                                    tr("Ends pendant mode: arrow keys and gamepad no longer move anything."));
     end->setFocusPolicy(Qt::NoFocus);
     connect(end, &QPushButton::clicked, this, [this] { m_pendant->action()->setChecked(false); });

@@ -21,7 +21,7 @@ void MainWindow::askBeforeStopping(const QString& name, const QString& stopText,
     AskDialog::ask({.name = name,
                     .title = tr("Motors are moving"),
                     .text = m_session.whileOpen(texts::closing),
-                    .stay = tr("St&ay"),
+                    .stay = tr("&Cancel"),
                     .stayName = u"stayButton"_s},
                    {{stopText, u"stopAndCloseButton"_s,
                      [this, go] {

@@ -45,7 +45,7 @@ OperatorDialog::OperatorDialog(const OperatorRights& rights, QWidget* window) : 
         {"operatorEnableBox", tr("&Enable motors, clear faults"), &OperatorRights::enable},
         {"operatorJogBox", tr("&Jog"), &OperatorRights::jog},
         {"operatorPointsBox", tr("&Points and sequences"), &OperatorRights::points},
-        {"operatorMovesBox", tr("&Moves: go to, run, by N"), &OperatorRights::moves},
+        {"operatorMovesBox", tr("&Moves: go to, run, step"), &OperatorRights::moves},
         {"operatorHomingBox", tr("&Homing"), &OperatorRights::homing},
         {"operatorOutputsBox", tr("&Outputs"), &OperatorRights::outputs},
     };

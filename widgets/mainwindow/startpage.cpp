@@ -67,9 +67,8 @@ void StartPage::connectToSerialPort() {
 void StartPage::refresh() {
     const PortEntry port = m_bar.serialPort();
     if (port.name.isEmpty()) {
-        m_serial->showChoice(
-            tr("Choose a serial port…"),
-            tr("No serial port found. Plug in the adapter of the modules: it shows up here."));
+        m_serial->showChoice(tr("Choose a serial port…"),
+                             tr("No serial port found. Plug in the modules' adapter; it then appears here."));
         return;
     }
     const QString what = port.description.isEmpty()
@@ -77,7 +76,7 @@ void StartPage::refresh() {
                              : tr("%1, %2 Bd.").arg(port.description, texts::rate(m_bar.baud()));
     m_serial->showChoice(
         tr("Connect to %1").arg(port.name),
-        what + u' ' + tr("Needs the modules powered, and their cable plugged in.") +
+        what + u' ' + tr("The modules must be powered and their cable plugged in.") +
             (m_bar.serialPorts() > 1 ? u' ' + tr("Other ports are in the list above.") : QString()));
 }
 

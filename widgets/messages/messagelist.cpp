@@ -97,8 +97,9 @@ std::vector<MessageEntry> MessageList::entries() const {
 
 void MessageList::showWhetherEmpty() {
     m_empty->setVisible(shownEntries().empty());
-    look::setText(m_empty, m_rows.isEmpty() ? tr("No messages. Problems appear here, and when they end.")
-                                            : tr("No message matches the filter above."));
+    look::setText(m_empty, m_rows.isEmpty()
+                               ? tr("No messages. Problems are listed here, with the time when they ended.")
+                               : tr("No message matches the filter above."));
 }
 
 void MessageList::amendMessage(const Message& message) {

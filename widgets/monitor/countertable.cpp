@@ -63,12 +63,12 @@ CounterTable::CounterTable(QWidget* parent) : QTableWidget(0, kColumns, parent) 
     addRow(u"refused"_s, tr("refused by the module: the command reached it with a wrong checksum"));
     addRow(u"wrongSums"_s, tr("wrong checksums: the answer was corrupted in transit"));
     addRow(u"surplusBytes"_s, tr("surplus bytes: received without a request"));
-    addRow(u"staleBytes"_s, tr("of them stale: late answers, discarded"));
+    addRow(u"staleBytes"_s, tr("of these, stale: late answers, discarded"));
     addRow(u"resyncs"_s, tr("resyncs: link checked again after errors"));
     addRow(u"rejected"_s, tr("rejected by a rule: checksum right, but answer implausible"));
     for (std::size_t i = 0; i < bus::kRejections; ++i)
         addRow(u"rejection%1"_s.arg(i),
-               tr("  of them: %1").arg(texts::rejection(static_cast<bus::Rejection>(i))));
+               tr("  of these: %1").arg(texts::rejection(static_cast<bus::Rejection>(i))));
     showStatistics({});
 }
 

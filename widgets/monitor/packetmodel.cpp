@@ -159,7 +159,7 @@ QVariant PacketModel::headerData(int section, Qt::Orientation orientation, int r
         case Reply:
             return tr("Reply");
         case Verdict:
-            return tr("Verdict");
+            return tr("Result");
         case kColumns:
             break;
     }

@@ -76,7 +76,7 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
       m_save(new Command({.name = u"saveConfigurationButton"_s,
                           .icon = u"download"_s,
                           .text = tr("Save in module…"),
-                          .accessible = tr("Save in module the configuration for power-up")},
+                          .accessible = tr("Save in module: configuration for power-up")},
                          this, [this] { save(); })),
       m_erase(new Command({.name = u"eraseConfigurationButton"_s,
                            .icon = u"eraser"_s,
@@ -188,19 +188,18 @@ void AmplifierBox::refresh() {
     if (reason.isEmpty() && m_steps->isChecked() && wanted().limitStop != LimitStop::None)
         reason = tr("Step and direction uses the limit pins: set the limit inputs to do nothing.");
     if (reason.isEmpty() && m_context.state().scIo == wanted())
-        reason = tr("The module has these settings.");
+        reason = tr("The module already has these settings.");
     m_apply->setPossible(reason, tr("Takes AMP_EN low and sends these settings."));
     const auto& gains = m_context.state().gains;
     QString multiplier = m_context.reasonNow(IntentKind::ApplyGains);
     if (multiplier.isEmpty())
         multiplier = gains ? m_multiplier->problemText() : texts::refusal(Refusal::GainsUnknown);
-    m_setMultiplier->setPossible(multiplier,
-                                 tr("Sends the gains that the module has, with this multiplier."));
+    m_setMultiplier->setPossible(multiplier, tr("Sends the module's present gains with this multiplier."));
     QString save = now;
     if (save.isEmpty() && !m_context.state().scIo)
-        save = tr("Apply the amplifier settings first: what the module has now is not known.");
-    m_save->setPossible(save, tr("Saves what the module has now, and restarts it."));
-    m_erase->setPossible(now, tr("Makes the module forget what it saved, and restarts it."));
+        save = tr("Apply the amplifier settings first: the module's present settings are unknown.");
+    m_save->setPossible(save, tr("Saves the module's present settings and restarts it."));
+    m_erase->setPossible(now, tr("Erases the module's saved configuration and restarts it."));
 }
 
 void AmplifierBox::question(const QString& name, const QString& title, const QString& text,
@@ -237,7 +236,7 @@ void AmplifierBox::save() {
 void AmplifierBox::erase() {
     question(
         u"eraseConfigurationQuestion"_s, tr("Erase saved configuration"),
-        tr("Erase what %1 has saved? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.")
+        tr("Erase the saved configuration of %1? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.")
             .arg(texts::moduleName(m_context.state().info.index)),
         tr("Erase and restart"), intent::SaveConfiguration{servo::HardReset{}});
 }

@@ -120,7 +120,7 @@ void AxisBox::build() {
         {.name = m_context.named(u"axisReversedBox"_s),
          .text = tr("reversed: forward counts down"),
          .meaning = tr(
-             "Turns positions, directions and travel limits of this axis round on the screen. Sends nothing.")},
+             "Reverses positions, directions and travel limits of this axis on the screen. Sends nothing.")},
         this);
     form->addRow(QString(), m_reversed);
     auto* workOut = new QPushButton(tr("Calculate…"), this);

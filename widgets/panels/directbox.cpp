@@ -93,11 +93,12 @@ DirectBox::Value DirectBox::addValue(const QString& name, const QString& text, d
     connect(value.field, &NumberField::edited, this, &DirectBox::refresh);
     QWidget* left = nullptr;
     if (optional) {
-        value.loaded = form::newCheck({.name = named(name) + u"Loaded"_s,
-                                       .text = text,
-                                       .accessible = tr("%1: load").arg(text),
-                                       .meaning = tr("If cleared, the chip keeps the value loaded before.")},
-                                      this);
+        value.loaded =
+            form::newCheck({.name = named(name) + u"Loaded"_s,
+                            .text = text,
+                            .accessible = tr("%1: load").arg(text),
+                            .meaning = tr("If cleared, the chip keeps the previously loaded value.")},
+                           this);
         connect(value.loaded, &QCheckBox::toggled, value.field, &QWidget::setEnabled);
         connect(value.loaded, &QCheckBox::toggled, this, &DirectBox::refresh);
         value.field->setEnabled(false);

@@ -237,7 +237,8 @@ DirectBox* newServoReset(ModuleContext& context, QWidget* parent) {
 QString stepperGoalMeaning(const stepper::LoadTrajectory& load, StepperMode mode) {
     const auto goal = goalMode(mode, load);
     if (!goal)
-        return ExpertBox::tr("Table 4 has no such mode from the present state of the motor.");
+        return ExpertBox::tr(
+            "Table 4 of the data sheet has no such mode for the present state of the motor.");
     switch (*goal) {
         case StepperMode::Trapezoidal:
             return ExpertBox::tr("A trapezoidal move to the position.");

@@ -24,7 +24,7 @@ GainsBox::GainsBox(ModuleContext& context, QWidget* parent)
     : StagedForm(context,
                  {.what = u"Gains"_s,
                   .undo = tr("Undo the last edit of a gain"),
-                  .redo = tr("Redo the edit of a gain"),
+                  .redo = tr("Redo the last undone edit of a gain"),
                   .revert = tr("Revert the gains to those last sent"),
                   .sentOnes = tr("Restores the gains last sent. Sends nothing."),
                   .none = tr("Clears the fields: no gains have been sent yet. Sends nothing.")},
@@ -58,7 +58,7 @@ void GainsBox::addSense(FormGrid* grid) {
         {.name = u"clSenseBox"_s,
          .accessible = tr("Sense of the current limit"),
          .meaning = tr(
-             "Whether a high or a low A/D value means overcurrent. The chip tells them apart by odd and even numbers.")},
+             "Whether a high or a low A/D value means overcurrent. The chip distinguishes them by odd and even values.")},
         this);
     for (const CurrentSense sense : {CurrentSense::Off, CurrentSense::Above, CurrentSense::Below})
         m_sense->addItem(currentSenseName(sense), static_cast<int>(sense));
@@ -96,8 +96,8 @@ void GainsBox::addButtons(FormGrid* grid) {
                         this, [this] { tryThem(); });
     m_keep = new Command({.name = u"keepGainsButton"_s,
                           .icon = {},
-                          .text = tr("Keep them"),
-                          .accessible = tr("Keep them: the gains being tried")},
+                          .text = tr("Keep gains"),
+                          .accessible = tr("Keep gains: those being tried")},
                          this, [this] { context().ask(intent::KeepGains{}); });
     auto* step = new Command({.name = u"openStepResponseButton"_s,
                               .icon = u"player-play"_s,

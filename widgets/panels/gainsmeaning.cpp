@@ -160,7 +160,7 @@ QString gainMeaning(Gain gain) {
             break;
         case Gain::Sr:
             text = Gains::tr(
-                "SR, servo rate divisor: one servo tick is SR x 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.");
+                "SR, servo rate divisor: one servo tick is SR × 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.");
             break;
         case Gain::Db:
             text = Gains::tr(

@@ -46,7 +46,7 @@ void GenericPanel::showModule(const PanelView& view) {
                                            texts::moduleType(module.info.identity)));
     look::setText(
         m_text,
-        tr("The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module's status. STOP ALL may not stop its motor: use the hardware stop."));
+        tr("The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module's status. STOP ALL might not stop its motor: use the hardware stop."));
     QString status = tr("No status yet.");
     if (module.latest.has_value()) {
         status = tr("Status byte %1").arg(module.latest->status, 2, 16, QChar(u'0'));

@@ -85,7 +85,7 @@ void HomingForm::buildConditions(FormGrid* grid) {
                tr("Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared first. The servo is switched on again only to continue to the index or to home."))
         << addBox(
                u"onCurrentLimitBox"_s, tr("Current limit"), &HomingRecipe::onCurrentLimit,
-               tr("Home is at a hard stop: the motor runs against it until the current limit is reached. Alone, it takes effect only at full speed; with other conditions from the start, so the starting current must stay below it. Sticky bits are cleared first."));
+               tr("Home is at a hard stop: the motor runs against it until the current limit is reached. On its own, it takes effect only at full speed; combined with other conditions, from the start, so the starting current must stay below it. Sticky bits are cleared first."));
     grid->addTitled(tr("Home is at"), row(conditions));
     grid->addTitled(
         QString(),
@@ -251,7 +251,7 @@ void HomingForm::refresh() {
         if (reason.isEmpty() && box.flag == &HomingRecipe::thenIndex && m_recipe.onIndex)
             reason = tr("The first search already finds the index.");
         if (reason.isEmpty() && box.flag == &HomingRecipe::makeZero && !m_recipe.goToHome)
-            reason = tr("Needs Go to home: the position where the motor is becomes 0.");
+            reason = tr("Needs Go to home, because the position at which the motor rests becomes 0.");
         look::setPossible(box.button, reason, box.meaning);
     }
     {

@@ -69,7 +69,7 @@ void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
         input.value = new QLabel(this);
         look::nameText(input.value, u"analog%1Value"_s.arg(number), tr("Value of %1").arg(label));
         input.value->setFont(look::tabular(font()));
-        input.perCount = newNumber(u"analog%1PerCount"_s.arg(number), tr("%1, each step").arg(label),
+        input.perCount = newNumber(u"analog%1PerCount"_s.arg(number), tr("%1 per count").arg(label),
                                    tr("The value of one A/D count."));
         input.atZero = newNumber(u"analog%1AtZero"_s.arg(number), tr("%1 at 0").arg(label),
                                  tr("The value at an A/D reading of 0."));

@@ -87,7 +87,7 @@ void JogBox::showModule() {
     } else {
         m_speed->setRangeReason(texts::jogReason());
         m_speed->setMeaning(tr(
-            "How fast the motor turns while you hold a button, or Space on it. Returns to a low value on every connect; set the max jog speed on the Axis page."));
+            "How fast the motor turns while you hold a button, or Space on it. Returns to a low value at each connection; set the max jog speed on the Axis page."));
     }
     if (otherRange)
         showSpeed();

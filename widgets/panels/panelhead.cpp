@@ -242,7 +242,7 @@ void PanelHead::refresh() {
     const auto procedure = m_context.runningProcedure();
     const bool driven = activity == Activity::Holding && procedure && movesAround(procedure->kind);
     look::setText(m_state, driven ? tr("Driven by a test") : texts::activity(activity));
-    look::setText(m_meaning, module.lookedFor ? tr("Looking for modules… This is what it said last.")
+    look::setText(m_meaning, module.lookedFor ? tr("Looking for modules… This is the last known state.")
                              : driven ? tr("The test moves the motor around the position that it held.")
                                       : texts::activityMeaning(module, m_context.scale()));
     look::setText(m_procedure, procedure ? u"▶ "_s + texts::procedureStage(*procedure) : QString());

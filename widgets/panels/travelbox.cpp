@@ -97,8 +97,8 @@ void TravelBox::buildBacklash(FormGrid* grid) {
         {.name = m_context.named(u"backlashSideBox"_s),
          .accessible = tr("Approach direction of every goal"),
          .options = {{tr("from below"), false}, {tr("from above"), true}},
-         .meaning =
-             tr("Go to, Go home and Step approach their goal from this side. A loaded move goes straight.")},
+         .meaning = tr(
+             "Go to, Go home and Step approach their goal from this side. A loaded move goes straight to its goal.")},
         this);
     grid->addRow(tr("Backlash"), m_backlash, {m_side});
     connect(m_backlash, &QuantityField::nativeEdited, this, &TravelBox::keepBacklash);
@@ -244,7 +244,7 @@ void TravelBox::refresh() {
         hint = tr("The lowest position must be below the highest. The old value is kept.");
     if (hint.isEmpty() && homeIsOutOfReach())
         hint = tr(
-            "With this backlash, no move can end at home: it would turn round beyond the limit. Move the limit away from home, or change the backlash or its direction.");
+            "With this backlash, no move can end at home: it would reverse beyond the limit. Move the limit away from home, or change the backlash or its direction.");
     look::setText(m_hint, hint);
     m_hint->setVisible(!hint.isEmpty());
     look::setText(m_state, texts::travelState(module, m_context.scale()));

@@ -106,7 +106,7 @@ QWidget* PathsPage::buildRun() {
     m_run = new Command({.name = u"runPathButton"_s,
                          .icon = u"player-play"_s,
                          .text = tr("Run path"),
-                         .accessible = tr("Run path after a question")},
+                         .accessible = tr("Run path, with confirmation")},
                         box, [this] { ask(); });
     m_end = new Command({.name = u"endPathButton"_s,
                          .icon = u"player-stop"_s,
@@ -288,7 +288,7 @@ void PathsPage::refresh() {
     m_save->setPossible(m_path ? QString() : tr("Open or draw a path first."),
                         tr("Saves the path as CSV, with its positions in the units of the axes."));
     m_draw->setPossible(!noAxes.isEmpty()          ? noAxes
-                        : m_sequence->count() == 0 ? tr("Write a sequence of moves first (F3).")
+                        : m_sequence->count() == 0 ? tr("Create a sequence of moves first (F3).")
                                                    : QString(),
                         tr("Turns the moves of this sequence into one motion without stops. Nothing moves."));
     const QString notMoved = whyNotMoved();

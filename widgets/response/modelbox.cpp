@@ -27,8 +27,8 @@ constexpr int kSuggestionLines = 5;
 ModelBox::ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QWidget* parent)
     : QWidget(parent), m_form(form), m_runs(runs), m_margin(LoopWish{}.phaseMargin) {
     look::name(this, u"modelBox"_s, tr("Motor model"));
-    m_identify = new QPushButton(icons::tinted(u"wand"_s), tr("Find the motor"), this);
-    look::name(m_identify, u"identifyButton"_s, tr("Find the motor model from the steps"));
+    m_identify = new QPushButton(icons::tinted(u"wand"_s), tr("Find motor model"), this);
+    look::name(m_identify, u"identifyButton"_s, tr("Find motor model from the steps"));
     m_motor = form::newParagraph(u"motorModel"_s, tr("Motor model found"), this, kMotorLines);
     m_fill =
         form::newPush({u"fillSuggestedButton"_s, tr("Fill in"), tr("Fill in the suggested gains")}, this);
@@ -226,7 +226,7 @@ void ModelBox::refresh() {
             .arg(kMaxRuns));
     refreshSteps();
     look::setPossible(m_fill,
-                      m_suggestion.gains ? QString() : tr("No suggested gains. Find the motor first."),
+                      m_suggestion.gains ? QString() : tr("No suggested gains. Find the motor model first."),
                       tr("Copies the suggested gains to the Gains page. Sends nothing."));
     for (QSlider* slider : {m_stiffness, m_damping, m_noise})
         slider->setEnabled(found() != nullptr && found()->motor.has_value());
@@ -238,13 +238,13 @@ void ModelBox::refreshSteps() {
     const std::vector<std::int32_t> steps = nextSteps();
     const bool one = steps.size() == 1;
     const QString words =
-        one ? tr("Step once more and find") : tr("Step %1 times and find").arg(steps.size());
+        one ? tr("Step once more and find model") : tr("Step %1 times and find model").arg(steps.size());
     m_steps->setText(words);
     m_steps->setAccessibleName(words);
     look::setPossible(
         m_steps, m_form.whyNotNow(steps),
-        one ? tr("The motor jumps once more, as far as before, and is found from the recent steps. Make sure that everything it drives can move freely.")
-            : tr("The motor jumps by the distance of the step and back, then twice as far and back, and is found from these steps. Make sure that everything it drives can move freely."));
+        one ? tr("The motor jumps once more, as far as before; the model is then found from the recent steps. Make sure that everything it drives can move freely.")
+            : tr("The motor jumps by the distance of the step and back, then twice as far and back; the model is then found from these steps. Make sure that everything it drives can move freely."));
 }
 
 QStringList ModelBox::motorWords() const {
@@ -263,7 +263,7 @@ void ModelBox::showWords() {
         words = texts::gainsInShort(*m_suggestion.gains) + u'\n' +
                 texts::predicted(*m_suggestion.prediction).join(u'\n');
     else if (found != nullptr && found->motor)
-        words = !m_about ? tr("The run behind this model was removed. Find the motor again.")
+        words = !m_about ? tr("The run behind this model was removed. Find the motor model again.")
                 : m_suggestion.id == m_asked ? tr("No gains keep this motor stable and quiet.")
                                              : QString();
     look::setText(m_suggested, words);

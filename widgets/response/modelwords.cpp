@@ -42,7 +42,8 @@ QStringList motorFound(const Identified& found) {
         lines << ModelTexts::tr("A resonance above %1 Hz would not show; the margins allow for one.")
                      .arg(std::lround(*motor.rigidUpTo));
     if (!motor.isSure())
-        lines << ModelTexts::tr("Uncertain: step once more. Until then the suggested gains are careful.");
+        lines << ModelTexts::tr(
+            "Uncertain: step once more. Until then the suggested gains are conservative.");
     return lines;
 }
 
@@ -63,11 +64,11 @@ QString motorNotFound(IdentifyFailure failure) {
                 "The model does not fit the step. Check for backlash, an elastic belt, a hard stop or a current limit.");
         case IdentifyFailure::Play:
             return ModelTexts::
-                tr("The motor probably has more than %1 counts of play: that much is lost where it turns round. Take up the play between motor and encoder.")
+                tr("The motor probably has more than %1 counts of play: that much motion is lost at each reversal. Take up the play between motor and encoder.")
                     .arg(kMostPlay);
         case IdentifyFailure::Obstacle:
             return ModelTexts::tr(
-                "The motor stopped dead short of its goal. Something is in its way: a hard stop, or what it drives. Make room, or step the other way.");
+                "The motor stopped abruptly short of its goal. Something is in its way: a hard stop, or its load. Clear the way, or step in the other direction.");
         case IdentifyFailure::GainUnclear:
             return ModelTexts::tr(
                 "These steps do not determine the motor gain. Add a larger step, so that the motor gets close to a steady speed.");

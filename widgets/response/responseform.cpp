@@ -59,16 +59,16 @@ void ResponseForm::buildFields(FormGrid* grid) {
                          texts::responseMethodMeaning(ResponseMethod::StopHere));
     m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_method->setMinimumContentsLength(12);
-    m_record =
-        form::newNumber({.name = u"responseRecordField"_s,
-                         .accessible = tr("The record"),
-                         .unit = tr("s"),
-                         .min = kShortestRecord,
-                         .max = kLongestRecord,
-                         .decimals = 2,
-                         .digits = kStepDigits,
-                         .meaning = tr("How long to record after the step. Then the motor is told to hold.")},
-                        this);
+    m_record = form::newNumber(
+        {.name = u"responseRecordField"_s,
+         .accessible = tr("The record"),
+         .unit = tr("s"),
+         .min = kShortestRecord,
+         .max = kLongestRecord,
+         .decimals = 2,
+         .digits = kStepDigits,
+         .meaning = tr("How long to record after the step. Then the motor is commanded to hold.")},
+        this);
     m_record->showValue(kFirstRecord);
     m_band = form::newNumber(
         {.name = u"responseBandField"_s,
@@ -224,7 +224,7 @@ void ResponseForm::askWhichGains(const intent::StepResponse& step, const std::ve
     intent::StepResponse applied = step;
     applied.gains = m_staged;
     AskDialog::ask({.name = u"stepGainsDialog"_s,
-                    .title = tr("Gains that were not sent"),
+                    .title = tr("Gains not sent"),
                     .text = text,
                     .stay = tr("&Cancel"),
                     .stayName = u"cancelStepButton"_s},

@@ -26,7 +26,7 @@ ResponseResults::ResponseResults(QWidget* parent) : QTableWidget(kRows, 2, paren
     verticalHeaderItem(Settling)->setToolTip(tr(
         "Time until the position stays within the settling band around the goal. Empty if that happens only in the last fifth of the record."));
     verticalHeaderItem(AtRest)->setToolTip(tr(
-        "The same, around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal."));
+        "Time until the position stays within the settling band around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal."));
     verticalHeaderItem(SteadyError)
         ->setToolTip(tr("Goal minus the mean position over the last fifth of the record."));
     verticalHeaderItem(PeakPwm)->setToolTip(tr(

@@ -59,10 +59,10 @@ QString responseMethodMeaning(ResponseMethod method) {
     switch (method) {
         case ResponseMethod::Profile:
             return ResponseTexts::tr(
-                "A move with so much velocity and acceleration that the profile reaches the goal in one tick.");
+                "A move with velocity and acceleration so high that its profile reaches the goal in one servo tick.");
         case ResponseMethod::StopHere:
             return ResponseTexts::tr(
-                "The servo holds the goal at once, without a profile. Not with version 1.");
+                "The servo holds the goal at once, without a profile. Not available with version 1.");
     }
     return {};
 }

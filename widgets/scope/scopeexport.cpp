@@ -126,7 +126,7 @@ ScopeExport::ScopeExport(QWidget* panel) : QObject(panel), m_panel(panel), m_men
               tr("The visible plot on a page for printing or a report."));
     m_menu->addSeparator();
     addAction(Kind::Clipboard, u"scopeCopyAction"_s, tr("&Copy picture"),
-              tr("Copies the visible plot to the clipboard, with its samples if these are few."));
+              tr("Copies the visible plot to the clipboard, with its samples if there are only a few."));
     addAction(Kind::Printer, u"scopePrintAction"_s, tr("P&rint…"),
               tr("Prints the visible plot on one of this computer's printers."));
 }

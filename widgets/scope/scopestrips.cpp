@@ -45,8 +45,7 @@ ScopePlot* ScopeStrips::newPlot(std::size_t strip) {
     m_splitter->insertWidget(static_cast<int>(above), plot);
     for (int i = 0; i < m_splitter->count(); ++i) {
         m_splitter->handle(i)->installEventFilter(this);
-        m_splitter->handle(i)->setToolTip(
-            tr("Drag it to resize the strips. A double click makes them equal."));
+        m_splitter->handle(i)->setToolTip(tr("Drag to resize the strips. Double-click to make them equal."));
     }
     look::name(plot, kPlotNames[strip], tr("Strip %1 of the scope").arg(strip + 1));
     connect(plot, &ScopePlot::paintWanted, this, [this, plot] { paintInTurn(plot); });

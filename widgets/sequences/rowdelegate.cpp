@@ -19,9 +19,9 @@ QWidget* RowDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& 
     if (choices.isEmpty()) {
         const QPointF range = index.data(RowsModel::RangeRole).toPointF();
         auto* field = new NumberField(index.data(RowsModel::DecimalsRole).toInt(), parent);
-        look::name(field, u"rowNumberField"_s, tr("Number of the row"));
+        look::name(field, u"rowNumberField"_s, tr("Value of the row"));
         field->setRange(range.x(), range.y());
-        field->setWords(tr("The number"), {});
+        field->setWords(tr("The value"), {});
         return field;
     }
     auto* box = new QComboBox(parent);

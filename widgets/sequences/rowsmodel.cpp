@@ -344,13 +344,13 @@ QVariant RowsModel::headerData(int section, Qt::Orientation orientation, int rol
     }
     switch (section) {
         case Do:
-            return tr("Do");
+            return tr("Action");
         case What:
-            return tr("What");
+            return tr("Target");
         case How:
             return tr("How");
         case Number:
-            return tr("Number");
+            return tr("Value");
         default:
             return tr("Within");
     }

@@ -230,8 +230,8 @@ QWidget* SequencesPage::buildRowButtons(QGroupBox* box) {
             });
             m_rowTable->selectRow(static_cast<int>(row) + 1);
         });
-    m_removeRow =
-        newCommand(u"removeRowButton"_s, u"x"_s, tr("Remove row"), tr("Remove row that is selected"), [this] {
+    m_removeRow = newCommand(
+        u"removeRowButton"_s, u"x"_s, tr("Remove row"), tr("Remove row: the selected one"), [this] {
             editRows(tr("Remove row"),
                      [row = *chosenRow()](Sequence& sequence) { removeRow(sequence, row); });
         });
@@ -243,11 +243,11 @@ QWidget* SequencesPage::buildRowButtons(QGroupBox* box) {
         Qt::CTRL | Qt::SHIFT | Qt::Key_Down);
     m_undo = newCommand(
         u"undoEditButton"_s, u"arrow-back-up"_s, tr("Undo"),
-        tr("Undo the last change of points and sequences"), [this] { m_edits.undo(); },
+        tr("Undo the last change to points and sequences"), [this] { m_edits.undo(); },
         Qt::CTRL | Qt::ALT | Qt::Key_Z);
     m_redo = newCommand(
         u"redoEditButton"_s, u"arrow-forward-up"_s, tr("Redo"),
-        tr("Redo the last undone change of points and sequences"), [this] { m_edits.redo(); },
+        tr("Redo the last undone change to points and sequences"), [this] { m_edits.redo(); },
         Qt::CTRL | Qt::ALT | Qt::Key_Y);
     auto* row = new QWidget(box);
     auto* layout = inARow(box, m_addRow, m_duplicateRow, m_removeRow, m_rowUp, m_rowDown, m_undo, m_redo);

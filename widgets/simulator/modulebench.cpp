@@ -128,7 +128,7 @@ void ModuleBench::buildPins() {
         addRow(grid, {.name = u"analog%1"_s.arg(input),
                       .label = tr("A/D %1").arg(input),
                       .unit = tr("of 255"),
-                      .meaning = tr("255 stands for 5 V."),
+                      .meaning = tr("255 is 5 V."),
                       .max = 255,
                       .step = 1,
                       .sliderMax = 255});
@@ -143,8 +143,8 @@ void ModuleBench::buildPins() {
         grid.addWidget(value, row, 1, 1, 2);
         return value;
     };
-    m_pwm = addValue(u"pwm"_s, tr("PWM 1 and 2"), tr("The output of the module, of 255."));
-    m_count = addValue(u"count"_s, tr("Timer or counter"), tr("As the module counts."));
+    m_pwm = addValue(u"pwm"_s, tr("PWM 1 and 2"), tr("The module's PWM outputs, 0 to 255."));
+    m_count = addValue(u"count"_s, tr("Timer or counter"), tr("The module's own count."));
     buildCable(grid);
     grid.setRowStretch(grid.rowCount(), 1);
     grid.setColumnStretch(0, 1);

@@ -58,7 +58,7 @@ std::string word(bus::LinkHealth health) {
     switch (health) {
         case bus::LinkHealth::Good:
             return "good";
-        case bus::LinkHealth::Doubtful:
+        case bus::LinkHealth::Marginal:
             return "doubtful";
         case bus::LinkHealth::Lost:
             return "lost";
