@@ -14,6 +14,8 @@ namespace nmc::sim {
 
 namespace {
 
+/// After so many commands, a host whose bytes were read late is known to wait for its answers.
+constexpr int kWaitsThatCount = 2;
 /// Idle modules are brought up to date at least this often, so that catching up never takes long.
 constexpr Duration kCatchUpEvery = std::chrono::milliseconds(100);
 
@@ -240,6 +242,8 @@ void Chain::Private::watchForHaste(const LineByte& byte) {
     const Packet& packet = m_monitor.packet();
     if (m_hasty && !hasteIsUnknown && packet.sumIsRight() && packet.code() != CommandCode::StopMotor)
         violations.add({now, m_hurried, ViolationKind::CommandInFlight, packet.bytes()});
+    if (hasteIsUnknown && !m_hasty && now > readLateUntil && ++waited == kWaitsThatCount)
+        hasteIsUnknown = false;
     m_hasty = false;
 }
 
@@ -263,11 +267,12 @@ bool Chain::understands(std::uint32_t baud) const {
 
 void Chain::hostSends(ByteSpan bytes, TimePoint now, bool readLate) {
     d->runTo(now);
-    if (readLate)
-        d->hasteIsUnknown = true;
-    else if (!d->line.nextDue() && d->busyModule() == nullptr)
-        d->hasteIsUnknown = false;
     d->line.send(bytes, d->now);
+    if (!readLate)
+        return;
+    d->hasteIsUnknown = true;
+    d->readLateUntil = d->line.freeAt();
+    d->waited = 0;
 }
 
 TimePoint Chain::hostLineFreeAt() const {

@@ -71,7 +71,9 @@ public:
     /// The host's port takes `bytes` at `now` and sends them back to back, after any bytes still being sent.
     /// The line holds 65 536 bytes; further bytes are lost and counted. `readLate`: the host wrote them at an
     /// unknown time before `now`. Whether it waits for its answers (CommandInFlight, CommandOverwritten) is
-    /// then not checked until bytes that are in time find the chain idle.
+    /// then not checked until two commands that were in time have found no module busy: a host that gave up
+    /// on the late answer and repeated its command takes it for the answer to that, and sends the next one
+    /// early.
     void hostSends(ByteSpan bytes, TimePoint now, bool readLate = false);
 
     /// The time at which the last byte sent by any host leaves the line, or left it.

@@ -42,7 +42,9 @@ public:
     ChainStatistics statistics;
     FaultInjector faults;
     TimePoint now;
-    bool hasteIsUnknown = false;  ///< true while the bytes on the line were read late
+    bool hasteIsUnknown = false;  ///< since bytes were read late, until the host is known to wait again
+    TimePoint readLateUntil;      ///< time at which the last byte that was read late leaves the line
+    int waited = 0;               ///< commands since then that were sent while no module was busy
 
 private:
     void runModule(std::size_t index);

@@ -44,10 +44,25 @@ TEST_F(Violations, WhoWasReadLateIsNotCalledHasty) {
     wire.wait(milliseconds(1));
     wire.exchange(packet(2, 0x0E));
     EXPECT_EQ(wire.violations(), Kinds{}) << "it was read in time, but after commands that were not";
+    wire.exchange(packet(2, 0x0E));
+    wire.exchange(packet(1, 0x0E));
     wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now);
     wire.wait(milliseconds(5));
     wire.exchange(packet(2, 0x0E));
-    EXPECT_EQ(wire.violations(), Kinds{Kind::CommandInFlight}) << "the chain was at rest in between";
+    EXPECT_EQ(wire.violations(), Kinds{Kind::CommandInFlight}) << "it had waited twice in between";
+}
+
+/// The simulator slept, so the host gave up waiting and repeated its command just as it was answered. It
+/// takes that answer for the one to the repeated command, and sends the next while that is still being
+/// answered.
+TEST_F(Violations, WhoRepeatsACommandThatWasReadLateIsNotCalledHasty) {
+    wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now, true);
+    wire.wait(milliseconds(50));
+    wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now);
+    wire.wait(milliseconds(5));
+    wire.chain.hostSends(packet(2, 0x0E), wire.now);
+    wire.wait(milliseconds(50));
+    EXPECT_EQ(wire.violations(), Kinds{});
 }
 
 TEST_F(Violations, AStopMotorMayCutAReply) {
