@@ -17,6 +17,7 @@
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
 #include "widgets/common/positiontexts.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/words.h"
 #include "widgets/mainwindow/operatorlock.h"
@@ -145,6 +146,7 @@ void Composition::quit() {
 }
 
 void Composition::wireWindow() {
+    const Requests* requests = &m_window.requests();
     connect(&m_window, &MainWindow::portsRequested, this, [this] { m_window.showPorts(m_ports.ports()); });
     connect(&m_ports, &PortController::portsChanged, &m_window, &MainWindow::showPorts);
     connect(&m_ports, &PortController::ended, &m_window, &MainWindow::endMessage);
@@ -159,21 +161,21 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
     connect(&m_window, &MainWindow::stopAllRequested, &m_commander, &Commander::endRuns);
-    connect(&m_window, &MainWindow::intentRequested, this, &Composition::carryOut);
-    connect(&m_window, &MainWindow::holdRequested, this, &Composition::hold);
+    connect(requests, &Requests::intent, this, &Composition::carryOut);
+    connect(requests, &Requests::hold, this, &Composition::hold);
     wireChain();
     OperatorLock& lock = m_window.operatorLock();
     connect(&lock, &OperatorLock::rightsEdited, &m_machine, &MachineController::setOperatorRights);
     connect(&lock, &OperatorLock::changed, &m_store, [this, &lock] { m_store.setRights(lock.rights()); });
     m_store.setRights(lock.rights());
     wireSequences();
-    connect(&m_window, &MainWindow::axisEdited, &m_machine, &MachineController::edit);
+    connect(requests, &Requests::axisEdited, &m_machine, &MachineController::edit);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
     connect(&m_machine, &MachineController::machineChanged, this, [this] {
         m_store.setMachine(m_machine.machine());
         sendStopOutputs();
     });
-    connect(&m_window, &MainWindow::holdReleased, &m_worker, &BusWorker::release);
+    connect(requests, &Requests::holdReleased, &m_worker, &BusWorker::release);
     connect(&m_window, &MainWindow::simulatorLineEntered, this,
             [this](const QString& line) { m_worker.control(line.toStdString()); });
     connect(&m_window, &MainWindow::scopeFrameWanted, this, &Composition::showFrameSoon);

@@ -3,25 +3,25 @@
 #include "app/composition.h"
 #include "app/knownchain.h"
 #include "model/module/chaindiagnosis.h"
-#include "widgets/chain/chainmenu.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
 
 void Composition::wireChain() {
-    ChainMenu& chain = m_window.chainMenu();
-    connect(&chain, &ChainMenu::scanRequested, this, &Composition::scanAgain);
-    connect(&chain, &ChainMenu::acceptRequested, this, &Composition::acceptChain);
-    connect(&chain, &ChainMenu::rateRequested, &m_worker, &BusWorker::changeRate);
-    connect(&chain, &ChainMenu::addressRequested, &m_worker, &BusWorker::changeAddress);
+    const Requests* requests = &m_window.requests();
+    connect(requests, &Requests::scan, this, &Composition::scanAgain);
+    connect(requests, &Requests::acceptChain, this, &Composition::acceptChain);
+    connect(requests, &Requests::rate, &m_worker, &BusWorker::changeRate);
+    connect(requests, &Requests::address, &m_worker, &BusWorker::changeAddress);
     const auto changeGroup = [this](const bus::GroupChange& change) {
         m_commander.change(change);
         m_machine.noteGroup(change);
     };
-    connect(&chain, &ChainMenu::groupChangeRequested, this, changeGroup);
-    connect(&chain, &ChainMenu::groupNamed, &m_machine, &MachineController::nameGroup);
+    connect(requests, &Requests::groupChange, this, changeGroup);
+    connect(requests, &Requests::groupNamed, &m_machine, &MachineController::nameGroup);
     connect(&m_machine, &MachineController::groupChangeRequested, this, changeGroup);
-    connect(&chain, &ChainMenu::groupCommandRequested, &m_commander, &Commander::command);
+    connect(requests, &Requests::groupCommand, &m_commander, &Commander::command);
 }
 
 void Composition::scanAgain() {

@@ -45,7 +45,6 @@ void Composition::wireSequences() {
         m_commander.sequences().goTo(machine, place.name);
     });
     AxesDock& axes = m_window.axes();
-    connect(&axes, &AxesDock::intentRequested, this, &Composition::carryOut);
     connect(&axes, &AxesDock::homeOrderEdited, &m_machine, &MachineController::editHomeOrder);
     connect(&axes, &AxesDock::homeAllRequested, this, [this] {
         m_commander.sequences().home(m_machine.machine(),

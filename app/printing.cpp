@@ -7,6 +7,7 @@
 
 #include "widgets/common/printdialog.h"
 #include "widgets/common/printtexts.h"
+#include "widgets/common/requests.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/mainwindow/settingskeys.h"
 #include "widgets/response/responsedock.h"
@@ -46,15 +47,14 @@ QString standardIn(const QString& said) {
 
 Printing::Printing(MainWindow& window, QSettings& settings, QObject* parent)
     : QObject(parent), m_window(window), m_settings(settings) {
-    connect(&window.scopeFiles(), &ScopeFiles::printRequested, this, &Printing::ask);
-    connect(&window.stepResponses(), &ResponseDock::printRequested, this, &Printing::ask);
+    connect(&window.requests(), &Requests::print, this, &Printing::ask);
 }
 
 /// A dialog that is already open gets the new page.
 void Printing::ask(const QByteArray& pdf) {
     if (m_dialog == nullptr || !m_dialog->isVisible()) {
-        m_dialog = new PrintDialog(m_settings.value(settingskeys::kPrinter).toString(), &m_window);
-        connect(m_dialog, &PrintDialog::saveRequested, &m_window, &MainWindow::saveRequested);
+        m_dialog = new PrintDialog(m_settings.value(settingskeys::kPrinter).toString(), m_window.requests(),
+                                   &m_window);
         connect(m_dialog, &PrintDialog::printRequested, this, &Printing::print);
         lookFor(*m_dialog);
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "link/clock.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 #include "widgets/scope/scopefiles.h"
 
@@ -23,7 +24,7 @@ RecordingController::RecordingController(MainWindow& window, const BusStore& sto
     ScopeFiles& files = window.scopeFiles();
     connect(&files, &ScopeFiles::recordRequested, this, &RecordingController::start);
     connect(&files, &ScopeFiles::recordingEndRequested, this, &RecordingController::end);
-    connect(&window, &MainWindow::saveRequested, this, &RecordingController::save);
+    connect(&window.requests(), &Requests::save, this, &RecordingController::save);
     connect(&files, &ScopeFiles::openRequested, this, [this](const QString& path) { load(path, false); });
     connect(&files, &ScopeFiles::underRequested, this, [this](const QString& path) { load(path, true); });
     connect(&files, &ScopeFiles::openingCancelled, this, [this, &files] {

@@ -8,6 +8,7 @@
 #include "model/procedure/procedures.h"
 #include "tests/monkey/controls.h"
 #include "tests/support/virtualtime.h"
+#include "widgets/common/requests.h"
 
 namespace nmc::monkey {
 
@@ -40,9 +41,9 @@ std::string named(std::size_t place) {
 Oath::Oath(VirtualChain& chain, Composition& program)
     : m_chain(chain), m_program(program), m_motors(chain.size()) {
     MainWindow& window = program.window();
-    QObject::connect(&window, &MainWindow::intentRequested, &m_context,
+    QObject::connect(&window.requests(), &Requests::intent, &m_context,
                      [this](ModuleIndex module, const Intent& intent) { checkIntent(module, intent); });
-    QObject::connect(&window, &MainWindow::holdRequested, &m_context, [this](const bus::HoldToMove& hold) {
+    QObject::connect(&window.requests(), &Requests::hold, &m_context, [this](const bus::HoldToMove& hold) {
         if (hold.press != m_press && !m_acting)
             complain("visible: a hold begins by itself");
         m_press = hold.press;

@@ -133,7 +133,7 @@ protected:
     static void rename(VirtualPanel& panel, const char* name) {
         AxisSettings axis;
         axis.name = name;
-        emit panel.window().axisEdited(ModuleIndex(0), axis);
+        emit panel.window().requests().axisEdited(ModuleIndex(0), axis);
     }
 
     QTemporaryDir directory;

@@ -153,7 +153,7 @@ TEST_F(H02_ReadOnly, NoRuleLetsAnythingThroughButTheQuestion) {
             ASSERT_FALSE(planned) << "intent " << intent.index();
             EXPECT_EQ(planned.error(), Refusal::ReadOnly) << "intent " << intent.index();
             EXPECT_EQ(procedureFor(intent, *module), nullptr) << "intent " << intent.index();
-            emit panel.window().intentRequested(module->info.index, intent);
+            emit panel.window().requests().intent(module->info.index, intent);
         }
         EXPECT_TRUE(plan(intent::AskAnew{}, *module));
     }
@@ -277,7 +277,7 @@ TEST_F(H02_ReadOnly, TheMachineIsNamedAndRecordedAsEver) {
     emit panel.window().scopeFiles().recordRequested(file);
     AxisSettings axis;
     axis.name = "X axis";
-    emit panel.window().axisEdited(ModuleIndex(0), axis);
+    emit panel.window().requests().axisEdited(ModuleIndex(0), axis);
     EXPECT_EQ(texts::moduleName(ModuleIndex(0)), u"Module 1 \"X axis\""_s);
     ASSERT_TRUE(panel.answersFor(0.5));
     EXPECT_TRUE(panel.waitFor([&] { return QFileInfo(file).size() > 0; }));

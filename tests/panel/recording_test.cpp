@@ -12,6 +12,7 @@
 #include "model/recording/recordingreader.h"
 #include "tests/support/choosefile.h"
 #include "tests/support/virtualpanel.h"
+#include "widgets/common/requests.h"
 #include "widgets/scope/scopefiles.h"
 
 namespace nmc {
@@ -224,12 +225,12 @@ TEST_F(RecordingProgram, WhatIsNoRecordingIsRefused) {
 }
 
 TEST_F(RecordingProgram, AnExportIsWrittenWholeOrSaysWhyNot) {
-    emit files().saveRequested(path("x.svg"), [] { return std::string("<svg/>"); });
+    emit panel.window().requests().save(path("x.svg"), [] { return std::string("<svg/>"); });
     ASSERT_TRUE(told("Saved \"x.svg\"."));
     QFile file(path("x.svg"));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(file.readAll(), "<svg/>");
-    emit files().saveRequested(path("none/x.svg"), [] { return std::string("<svg/>"); });
+    emit panel.window().requests().save(path("none/x.svg"), [] { return std::string("<svg/>"); });
     EXPECT_TRUE(told("Could not save \"x.svg\"."));
 }
 

@@ -158,7 +158,7 @@ TEST(FullDisk, IsToldOnceOfUnsavedWorkAndOfEachSave) {
     AxisSettings axis;
     for (const char* name : {"X", "Y"}) {
         axis.name = name;
-        emit panel.window().axisEdited(ModuleIndex(0), axis);
+        emit panel.window().requests().axisEdited(ModuleIndex(0), axis);
         panel.window().activateWindow();
         ASSERT_TRUE(panel.waitFor([&] { return panel.window().isActiveWindow(); }));
         QTest::keyClick(&panel.window(), Qt::Key_S, Qt::ControlModifier);

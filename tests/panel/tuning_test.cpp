@@ -249,7 +249,7 @@ TEST_F(Tuning, AHardStopInTheWayGivesNoModel) {
     ASSERT_NO_FATAL_FAILURE(step());
     ASSERT_NO_FATAL_FAILURE(panel.click("identifyButton"));
     EXPECT_TRUE(panel.waitFor([&] {
-        return text("motorModel").startsWith(u"The motor stopped dead short of its goal."_s);
+        return text("motorModel").startsWith(u"The motor stopped abruptly short of its goal."_s);
     })) << text("motorModel").toStdString();
     EXPECT_TRUE(text("suggestedGains").isEmpty());
 }

@@ -16,6 +16,7 @@
 #include "app/composition.h"
 #include "tests/support/nmcsimprocess.h"
 #include "tests/support/turnto.h"
+#include "widgets/common/requests.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/messages/messagerow.h"
 
@@ -136,7 +137,7 @@ public:
         });
     }
     /// Has the effect of the control on the page of the first module that requests this.
-    void ask(const Intent& intent) { emit window().intentRequested(ModuleIndex(0), intent); }
+    void ask(const Intent& intent) { emit window().requests().intent(ModuleIndex(0), intent); }
 
     /// Headlines of the message list, newest first.
     [[nodiscard]] QStringList headlines() {

@@ -13,10 +13,10 @@ class Axes : public WindowTest {
 protected:
     Axes() {
         window->resize(1'500, 1'100);
-        QObject::connect(window.get(), &MainWindow::holdRequested, window.get(),
+        QObject::connect(&window->requests(), &Requests::hold, window.get(),
                          [this](const bus::HoldToMove& hold) { holds.push_back(hold); });
         QObject::connect(
-            &window->axes(), &AxesDock::intentRequested, window.get(),
+            &window->requests(), &Requests::intent, window.get(),
             [this](ModuleIndex module, const Intent& intent) { asked.emplace_back(module, intent); });
         QObject::connect(&window->axes(), &AxesDock::homeOrderEdited, window.get(),
                          [this](const std::vector<ModuleIndex>& order) {
@@ -56,7 +56,7 @@ TEST_F(Axes, AreHeldSlowlyOrFast) {
     EXPECT_EQ(holds[0].module, ModuleIndex(1));
     EXPECT_TRUE(holds[0].reverse);
     EXPECT_EQ(holds[0].velocity.value(), 65'536U / 4) << "a quarter of a count per tick until it is set";
-    QSignalSpy released(window.get(), &MainWindow::holdReleased);
+    QSignalSpy released(&window->requests(), &Requests::holdReleased);
     QTest::mouseRelease(button(u"axisHoldReverseButton2"_s), Qt::LeftButton);
     EXPECT_EQ(released.size(), 1);
     click(u"jogFastButton"_s);

@@ -34,7 +34,7 @@ protected:
         auto* combo = find<QComboBox>(box);
         combo->setCurrentIndex(combo->findText(entry));
     }
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(Axis, ItsNameStandsEverywhere) {

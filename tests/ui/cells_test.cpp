@@ -280,8 +280,8 @@ protected:
         EXPECT_GE(senders, 5U) << "otherwise nothing was tried";
     }
 
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
-    QSignalSpy holds{window.get(), &MainWindow::holdRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
+    QSignalSpy holds{&window->requests(), &Requests::hold};
 };
 
 TEST_F(Cells, EachOfThePicServoSheetHasItsControl) {

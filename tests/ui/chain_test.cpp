@@ -96,7 +96,7 @@ TEST_F(ChainList, ALostLinkStrikesOutEverythingAtOnce) {
 
 /// Scan again only queries: motors that turn keep turning, and can be stopped.
 TEST_F(ChainList, LookingAgainIsNoFaultOfTheChain) {
-    QSignalSpy intents(window.get(), &MainWindow::intentRequested);
+    QSignalSpy intents(&window->requests(), &Requests::intent);
     LinkState link =
         connectedTo({Servo{.moveDone = false, .position = 2995}.state(), Servo{.index = 1}.state()});
     window->showLink(link);

@@ -39,9 +39,9 @@ protected:
     }
     ~ChainWindow() override { texts::setModuleNames({}); }
     LinkState link;
-    QSignalSpy changes{&window->chainMenu(), &ChainMenu::groupChangeRequested};
-    QSignalSpy commands{&window->chainMenu(), &ChainMenu::groupCommandRequested};
-    QSignalSpy rates{&window->chainMenu(), &ChainMenu::rateRequested};
+    QSignalSpy changes{&window->requests(), &Requests::groupChange};
+    QSignalSpy commands{&window->requests(), &Requests::groupCommand};
+    QSignalSpy rates{&window->requests(), &Requests::rate};
 };
 
 TEST_F(ChainWindow, TheDoctorNamesThePlaceToLookAt) {
@@ -63,8 +63,8 @@ TEST_F(ChainWindow, WhatIsThereCanBeTakenAsExpected) {
     expect(2);
     showServos({{}});
     open("chainDoctorAction");
-    QSignalSpy accepted(&window->chainMenu(), &ChainMenu::acceptRequested);
-    QSignalSpy scans(&window->chainMenu(), &ChainMenu::scanRequested);
+    QSignalSpy accepted(&window->requests(), &Requests::acceptChain);
+    QSignalSpy scans(&window->requests(), &Requests::scan);
     click(u"acceptChainButton"_s);
     click(u"scanButton"_s);
     EXPECT_EQ(accepted.size(), 1);
@@ -189,7 +189,7 @@ TEST_F(ChainWindow, AnyGroupOfTheDataSheetsCanBeChosen) {
 }
 
 TEST_F(ChainWindow, AModuleGetsAnotherAddressWithEnter) {
-    QSignalSpy addresses(&window->chainMenu(), &ChainMenu::addressRequested);
+    QSignalSpy addresses(&window->requests(), &Requests::address);
     showGrouped({bus::GroupPlace{}, bus::GroupPlace{}});
     open("groupsAction");
     auto* field = find<NumberField>(u"address2Box"_s);
@@ -296,7 +296,7 @@ TEST_F(ChainWindow, ARateChangeThatWouldBeRefusedIsGreyedWithItsReason) {
 }
 
 TEST_F(ChainWindow, AGroupHasTheNameThatItIsGiven) {
-    QSignalSpy names(&window->chainMenu(), &ChainMenu::groupNamed);
+    QSignalSpy names(&window->requests(), &Requests::groupNamed);
     showGrouped({bus::GroupPlace{0x81, false}, bus::GroupPlace{0x82, false}});
     open("groupsAction");
     auto* groups = find<QComboBox>(u"groupBox"_s);
@@ -345,7 +345,7 @@ TEST_F(ChainWindow, ItsKeysActWhileItHasTheFocus) {
     EXPECT_EQ(pages->currentIndex(), 2);
     QTest::keyClick(dialog, Qt::Key_F6);
     EXPECT_EQ(pages->currentIndex(), 0);
-    QSignalSpy scans(&window->chainMenu(), &ChainMenu::scanRequested);
+    QSignalSpy scans(&window->requests(), &Requests::scan);
     QTest::keyClick(dialog, Qt::Key_F5);
     EXPECT_EQ(scans.size(), 1);
     window->activateWindow();

@@ -41,7 +41,7 @@ protected:
         menu->popup(QPoint(0, 0));
         return menu;
     }
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
     QSignalSpy stops{window.get(), &MainWindow::stopAllRequested};
 };
 

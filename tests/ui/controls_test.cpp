@@ -250,7 +250,7 @@ TEST_P(Mnemonics, DoNotCollideWithinADialog) {
                                   u"manualAction"_s, u"reportProblemAction"_s, u"restartNetworkAction"_s})
         window->findChild<QAction*>(action)->trigger();
     window->machineMenu().showDifferences(u"mill.json"_s, {});
-    (new PrintDialog({}, window.get()))->show();
+    (new PrintDialog({}, window->requests(), window.get()))->show();
     int seen = 0;
     for (const QDialog* dialog : window->findChildren<QDialog*>()) {
         QHash<QString, QString> owners;

@@ -31,7 +31,7 @@ protected:
     QString state() { return text(u"directionCheckState"_s); }
     QString question() { return find(u"directionCheckDialog"_s)->findChild<QLabel*>(u"closeText"_s)->text(); }
 
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(DirectionBox, AsksBeforeTheMotorIsPushed) {

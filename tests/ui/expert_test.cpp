@@ -129,7 +129,7 @@ protected:
         return {reinterpret_cast<const char*>(packet.data()), static_cast<qsizetype>(packet.size())};
     }
 
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(Expert, ReachesEveryBitOfAServo) {

@@ -108,7 +108,7 @@ class FirstStepsTest : public WindowTest {
 protected:
     FirstStepsTest() {
         // Reports the outcome of an intent, as the program does.
-        QObject::connect(window.get(), &MainWindow::intentRequested, window.get(),
+        QObject::connect(&window->requests(), &Requests::intent, window.get(),
                          [this](ModuleIndex, const Intent& intent) {
                              if (const auto* apply = std::get_if<intent::ApplyGains>(&intent))
                                  module.apply(executed(apply->gains));
@@ -209,7 +209,7 @@ TEST_F(FirstStepsTest, ShowWhereTheNextIsDone) {
     find<QTabWidget>(u"servoPages"_s)->setCurrentIndex(3);
     const auto* fill = window->findChild<QWidget*>(u"fillGainsButton"_s);
     EXPECT_FALSE(fill->isVisible());
-    QSignalSpy intents(window.get(), &MainWindow::intentRequested);
+    QSignalSpy intents(&window->requests(), &Requests::intent);
     QTest::mouseClick(window->findChild<QWidget*>(u"firstStepButton"_s), Qt::LeftButton);
     EXPECT_TRUE(fill->isVisible());
     EXPECT_TRUE(QTest::qWaitFor([fill] { return QToolTip::text() == fill->toolTip(); }));

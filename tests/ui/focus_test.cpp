@@ -38,8 +38,8 @@ protected:
             if (tabs->tabText(i) == page)
                 QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(i).center());
     }
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
-    QSignalSpy holds{window.get(), &MainWindow::holdRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
+    QSignalSpy holds{&window->requests(), &Requests::hold};
 };
 
 TEST_F(Focus, OfAHoldThatTheModuleEndsGoesToNoOtherDirection) {

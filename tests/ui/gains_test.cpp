@@ -20,7 +20,7 @@ protected:
     }
     const std::array<QString, 9> kNames{u"kp"_s, u"kd"_s, u"ki"_s, u"il"_s, u"ol"_s,
                                         u"cl"_s, u"el"_s, u"sr"_s, u"db"_s};
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(Gains, U04_AreStagedAndAppliedAllAtOnce) {

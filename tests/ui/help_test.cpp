@@ -299,7 +299,7 @@ TEST_F(Help, EachAnchorOfTheManualIsAWidget) {
          {u"chainDoctorAction"_s, u"findCommandAction"_s, u"operatorAction"_s, u"scopeSignalsAction"_s})
         window->findChild<QAction*>(action)->trigger();
     window->machineMenu().showDifferences(u"mill.json"_s, {});
-    (new PrintDialog({}, window.get()))->show();
+    (new PrintDialog({}, window->requests(), window.get()))->show();
     showServo();
     click(u"workOutUnitButton"_s);
     click(u"scopeCursorsButton"_s);

@@ -30,8 +30,8 @@ protected:
         EXPECT_EQ(holds.size(), before) << "no evidence comes after the end";
     }
     HoldButton* forward = nullptr;
-    QSignalSpy holds{window.get(), &MainWindow::holdRequested};
-    QSignalSpy releases{window.get(), &MainWindow::holdReleased};
+    QSignalSpy holds{&window->requests(), &Requests::hold};
+    QSignalSpy releases{&window->requests(), &Requests::holdReleased};
 };
 
 TEST_F(Hold, AsksOnPressAndAgainWhileHeld) {

@@ -23,7 +23,7 @@ protected:
     QVariant inList(int role) {
         return find<QAbstractItemView>(u"chainList"_s)->model()->index(0, 0).data(role);
     }
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(HomeInTheWindow, UnknownItSaysSoAndGoesNowhere) {

@@ -43,8 +43,8 @@ protected:
         window->showProcedure(r);
     }
 
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
-    QSignalSpy edits{window.get(), &MainWindow::axisEdited};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
+    QSignalSpy edits{&window->requests(), &Requests::axisEdited};
 };
 
 TEST_F(Homing, WhatIsShownIsSentAndKept) {
@@ -283,10 +283,11 @@ TEST(StepperHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     const AxisSettings settings;
     PanelView view{module, settings};
     view.connected = true;
-    ModuleContext context(view);
+    Requests requests;
+    ModuleContext context(view, requests);
     HomingBox box(context, nullptr);
     box.show();
-    QSignalSpy intents(&context, &ModuleContext::asked);
+    QSignalSpy intents(&requests, &Requests::intent);
     auto* home = box.findChild<QAbstractButton*>(u"stepperHomeButton"_s);
     ASSERT_NE(home, nullptr);
     EXPECT_TRUE(home->isEnabled()) << home->toolTip().toStdString();
@@ -303,7 +304,7 @@ TEST(StepperHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     type(u"50"_s);
     QTest::mouseClick(home, Qt::LeftButton);
     ASSERT_EQ(intents.size(), 1);
-    const auto recipe = std::get<intent::Home>(intents.at(0).at(0).value<Intent>()).recipe;
+    const auto recipe = std::get<intent::Home>(intents.at(0).at(1).value<Intent>()).recipe;
     EXPECT_TRUE(recipe.onHomeSwitch);
     EXPECT_EQ(recipe.velocity, 50.0);
     PanelView other{anyUnsent, settings};

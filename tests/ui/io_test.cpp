@@ -23,7 +23,7 @@ protected:
         EXPECT_EQ(intents.size(), 1);
         return std::get<Asked>(intents.takeFirst().at(1).template value<Intent>());
     }
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(IoPage, ALimitPinBecomesAnOutputAtOnce) {

@@ -50,7 +50,7 @@ protected:
         QTest::keyClicks(field, value);
         settle();
     }
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 /// Two thirds of the whole window, including its bars and the place for a message.
@@ -234,7 +234,7 @@ TEST_F(LayoutsTest, AStepThatIsRefusedSaysWhy) {
 class UnsentGains : public LayoutsTest {
 protected:
     UnsentGains() {
-        QObject::connect(window.get(), &MainWindow::axisEdited, window.get(),
+        QObject::connect(&window->requests(), &Requests::axisEdited, window.get(),
                          [this](ModuleIndex, const AxisSettings& edited) {
                              machine.axes = {edited};
                              window->showMachine(machine);

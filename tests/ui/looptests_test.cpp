@@ -59,7 +59,7 @@ protected:
             points.push_back({hertz, 1.0 / std::complex(1.0, hertz / 5), 0.01});
         return points;
     }
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(LoopTestsInTheWindow, AskForWhatStandsInTheFields) {
@@ -134,7 +134,7 @@ TEST_F(LoopTestsInTheWindow, AFileOfFrequenciesSaysWhatItIs) {
     link.simulated = true;
     window->showLink(link);
     report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20));
-    QSignalSpy saves(window.get(), &MainWindow::saveRequested);
+    QSignalSpy saves(&window->requests(), &Requests::save);
     click(u"frequencyExportButton"_s);
     auto* dialog = find<QFileDialog>(u"frequencyFileDialog"_s);
     testing_support::chooseFile(*dialog, u"/home/anna/loop.csv"_s);

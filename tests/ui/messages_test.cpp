@@ -149,7 +149,7 @@ TEST_F(Messages, WhatIsShownIsExportedTheOldestFirst) {
     tellThree();
     window->endMessage(u"overheated.1"_s);
     choose(u"messageModuleBox"_s, 1);
-    QSignalSpy saved(window.get(), &MainWindow::saveRequested);
+    QSignalSpy saved(&window->requests(), &Requests::save);
     click(u"messageExportButton"_s);
     auto* dialog = window->findChild<QFileDialog*>(u"messageExportDialog"_s);
     ASSERT_NE(dialog, nullptr);

@@ -73,7 +73,7 @@ protected:
     using WindowTest::find;
     QSignalSpy wanted{&dock(), &ResponseDock::identifyWanted};
     QSignalSpy tasks{&dock(), &ResponseDock::suggestionWanted};
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(ModelPage, LooksIntoTheLastFiveRunsOfTheSelectedModule) {

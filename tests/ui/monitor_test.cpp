@@ -58,7 +58,7 @@ protected:
     }
     /// The content for the file that the user chooses.
     QByteArray saved(const QString& name) {
-        QSignalSpy saves(window.get(), &MainWindow::saveRequested);
+        QSignalSpy saves(&window->requests(), &Requests::save);
         click(u"packetSave"_s);
         testing_support::chooseFile(*find<QFileDialog>(u"packetSaveDialog"_s), directory.filePath(name));
         if (saves.size() != 1)

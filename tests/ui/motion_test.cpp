@@ -16,7 +16,7 @@ protected:
         EXPECT_EQ(button(control)->toolTip(), texts::refusal(refusal)) << control.toStdString();
         EXPECT_EQ(button(control)->accessibleDescription(), texts::refusal(refusal));
     }
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(Motion, GoSendsPositionVelocityAndAccelerationInFixedPoint) {
@@ -164,7 +164,7 @@ TEST_F(Motion, EnableIsOneIntent) {
 
 TEST_F(Motion, ShowingValuesEmitsNothing) {
     QSignalSpy selected(window.get(), &MainWindow::moduleSelected);
-    QSignalSpy released(window.get(), &MainWindow::holdReleased);
+    QSignalSpy released(&window->requests(), &Requests::holdReleased);
     showServos({{}, {.version = 2}});
     showServos({{}, {.version = 2}});
     EXPECT_EQ(intents.size() + selected.size() + released.size(), 0);

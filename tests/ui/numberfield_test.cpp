@@ -177,7 +177,7 @@ protected:
         type(name, text);
         QTest::keyClick(field(name), Qt::Key_Return);
     }
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_P(AmbiguousNumbers, U02_TenThousandIsNeverTen) {

@@ -207,8 +207,8 @@ TEST_F(OperatorMode, NoButtonThatIsEnabledDoesMoreThanIsLeft) {
             show(connectedTo({module}));
             ModuleState locked = module;
             locked.rights = window->operatorLock().rights();
-            QSignalSpy intents(window.get(), &MainWindow::intentRequested);
-            QSignalSpy edits(window.get(), &MainWindow::axisEdited);
+            QSignalSpy intents(&window->requests(), &Requests::intent);
+            QSignalSpy edits(&window->requests(), &Requests::axisEdited);
             int pressed = 0;
             for (const QPointer<QAbstractButton>& button : buttons()) {
                 if (!button)

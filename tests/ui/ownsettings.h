@@ -91,7 +91,7 @@ protected:
 
     std::vector<ModuleState> modules;
     QAbstractItemView* list = nullptr;
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 }  // namespace nmc

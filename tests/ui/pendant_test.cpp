@@ -54,8 +54,8 @@ protected:
         reference.start(15);
         EXPECT_TRUE(QTest::qWaitFor([&chances] { return chances.size() >= 3; }));
     }
-    QSignalSpy holds{window.get(), &MainWindow::holdRequested};
-    QSignalSpy releases{window.get(), &MainWindow::holdReleased};
+    QSignalSpy holds{&window->requests(), &Requests::hold};
+    QSignalSpy releases{&window->requests(), &Requests::holdReleased};
 };
 
 TEST_F(PendantMode, MovesWhileShiftAndAnArrowAreHeld) {

@@ -21,7 +21,7 @@ protected:
         told(io::SetDirection{0x0FFC});
         told(io::SetOutput{0x0001});
         latch(0x0801, 0);
-        QObject::connect(window.get(), &MainWindow::axisEdited,
+        QObject::connect(&window->requests(), &Requests::axisEdited,
                          [this](ModuleIndex, const AxisSettings& axis) { edited = axis; });
     }
     void told(const IoCommand& command) {
@@ -60,7 +60,7 @@ protected:
 
     ModuleState module;
     AxisSettings edited;
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(Pins, SayWhatTheyReadAndWhichWayTheyGo) {

@@ -21,7 +21,7 @@ protected:
         QTest::simulateEvent(window->windowHandle(), false, key, modifiers, text, false);
     }
     static constexpr int kTimes = 5;
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 
 private:
     int m_answers = 0;

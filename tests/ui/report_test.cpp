@@ -103,7 +103,7 @@ TEST(Homes, OfEverybodyAreHidden) {
 
 TEST_F(Report, IsReadOnlyAndSavedWhereTheUserSays) {
     showServo();
-    QSignalSpy saves(window.get(), &MainWindow::saveRequested);
+    QSignalSpy saves(&window->requests(), &Requests::save);
     const QString report = open();
     auto* text = find<QPlainTextEdit>(u"reportTextField"_s);
     text->setFocus();

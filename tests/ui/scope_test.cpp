@@ -288,7 +288,8 @@ TEST_F(Scope, ARecordingLiesUnderTheLiveTraceFromWhereTheMotionBegan) {
 TEST_F(Scope, NothingIsBuiltUntilItIsSeen) {
     MainWindow hidden(settings);
     EXPECT_EQ(hidden.findChild<ScopePlot*>(u"scopePlot1"_s), nullptr);
-    ScopePanel panel;
+    Requests requests;
+    ScopePanel panel(requests);
     panel.showHistory(History(), HandMadeHistory::at(0));
     EXPECT_EQ(panel.findChild<ScopePlot*>(u"scopePlot1"_s), nullptr);
 }

@@ -23,7 +23,7 @@ namespace {
 
 class ScopeFilesTest : public WindowTest {
 protected:
-    ScopeFilesTest() : saved(&files(), &ScopeFiles::saveRequested) { showServos({{}, {}}); }
+    ScopeFilesTest() : saved(&window->requests(), &Requests::save) { showServos({{}, {}}); }
     ScopeFiles& files() { return window->scopeFiles(); }
     void show(HandMadeHistory& made, double now) {
         for (int i = 0; i < 2; ++i) {

@@ -35,10 +35,10 @@ protected:
     void bringUp(int page) { find<QTabWidget>(u"stepperPages"_s)->setCurrentIndex(page); }
     QString plain(const QString& label) { return text(label).replace(QChar(0x202F), u' '); }
 
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
-    QSignalSpy edits{window.get(), &MainWindow::axisEdited};
-    QSignalSpy holds{window.get(), &MainWindow::holdRequested};
-    QSignalSpy releases{window.get(), &MainWindow::holdReleased};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
+    QSignalSpy edits{&window->requests(), &Requests::axisEdited};
+    QSignalSpy holds{&window->requests(), &Requests::hold};
+    QSignalSpy releases{&window->requests(), &Requests::holdReleased};
 };
 
 TEST_F(StepperPanelTest, ShowsAModuleAndAsksForNothing) {

@@ -88,7 +88,7 @@ protected:
         return table()->item(row, column)->checkState() == Qt::Checked;
     }
 
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(Responses, AreBehindF9AndBuiltWhenTheyAreSeen) {
@@ -475,7 +475,7 @@ TEST_F(Responses, APictureIsAsOnPaperAndSaysThatItIsSimulated) {
     openWith();
     window->showResponse(ramp(120));
     const auto saved = [this] {
-        QSignalSpy saves(window.get(), &MainWindow::saveRequested);
+        QSignalSpy saves(&window->requests(), &Requests::save);
         window->findChild<QAction*>(u"responseSvgAction"_s)->trigger();
         auto* dialog = find<QFileDialog>(u"responsePicturesvgDialog"_s);
         testing_support::chooseFile(*dialog, u"/home/anna/step.svg"_s);
@@ -499,7 +499,7 @@ TEST_F(Responses, ExportIsReadableWhateverTheLocale) {
     auto* dialog = find<QFileDialog>(u"responseRunsDialog"_s);
     ASSERT_NE(dialog, nullptr);
     EXPECT_FALSE(dialog->isModal());
-    QSignalSpy saves(window.get(), &MainWindow::saveRequested);
+    QSignalSpy saves(&window->requests(), &Requests::save);
     emit dialog->fileSelected(u"/home/anna/runs.csv"_s);
     ASSERT_EQ(saves.size(), 1);
     EXPECT_EQ(saves[0][0].toString(), u"/home/anna/runs.csv"_s);
@@ -539,7 +539,7 @@ TEST_F(Responses, PicturesGoToFilesAndOntoTheClipboard) {
     KeptResponse run = ramp(100);
     run.name = "stiffer";
     window->showResponse(run);
-    QSignalSpy saves(window.get(), &MainWindow::saveRequested);
+    QSignalSpy saves(&window->requests(), &Requests::save);
     for (const auto& [kind, magic] :
          {std::pair{u"Png"_s, "\x89PNG"}, std::pair{u"Svg"_s, "<?xml"}, std::pair{u"Pdf"_s, "%PDF"}}) {
         window->findChild<QAction*>(u"response%1Action"_s.arg(kind))->trigger();
@@ -564,7 +564,7 @@ TEST_F(Responses, PicturesGoToFilesAndOntoTheClipboard) {
 
 TEST_F(Responses, ShowingEmitsNothing) {
     openWith();
-    QSignalSpy edits(window.get(), &MainWindow::axisEdited);
+    QSignalSpy edits(&window->requests(), &Requests::axisEdited);
     window->showResponse(ramp());
     showServo({.millisecond = 20});
     report(ProcedureStage::Done);

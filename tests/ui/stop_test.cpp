@@ -177,8 +177,8 @@ TEST_F(StopAll, ALostReleaseDoesNotMakeTheNextEscDeaf) {
 }
 
 TEST_F(StopAll, NothingElseStartsOnEsc) {
-    QSignalSpy intents(window.get(), &MainWindow::intentRequested);
-    QSignalSpy holds(window.get(), &MainWindow::holdRequested);
+    QSignalSpy intents(&window->requests(), &Requests::intent);
+    QSignalSpy holds(&window->requests(), &Requests::hold);
     QTest::keyClick(field(u"goalField"_s), Qt::Key_Escape);
     EXPECT_EQ(intents.size() + holds.size(), 0);
 }

@@ -135,7 +135,7 @@ const std::array kWindows{
            [](StopEverywhere& t) { t.window->scopeFiles().openAction()->trigger(); }},
     Opened{"Signals", "scopeSignalsDialog", [](StopEverywhere& t) { t.trigger(u"scopeSignalsAction"_s); }},
     Opened{"Printing", "printDialog",
-           [](StopEverywhere& t) { (new PrintDialog({}, t.window.get()))->show(); }},
+           [](StopEverywhere& t) { (new PrintDialog({}, t.window->requests(), t.window.get()))->show(); }},
     Opened{"AFloatingDock", "messagesDock",
            [](StopEverywhere& t) {
                auto* dock = t.find<QDockWidget>(u"messagesDock"_s);
@@ -377,7 +377,7 @@ TEST_F(Standing, IsWithdrawnWhenThePortIsGoneOrAnother) {
 }
 
 TEST_F(Standing, LargeStepIsWithdrawnWhenItsModuleIsOffOrItsGainsAreOthers) {
-    QSignalSpy intents(window.get(), &MainWindow::intentRequested);
+    QSignalSpy intents(&window->requests(), &Requests::intent);
     const auto ask = [this] {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         showServo();

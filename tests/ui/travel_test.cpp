@@ -43,7 +43,7 @@ protected:
         EXPECT_FALSE(control->isEnabled()) << name.toStdString();
         return control->toolTip();
     }
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
     int m_millisecond = 0;
 };
 

@@ -35,7 +35,7 @@ protected:
                 QTest::mouseClick(tabs->tabBar(), Qt::LeftButton, {}, tabs->tabBar()->tabRect(i).center());
         QApplication::processEvents();
     }
-    QSignalSpy intents{window.get(), &MainWindow::intentRequested};
+    QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
 TEST_F(Wheel, MakesNoOutputOfALimitPin) {
@@ -75,7 +75,7 @@ TEST_F(Wheel, ChangesNoBoxWithoutTheFocusOnAnyPage) {
 }
 
 TEST_F(Wheel, ChangesNoGroup) {
-    QSignalSpy changes(&window->chainMenu(), &ChainMenu::groupChangeRequested);
+    QSignalSpy changes(&window->requests(), &Requests::groupChange);
     ModuleState module = Servo{}.state();
     module.info.group = bus::GroupPlace{0xFF, false};
     window->showLink(connectedTo({module}));

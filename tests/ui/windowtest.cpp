@@ -62,7 +62,7 @@ WindowTest::WindowTest() {
     settings.setValue(u"safety/understood"_s, true);
     window = std::make_unique<MainWindow>(settings);
     // Keeps the settings of the axes, as the program does.
-    QObject::connect(window.get(), &MainWindow::axisEdited, window.get(),
+    QObject::connect(&window->requests(), &Requests::axisEdited, window.get(),
                      [this](ModuleIndex module, const AxisSettings& edited) {
                          if (machine.axes.size() <= module.value())
                              machine.axes.resize(module.value() + 1U);

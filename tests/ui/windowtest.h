@@ -14,6 +14,7 @@
 
 #include "tests/support/turnto.h"
 #include "widgets/common/numberfield.h"
+#include "widgets/common/requests.h"
 #include "widgets/mainwindow/mainwindow.h"
 
 namespace nmc {

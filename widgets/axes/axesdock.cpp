@@ -9,15 +9,13 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-AxesDock::AxesDock(QWidget* parent) : LazyDock(u"axesDock"_s, AxesPage::tr("All axes"), Qt::Key_F4, parent) {}
+AxesDock::AxesDock(Requests& requests, QWidget* parent)
+    : LazyDock(u"axesDock"_s, AxesPage::tr("All axes"), Qt::Key_F4, parent), m_requests(requests) {}
 
 AxesPage& AxesDock::page() {
     if (m_page == nullptr) {
-        m_page = new AxesPage(this);
+        m_page = new AxesPage(m_requests, this);
         m_page->setHoldInterval(m_holdInterval);
-        connect(m_page, &AxesPage::intentRequested, this, &AxesDock::intentRequested);
-        connect(m_page, &AxesPage::holdRequested, this, &AxesDock::holdRequested);
-        connect(m_page, &AxesPage::holdReleased, this, &AxesDock::holdReleased);
         connect(m_page, &AxesPage::homeAllRequested, this, &AxesDock::homeAllRequested);
         connect(m_page, &AxesPage::homeOrderEdited, this, &AxesDock::homeOrderEdited);
         setWidget(scrolled(m_page));

@@ -6,12 +6,14 @@
 
 namespace nmc {
 
+class Requests;
+
 /// The dock of the table of all axes, closed initially; its content is built when it is first seen.
 class AxesDock : public LazyDock {
     Q_OBJECT
 
 public:
-    explicit AxesDock(QWidget* parent = nullptr);
+    explicit AxesDock(Requests& requests, QWidget* parent = nullptr);
 
     // As in AxesPage.
     void showModules(const std::vector<PanelView>& views, const Machine& machine);
@@ -21,9 +23,6 @@ public:
 
 signals:
     // As in AxesPage.
-    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
-    void holdRequested(const nmc::bus::HoldToMove& hold);
-    void holdReleased();
     void homeAllRequested();
     void homeOrderEdited(const std::vector<nmc::ModuleIndex>& order);
 
@@ -31,6 +30,7 @@ private:
     void build() override { page(); }
     AxesPage& page();
 
+    Requests& m_requests;
     AxesPage* m_page = nullptr;
     int m_holdInterval = 100;
 };

@@ -12,6 +12,7 @@
 #include "model/sequence/sequencecheck.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 
@@ -25,8 +26,9 @@ constexpr double kSteps[] = {0.001, 0.01, 0.1, 1, 10, 100, 1'000};
 constexpr int kUsualStep = 4;
 }  // namespace
 
-AxesPage::AxesPage(QWidget* parent)
+AxesPage::AxesPage(Requests& requests, QWidget* parent)
     : QWidget(parent),
+      m_requests(requests),
       m_slow(form::newRadio(
           {u"jogSlowButton"_s, tr("Slow"), tr("Slow jog"), tr("Each axis at its own jog speed.")}, this)),
       m_fast(form::newRadio({u"jogFastButton"_s, tr("Fast"), tr("Fast jog"),
@@ -85,12 +87,9 @@ void AxesPage::showModules(const std::vector<PanelView>& views, const Machine& m
     if (others) {
         forgetModules();
         for (const PanelView& view : views) {
-            auto* row =
-                new AxisRow(view, static_cast<int>(m_axes.size()) + 1, *m_grid, m_grid->parentWidget());
+            auto* row = new AxisRow(view, m_requests, static_cast<int>(m_axes.size()) + 1, *m_grid,
+                                    m_grid->parentWidget());
             row->setHoldInterval(m_holdInterval);
-            connect(row, &AxisRow::asked, this, &AxesPage::intentRequested);
-            connect(row, &AxisRow::holdAsked, this, &AxesPage::holdRequested);
-            connect(row, &AxisRow::holdReleased, this, &AxesPage::holdReleased);
             connect(row, &AxisRow::earlierWanted, this, &AxesPage::makeEarlier);
             m_axes.push_back(row);
         }
@@ -173,7 +172,7 @@ void AxesPage::refresh() {
 
 void AxesPage::enableAll() {
     for (const ModuleIndex module : possibleToEnable())
-        emit intentRequested(module, intent::Enable{});
+        emit m_requests.intent(module, intent::Enable{});
 }
 
 void AxesPage::makeEarlier(ModuleIndex module) {

@@ -13,12 +13,14 @@ class QRadioButton;
 
 namespace nmc {
 
+class Requests;
+
 /// All axes in one table, for moving them by hand; only one can be held at a time.
 class AxesPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit AxesPage(QWidget* parent = nullptr);
+    explicit AxesPage(Requests& requests, QWidget* parent = nullptr);
 
     /// Shows all modules, in their order; the views are valid only during the call.
     void showModules(const std::vector<PanelView>& views, const Machine& machine);
@@ -28,9 +30,6 @@ public:
     void setHoldInterval(int milliseconds);
 
 signals:
-    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
-    void holdRequested(const nmc::bus::HoldToMove& hold);
-    void holdReleased();
     void homeAllRequested();
     void homeOrderEdited(const std::vector<nmc::ModuleIndex>& order);
 
@@ -43,6 +42,7 @@ private:
     [[nodiscard]] std::vector<ModuleIndex> possibleToEnable() const;
     [[nodiscard]] QString whyNotHomed() const;
 
+    Requests& m_requests;
     Machine m_machine;
     std::vector<AxisRow*> m_axes;
     QGridLayout* m_grid;

@@ -19,9 +19,9 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-AxisRow::AxisRow(const PanelView& view, int line, QGridLayout& grid, QWidget* box)
+AxisRow::AxisRow(const PanelView& view, Requests& requests, int line, QGridLayout& grid, QWidget* box)
     : QObject(box),
-      m_context(view),
+      m_context(view, requests),
       m_box(box),
       m_name(new QLabel(box)),
       m_state(new QLabel(box)),
@@ -54,10 +54,6 @@ AxisRow::AxisRow(const PanelView& view, int line, QGridLayout& grid, QWidget* bo
                                                            m_holdForward, m_stepReverse->button(),
                                                            m_stepForward->button(), m_earlier->button()})
         grid.addWidget(widget, line, column++);
-    connect(&m_context, &ModuleContext::asked, this,
-            [this](const Intent& intent) { emit asked(m_context.state().info.index, intent); });
-    connect(&m_context, &ModuleContext::holdAsked, this, &AxisRow::holdAsked);
-    connect(&m_context, &ModuleContext::holdReleased, this, &AxisRow::holdReleased);
     m_context.whenSeen(m_name, [this] { refresh(); });
 }
 

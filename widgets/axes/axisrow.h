@@ -13,6 +13,7 @@ namespace nmc {
 
 class Command;
 class HoldButton;
+class Requests;
 
 /// Speed at which axes are jogged from the table of all axes.
 enum class JogSpeed : std::uint8_t {
@@ -25,7 +26,7 @@ class AxisRow : public QObject {
     Q_OBJECT
 
 public:
-    AxisRow(const PanelView& view, int line, QGridLayout& grid, QWidget* box);
+    AxisRow(const PanelView& view, Requests& requests, int line, QGridLayout& grid, QWidget* box);
 
     void show(const PanelView& view);
     /// `step`: in the axis's own unit. `place`: in the homing order, from 1; 0 if the axis has no homing
@@ -37,9 +38,6 @@ public:
     void remove();
 
 signals:
-    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
-    void holdAsked(const nmc::bus::HoldToMove& hold);
-    void holdReleased();
     /// The axis is to be homed one place earlier.
     void earlierWanted(nmc::ModuleIndex module);
 

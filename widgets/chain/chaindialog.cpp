@@ -19,13 +19,13 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-ChainDialog::ChainDialog(QWidget* parent)
+ChainDialog::ChainDialog(Requests& requests, QWidget* parent)
     : QDialog(parent),
       m_focus(new FocusKeeper(*this)),
       m_pages(new QTabWidget(this)),
-      m_doctor(new DoctorPage(this)),
-      m_groups(new GroupsPage(this)),
-      m_rate(new RatePage(this)) {
+      m_doctor(new DoctorPage(requests, this)),
+      m_groups(new GroupsPage(requests, this)),
+      m_rate(new RatePage(requests, this)) {
     look::name(this, u"chainDialog"_s, tr("Chain"));
     setWindowTitle(tr("Chain"));
     setModal(false);
@@ -43,14 +43,6 @@ ChainDialog::ChainDialog(QWidget* parent)
     const int em = fontMetrics().height();
     const QSize room = screen()->availableSize() * 0.9;
     resize(qMin(em * 44, room.width()), qMin(em * 26, room.height()));
-    connect(m_doctor, &DoctorPage::scanRequested, this, &ChainDialog::scanRequested);
-    connect(m_doctor, &DoctorPage::restartRequested, this, &ChainDialog::restartRequested);
-    connect(m_doctor, &DoctorPage::acceptRequested, this, &ChainDialog::acceptRequested);
-    connect(m_groups, &GroupsPage::groupChangeRequested, this, &ChainDialog::groupChangeRequested);
-    connect(m_groups, &GroupsPage::addressRequested, this, &ChainDialog::addressRequested);
-    connect(m_groups, &GroupsPage::groupCommandRequested, this, &ChainDialog::groupCommandRequested);
-    connect(m_groups, &GroupsPage::groupNamed, this, &ChainDialog::groupNamed);
-    connect(m_rate, &RatePage::rateRequested, this, &ChainDialog::rateRequested);
 }
 
 bool ChainDialog::focusNextPrevChild(bool next) {

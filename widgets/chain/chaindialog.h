@@ -15,6 +15,7 @@ class DoctorPage;
 class FocusKeeper;
 class GroupsPage;
 class RatePage;
+class Requests;
 
 /// The dialog for the chain as a whole: doctor, groups and baud rate. Not modal: the panel, including STOP
 /// ALL, stays usable.
@@ -24,7 +25,7 @@ class ChainDialog : public QDialog {
 public:
     enum Page { Doctor, Groups, Rate };
 
-    explicit ChainDialog(QWidget* parent = nullptr);
+    explicit ChainDialog(Requests& requests, QWidget* parent = nullptr);
 
     void openAt(Page page);
     /// Emits nothing.
@@ -32,16 +33,6 @@ public:
 
 protected:
     bool focusNextPrevChild(bool next) override;
-
-signals:
-    void scanRequested();
-    void restartRequested();
-    void acceptRequested();
-    void addressRequested(nmc::ModuleIndex module, nmc::BusAddress address);
-    void groupChangeRequested(const nmc::bus::GroupChange& change);
-    void groupCommandRequested(const nmc::bus::GroupCommand& command);
-    void groupNamed(quint8 group, const QString& name);
-    void rateRequested(quint32 baud);
 
 private:
     FocusKeeper* m_focus;

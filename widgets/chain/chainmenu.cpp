@@ -6,14 +6,16 @@
 
 #include "model/intent/intent.h"
 #include "widgets/chain/chaindialog.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, QWidget* window)
+ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, Requests& requests, QWidget* window)
     : QObject(window),
+      m_requests(requests),
       m_machine(machine),
       m_link(link),
       m_window(window),
@@ -31,8 +33,8 @@ ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, QWidget* win
     connect(m_doctor, &QAction::triggered, this, &ChainMenu::openDoctor);
     connect(m_groups, &QAction::triggered, this, [this] { open(ChainDialog::Groups); });
     connect(m_rate, &QAction::triggered, this, [this] { open(ChainDialog::Rate); });
-    connect(m_scan, &QAction::triggered, this, &ChainMenu::scanRequested);
-    connect(m_restart, &QAction::triggered, this, &ChainMenu::restartRequested);
+    connect(m_scan, &QAction::triggered, &requests, &Requests::scan);
+    connect(m_restart, &QAction::triggered, &requests, &Requests::restart);
     refresh();
 }
 
@@ -67,17 +69,9 @@ void ChainMenu::openDoctor() {
 
 void ChainMenu::open(int page) {
     if (m_dialog == nullptr) {
-        m_dialog = new ChainDialog(m_window);
+        m_dialog = new ChainDialog(m_requests, m_window);
         // Their keys work in the dialog, too.
         m_dialog->addActions({m_doctor, m_groups, m_rate, m_scan, m_restart});
-        connect(m_dialog, &ChainDialog::groupNamed, this, &ChainMenu::groupNamed);
-        connect(m_dialog, &ChainDialog::scanRequested, this, &ChainMenu::scanRequested);
-        connect(m_dialog, &ChainDialog::restartRequested, this, &ChainMenu::restartRequested);
-        connect(m_dialog, &ChainDialog::acceptRequested, this, &ChainMenu::acceptRequested);
-        connect(m_dialog, &ChainDialog::groupChangeRequested, this, &ChainMenu::groupChangeRequested);
-        connect(m_dialog, &ChainDialog::addressRequested, this, &ChainMenu::addressRequested);
-        connect(m_dialog, &ChainDialog::groupCommandRequested, this, &ChainMenu::groupCommandRequested);
-        connect(m_dialog, &ChainDialog::rateRequested, this, &ChainMenu::rateRequested);
     }
     m_dialog->showChain(m_machine, m_link);
     m_dialog->openAt(static_cast<ChainDialog::Page>(page));

@@ -11,19 +11,20 @@
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-DoctorPage::DoctorPage(QWidget* parent) : QWidget(parent) {
+DoctorPage::DoctorPage(Requests& requests, QWidget* parent) : QWidget(parent) {
     look::name(this, u"doctorPage"_s, tr("Chain doctor"));
-    build();
+    build(requests);
     showChain({}, Refusal::NotConnected, {});
 }
 
-void DoctorPage::build() {
+void DoctorPage::build(const Requests& requests) {
     m_glyph = new GlyphLabel(this);
     m_glyph->setFont(look::scaled(font(), 1.6));
     m_finding = form::newHeading({}, this);
@@ -50,9 +51,9 @@ void DoctorPage::build() {
     auto* head = form::newLine(this, {m_glyph, {m_finding, 1}});
     auto* buttons = form::newLine(this, {m_scan, m_accept, nullptr, m_restart});
     form::fill(this, form::newColumn(this, {head, m_advice, {m_table, 1}, buttons}), 1);
-    connect(m_scan, &QPushButton::clicked, this, &DoctorPage::scanRequested);
-    connect(m_accept, &QPushButton::clicked, this, &DoctorPage::acceptRequested);
-    connect(m_restart, &QPushButton::clicked, this, &DoctorPage::restartRequested);
+    connect(m_scan, &QPushButton::clicked, &requests, &Requests::scan);
+    connect(m_accept, &QPushButton::clicked, &requests, &Requests::acceptChain);
+    connect(m_restart, &QPushButton::clicked, &requests, &Requests::restart);
 }
 
 void DoctorPage::showChain(const ChainDiagnosis& chain, std::optional<Refusal> whyNoRestart,

@@ -14,6 +14,7 @@ class QTableWidget;
 namespace nmc {
 
 class GlyphLabel;
+class Requests;
 
 /// The chain doctor: compares the modules expected with those found, and says where the chain probably
 /// breaks.
@@ -21,24 +22,17 @@ class DoctorPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit DoctorPage(QWidget* parent = nullptr);
+    explicit DoctorPage(Requests& requests, QWidget* parent = nullptr);
 
     /// `whyNoRestart`: why the network cannot be restarted. `whyNotEdited`: why the expected chain cannot be
     /// changed. Emits nothing.
     void showChain(const ChainDiagnosis& chain, std::optional<Refusal> whyNoRestart,
                    std::optional<Refusal> whyNotEdited);
 
-signals:
-    /// Requests another search for the chain; nothing is reset.
-    void scanRequested();
-    void restartRequested();
-    /// Requests that the modules found now be expected from now on.
-    void acceptRequested();
-
 private:
     enum Column { Address, Name, Expected, Found, Verdict, Columns };
 
-    void build();
+    void build(const Requests& requests);
     void fill();
 
     GlyphLabel* m_glyph = nullptr;

@@ -16,6 +16,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -32,7 +33,7 @@ constexpr int kFirstAddress = 1;
 constexpr int kLastAddress = 0x7F;
 }  // namespace
 
-GroupsPage::GroupsPage(QWidget* parent) : QWidget(parent) {
+GroupsPage::GroupsPage(Requests& requests, QWidget* parent) : QWidget(parent), m_requests(requests) {
     look::name(this, u"groupsPage"_s, tr("Groups"));
     const int unit = look::gridUnit(this);
     auto* remark = look::newMutedLabel(
@@ -211,7 +212,7 @@ void GroupsPage::nameGroup() {
     const QVariant group = m_group->currentData();
     const QString name = m_name->text().simplified();
     if (group.isValid() && name != nameOf(group.toInt()))
-        emit groupNamed(static_cast<quint8>(group.toInt()), name);
+        emit m_requests.groupNamed(static_cast<quint8>(group.toInt()), name);
 }
 
 /// Offers the groups in use, in order.
@@ -320,7 +321,7 @@ void GroupsPage::changed(std::size_t row) {
     if (group == kUnknown || row >= m_link.modules.size())
         return;
     const bool leader = member.leader->isChecked() && group != kNoGroup;
-    emit groupChangeRequested({m_link.modules[row].info.index, {static_cast<std::uint8_t>(group), leader}});
+    emit m_requests.groupChange({m_link.modules[row].info.index, {static_cast<std::uint8_t>(group), leader}});
 }
 
 /// Checks the same as the engine, which also queries the new address.
@@ -357,11 +358,11 @@ void GroupsPage::readdress(std::size_t row) {
     m_addressReason->setText(reason);
     m_addressReason->setVisible(!reason.isEmpty());
     if (reason.isEmpty() && wanted != info.address)
-        emit addressRequested(info.index, wanted);
+        emit m_requests.address(info.index, wanted);
 }
 
 void GroupsPage::command(bus::GroupCommand::Action action) {
-    emit groupCommandRequested({group(), action});
+    emit m_requests.groupCommand({group(), action});
 }
 
 }  // namespace nmc

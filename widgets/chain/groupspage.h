@@ -19,6 +19,7 @@ class QPushButton;
 namespace nmc {
 
 class NumberField;
+class Requests;
 
 /// Shows and sets the address of each module, the group that it listens to, and the leader of a group. Sends
 /// commands that a whole group carries out in the same tick: start the loaded moves, stop, save home, set the
@@ -27,17 +28,10 @@ class GroupsPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit GroupsPage(QWidget* parent = nullptr);
+    explicit GroupsPage(Requests& requests, QWidget* parent = nullptr);
 
     /// Emits nothing.
     void showLink(const LinkState& link, const std::vector<GroupSettings>& groups);
-
-signals:
-    /// The user has named the group; nothing is sent.
-    void groupNamed(quint8 group, const QString& name);
-    void addressRequested(nmc::ModuleIndex module, nmc::BusAddress address);
-    void groupChangeRequested(const nmc::bus::GroupChange& change);
-    void groupCommandRequested(const nmc::bus::GroupCommand& command);
 
 private:
     enum Column { Name, AddressLabel, Address, Group, Leader, Load };
@@ -70,6 +64,7 @@ private:
     [[nodiscard]] QPushButton* newCommand(const QString& text, const QString& objectName,
                                           const QString& accessibleName, bus::GroupCommand::Action action);
 
+    Requests& m_requests;
     std::vector<Member> m_members;
     QGridLayout* m_grid = nullptr;
     QLabel* m_none = nullptr;

@@ -10,6 +10,7 @@
 #include "protocol/baud.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -20,8 +21,9 @@ namespace {
 constexpr quint32 kOther = 0;  // determined by the divisor
 }  // namespace
 
-RatePage::RatePage(QWidget* parent)
+RatePage::RatePage(Requests& requests, QWidget* parent)
     : QWidget(parent),
+      m_requests(requests),
       m_now(new QLabel(this)),
       m_rate(new QComboBox(this)),
       m_divisor(new NumberField(0, this)),
@@ -65,7 +67,7 @@ RatePage::RatePage(QWidget* parent)
     grid->setColumnStretch(4, 1);
     connect(m_divisor, &NumberField::edited, this, &RatePage::refresh);
     connect(m_rate, &QComboBox::currentIndexChanged, this, &RatePage::refresh);
-    connect(m_change, &QPushButton::clicked, this, [this] { emit rateRequested(*wanted()); });
+    connect(m_change, &QPushButton::clicked, this, [this] { emit m_requests.rate(*wanted()); });
     refresh();
 }
 

@@ -12,6 +12,7 @@ class QPushButton;
 namespace nmc {
 
 class NumberField;
+class Requests;
 
 /// Changes the baud rate of the whole chain while it is connected: every module is queried at the new rate,
 /// and all go back if one does not answer.
@@ -19,19 +20,17 @@ class RatePage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit RatePage(QWidget* parent = nullptr);
+    explicit RatePage(Requests& requests, QWidget* parent = nullptr);
 
     /// Emits nothing.
     void showLink(const LinkState& link);
-
-signals:
-    void rateRequested(quint32 baud);
 
 private:
     void refresh();
     /// The selected rate; empty if it needs a divisor and the field has no value.
     [[nodiscard]] std::optional<quint32> wanted() const;
 
+    Requests& m_requests;
     QLabel* m_now;
     QComboBox* m_rate;
     NumberField* m_divisor;  ///< for any other rate

@@ -10,6 +10,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/printtexts.h"
+#include "widgets/common/requests.h"
 
 namespace nmc {
 
@@ -20,8 +21,9 @@ constexpr int kMostCopies = 99;
 constexpr int kStateWidth = 20;  ///< line heights
 }  // namespace
 
-PrintDialog::PrintDialog(const QString& last, QWidget* window)
+PrintDialog::PrintDialog(const QString& last, Requests& requests, QWidget* window)
     : QDialog(window),
+      m_requests(requests),
       m_chosen(last),
       m_printer(form::newChoice({u"printerBox"_s, tr("Printer"), {}}, this)),
       m_copies(new NumberField(0, this)),
@@ -93,7 +95,7 @@ void PrintDialog::savePdf() {
     dialog->setDefaultSuffix(u"pdf"_s);
     dialog->selectFile(tr("page"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        emit saveRequested(path, [content = m_pdf.toStdString()] { return content; });
+        emit m_requests.save(path, [content = m_pdf.toStdString()] { return content; });
         accept();
     });
     dialog->show();

@@ -14,6 +14,7 @@ class QPushButton;
 namespace nmc {
 
 class NumberField;
+class Requests;
 
 /// Asks for a printer and the number of copies, in a window of its own that blocks no other: the panel,
 /// including STOP ALL, stays usable. It is open while printers are still being searched for.
@@ -22,7 +23,7 @@ class PrintDialog : public QDialog {
 
 public:
     /// `last`: the printer that was used last, which is proposed if it exists.
-    PrintDialog(const QString& last, QWidget* window);
+    PrintDialog(const QString& last, Requests& requests, QWidget* window);
 
     void setPage(const QByteArray& pdf) { m_pdf = pdf; }
     /// Shows the printers known so far. `standard`: the system's default printer. `all`: the search has
@@ -31,7 +32,6 @@ public:
 
 signals:
     void printRequested(const QByteArray& pdf, const QString& printer, int copies);
-    void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
     void layOut();
@@ -39,6 +39,7 @@ private:
     void print();
     void savePdf();
 
+    Requests& m_requests;
     QByteArray m_pdf;
     QString m_chosen;  ///< the user's choice, now or last time
     QComboBox* m_printer;

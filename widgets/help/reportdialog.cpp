@@ -10,6 +10,7 @@
 
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/help/placing.h"
 
 namespace nmc {
@@ -22,7 +23,8 @@ constexpr int kReportWidth = 50;
 constexpr int kReportHeight = 36;
 }  // namespace
 
-ReportDialog::ReportDialog(const QString& report, QWidget* parent) : QDialog(parent) {
+ReportDialog::ReportDialog(const QString& report, Requests& requests, QWidget* parent)
+    : QDialog(parent), m_requests(requests) {
     look::name(this, u"reportDialog"_s, tr("Report a problem"));
     setWindowTitle(tr("Report a problem"));
     setAttribute(Qt::WA_DeleteOnClose);
@@ -56,7 +58,7 @@ void ReportDialog::chooseFile(const QString& report) {
     dialog->setDefaultSuffix(u"txt"_s);
     dialog->selectFile(u"nmcpanel-report-"_s + QDate::currentDate().toString(Qt::ISODate));
     connect(dialog, &QFileDialog::fileSelected, this, [this, report](const QString& path) {
-        emit saveRequested(path, [report] { return report.toStdString(); });
+        emit m_requests.save(path, [report] { return report.toStdString(); });
     });
     dialog->show();
 }

@@ -3,23 +3,21 @@
 
 #include <QDialog>
 
-#include "widgets/common/filedialog.h"
-
 namespace nmc {
+
+class Requests;
 
 /// Shows a report before it is saved. It sends nothing. Not modal.
 class ReportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    ReportDialog(const QString& report, QWidget* parent);
-
-signals:
-    /// If the file exists, the user has agreed to replace it.
-    void saveRequested(const QString& path, const nmc::FileContent& content);
+    ReportDialog(const QString& report, Requests& requests, QWidget* parent);
 
 private:
     void chooseFile(const QString& report);
+
+    Requests& m_requests;
 };
 
 }  // namespace nmc

@@ -17,13 +17,13 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-FrequencyPage::FrequencyPage(QWidget* parent) : QWidget(parent) {
+FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent) : QWidget(parent) {
     look::name(this, u"frequencyPage"_s, tr("Frequency response"));
     m_form = new TestForm(
         ProcedureKind::FrequencyResponse,
         {u"frequency"_s, tr("Measure"),
          tr("The motor swings around its position, slowly at first, then faster. Make sure that everything it drives can move freely.")},
-        this);
+        requests, this);
     m_amplitude = m_form->addDistance(u"frequencyAmplitudeField"_s, tr("Amplitude"), tr("The amplitude"));
     m_amplitude->setNativeRange(1, kWidestSine);
     m_amplitude->setMeaning(tr(
@@ -47,7 +47,6 @@ FrequencyPage::FrequencyPage(QWidget* parent) : QWidget(parent) {
     m_plot = new BodePlot(this);
     auto* left = form::newColumn(this, {m_form, m_figures, form::newLine(this, {m_save, nullptr}), nullptr});
     form::fill(this, form::newLine(this, {left, {m_plot, 1}}), 0.5);
-    connect(m_form, &TestForm::asked, this, &FrequencyPage::asked);
     connect(m_save, &QPushButton::clicked, this, &FrequencyPage::chooseFile);
     refresh();
 }

@@ -17,6 +17,7 @@ namespace nmc {
 class BodePlot;
 class NumberField;
 class QuantityField;
+class Requests;
 class TestForm;
 
 /// The frequency response of the selected servo: how its loop follows sines of the command. The last response
@@ -25,7 +26,7 @@ class FrequencyPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit FrequencyPage(QWidget* parent = nullptr);
+    explicit FrequencyPage(Requests& requests, QWidget* parent = nullptr);
 
     // These emit nothing.
     void showModule(const PanelView& view);
@@ -38,7 +39,6 @@ public:
     [[nodiscard]] const std::vector<FrequencyPoint>& points() const;
 
 signals:
-    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// points(), measured at `measured`, are to be saved.
     void saveWanted(const QString& path, const QDateTime& measured);
 

@@ -15,16 +15,16 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-LoopTestsDock::LoopTestsDock(QWidget* parent)
-    : LazyDock(u"loopTestsDock"_s, tr("Loop tests"), Qt::CTRL | Qt::Key_F9, parent) {}
+LoopTestsDock::LoopTestsDock(Requests& requests, QWidget* parent)
+    : LazyDock(u"loopTestsDock"_s, tr("Loop tests"), Qt::CTRL | Qt::Key_F9, parent), m_requests(requests) {}
 
 void LoopTestsDock::build() {
     if (m_tabs != nullptr)
         return;
     m_tabs = new QTabWidget(this);
     look::name(m_tabs, u"loopTestsTabs"_s, tr("Loop tests"));
-    m_square = new SquareWavePage(m_tabs);
-    m_frequency = new FrequencyPage(m_tabs);
+    m_square = new SquareWavePage(m_requests, m_tabs);
+    m_frequency = new FrequencyPage(m_requests, m_tabs);
     m_tabs->addTab(m_square, tr("Square wave"));
     m_tabs->addTab(m_frequency, tr("Frequency response"));
     keepFocusOnTabs(*m_tabs);
@@ -33,9 +33,7 @@ void LoopTestsDock::build() {
     m_tabs->setCornerWidget(m_report);
     connect(m_report, &QPushButton::clicked, this, &LoopTestsDock::reportWanted);
     showReportPossible(false);
-    connect(m_square, &SquareWavePage::asked, this, &LoopTestsDock::asked);
     connect(m_square, &SquareWavePage::runKept, this, &LoopTestsDock::runKept);
-    connect(m_frequency, &FrequencyPage::asked, this, &LoopTestsDock::asked);
     connect(m_frequency, &FrequencyPage::saveWanted, this, &LoopTestsDock::frequenciesWanted);
     setWidget(scrolled(m_tabs));
 }

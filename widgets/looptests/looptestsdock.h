@@ -11,8 +11,9 @@ class QTabWidget;
 namespace nmc {
 
 class FrequencyPage;
-class SquareWavePage;
 struct KeptResponse;
+class Requests;
+class SquareWavePage;
 
 /// The dock of the longer tests of a loop, closed initially; its content is built when it is first seen, or
 /// when a test reports.
@@ -20,7 +21,7 @@ class LoopTestsDock : public LazyDock {
     Q_OBJECT
 
 public:
-    explicit LoopTestsDock(QWidget* parent = nullptr);
+    explicit LoopTestsDock(Requests& requests, QWidget* parent = nullptr);
 
     // As in its pages.
     void showModule(const PanelView& view);
@@ -31,7 +32,6 @@ public:
     [[nodiscard]] FrequencyPage& frequency();
 
 signals:
-    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void runKept(const nmc::KeptResponse& run);
     /// A report on everything that is known of the selected module's loop is requested.
     void reportWanted();
@@ -43,6 +43,7 @@ private:
 
     void showReportPossible(bool servo);
 
+    Requests& m_requests;
     QTabWidget* m_tabs = nullptr;
     QPushButton* m_report = nullptr;
     SquareWavePage* m_square = nullptr;

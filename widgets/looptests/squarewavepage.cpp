@@ -42,13 +42,13 @@ constexpr std::int32_t kFirstExcursion = 200;
 }
 }  // namespace
 
-SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
+SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent) : QWidget(parent) {
     look::name(this, u"squareWavePage"_s, tr("Square wave"));
     m_form = new TestForm(
         ProcedureKind::SquareWave,
         {u"squareWave"_s, tr("Start test"),
          tr("The motor jumps back and forth around its position. Make sure that everything it drives can move freely.")},
-        this);
+        requests, this);
     m_counts = m_form->addDistance(u"squareWaveDistanceField"_s, tr("Distance"), tr("The distance"));
     m_counts->setNativeRange(1, kLongestStep);
     m_counts->setMeaning(tr("From side to side: half to either side of the present position."));
@@ -82,7 +82,6 @@ SquareWavePage::SquareWavePage(QWidget* parent) : QWidget(parent) {
     m_plot = new SquarePlot(this);
     auto* left = form::newColumn(this, {m_form, m_results, form::newLine(this, {m_keep, nullptr}), nullptr});
     form::fill(this, form::newLine(this, {left, {m_plot, 1}}), 0.5);
-    connect(m_form, &TestForm::asked, this, &SquareWavePage::asked);
     connect(m_keep, &QPushButton::clicked, this, &SquareWavePage::keep);
     refresh();
 }

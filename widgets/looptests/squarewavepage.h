@@ -16,6 +16,7 @@ namespace nmc {
 
 class NumberField;
 class QuantityField;
+class Requests;
 class SquarePlot;
 class TestForm;
 
@@ -25,7 +26,7 @@ class SquareWavePage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit SquareWavePage(QWidget* parent = nullptr);
+    explicit SquareWavePage(Requests& requests, QWidget* parent = nullptr);
 
     // These emit nothing.
     void showModule(const PanelView& view);
@@ -35,7 +36,6 @@ public:
     void showEdge(KeptResponse edge);
 
 signals:
-    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// The median of the edges towards higher counts, as a step response to compare with others.
     void runKept(const nmc::KeptResponse& run);
 

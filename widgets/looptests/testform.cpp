@@ -8,6 +8,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 #include "widgets/response/holdfirstbutton.h"
 
@@ -15,8 +16,8 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-TestForm::TestForm(ProcedureKind kind, const Words& words, QWidget* parent)
-    : QWidget(parent), m_kind(kind), m_meaning(words.meaning) {
+TestForm::TestForm(ProcedureKind kind, const Words& words, Requests& requests, QWidget* parent)
+    : QWidget(parent), m_requests(requests), m_kind(kind), m_meaning(words.meaning) {
     look::name(this, words.objectName + u"Form"_s, words.start);
     m_start = new QPushButton(icons::tinted(u"player-play"_s), words.start, this);
     look::name(m_start, words.objectName + u"StartButton"_s, words.start);
@@ -26,7 +27,7 @@ TestForm::TestForm(ProcedureKind kind, const Words& words, QWidget* parent)
     m_state->setWordWrap(true);
     m_state->setMinimumHeight(3 * fontMetrics().height());
     m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_hold = new HoldFirstButton(words.objectName + u"HoldButton"_s, this);
+    m_hold = new HoldFirstButton(words.objectName + u"HoldButton"_s, m_requests, this);
     m_grid = new QGridLayout;
     m_grid->setHorizontalSpacing(look::gridUnit(this));
     m_grid->setVerticalSpacing(look::gridUnit(this) / 3);
@@ -34,10 +35,9 @@ TestForm::TestForm(ProcedureKind kind, const Words& words, QWidget* parent)
     auto* buttons = form::newLine(this, {m_start, m_end, m_hold, nullptr});
     form::fill(this, form::newColumn(this, {m_grid, buttons, m_state}, 0.5));
     connect(m_start, &QPushButton::clicked, this, &TestForm::start);
-    connect(m_hold, &HoldFirstButton::asked, this, &TestForm::asked);
     connect(m_end, &QPushButton::clicked, this, [this] {
         if (m_module)
-            emit asked(m_module->info.index, intent::CancelProcedure{});
+            emit m_requests.intent(m_module->info.index, intent::CancelProcedure{});
     });
 }
 
@@ -126,7 +126,7 @@ void TestForm::refresh() {
 
 void TestForm::start() {
     if (whyNotNow().isEmpty())
-        emit asked(m_module->info.index, m_wanted());
+        emit m_requests.intent(m_module->info.index, m_wanted());
 }
 
 }  // namespace nmc

@@ -16,6 +16,7 @@ namespace nmc {
 class HoldFirstButton;
 class NumberField;
 class QuantityField;
+class Requests;
 
 /// Form of a test of the loop: its settings, the buttons that start and end it, and its progress, its
 /// failure, or why it is not possible now. GUI thread.
@@ -28,7 +29,7 @@ public:
         QString start;
         QString meaning;
     };
-    TestForm(ProcedureKind kind, const Words& words, QWidget* parent);
+    TestForm(ProcedureKind kind, const Words& words, Requests& requests, QWidget* parent);
 
     /// Adds a row. `name`: as in NumberField::setWords().
     NumberField* addNumber(const QString& objectName, const QString& label, const QString& name,
@@ -47,9 +48,6 @@ public:
     /// The last report of a test of this kind on the module that is shown.
     [[nodiscard]] const std::optional<ProcedureReport>& report() const { return m_report; }
 
-signals:
-    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
-
 private:
     void refresh();
     void start();
@@ -58,6 +56,7 @@ private:
     /// problem.
     [[nodiscard]] std::optional<Refusal> refusal() const;
 
+    Requests& m_requests;
     ProcedureKind m_kind;
     QString m_meaning;
     std::function<Intent()> m_wanted;

@@ -18,6 +18,7 @@
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/common/palettes.h"
+#include "widgets/common/requests.h"
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
@@ -60,10 +61,11 @@ constexpr int kPrepareInterval = 100;  // ms
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent),
       m_settings(settings),
+      m_requests(new Requests(this)),
       m_colours(new ColourChoice(settings, this)),
       m_focus(new FocusKeeper(*this)),
       m_machineMenu(new MachineMenu(this)),
-      m_chainMenu(new ChainMenu(m_session.machine(), m_session.link(), this)) {
+      m_chainMenu(new ChainMenu(m_session.machine(), m_session.link(), *m_requests, this)) {
     look::name(this, u"mainWindow"_s, tr("NMC Panel"));
     look::adoptReadable(this);
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
@@ -87,7 +89,10 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
 
 MainWindow::~MainWindow() {
     // A field that has the focus loses it during destruction and reports the value typed into it. By then,
-    // this object is no longer a MainWindow.
+    // this object is no longer a MainWindow. What it is reported to must be the last child that is deleted.
+    m_requests->blockSignals(true);
+    m_requests->setParent(nullptr);
+    m_requests->setParent(this);
     for (QObject* child : findChildren<QObject*>())
         child->disconnect(this);
     qApp->disconnect(this);
@@ -145,7 +150,7 @@ void MainWindow::buildRibbons(QWidget* top) {
 }
 
 void MainWindow::buildCentre() {
-    m_panel = new ModulePanel(this);
+    m_panel = new ModulePanel(*m_requests, this);
     setCentralWidget(m_panel);
 }
 
@@ -171,7 +176,7 @@ void MainWindow::connectParts() {
     connect(m_bar, &ConnectionBar::disconnectRequested, this, &MainWindow::askBeforeDisconnect);
     connect(m_bar, &ConnectionBar::stopAllRequested, this, &MainWindow::requestStop);
     connect(m_bar, &ConnectionBar::portsRequested, this, &MainWindow::portsRequested);
-    connect(m_chainMenu, &ChainMenu::restartRequested, this, &MainWindow::askBeforeRestart);
+    connect(m_requests, &Requests::restart, this, &MainWindow::askBeforeRestart);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::showSession);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::reviewQuestions);
     // Queued: by then it is settled which window has the focus.
@@ -188,13 +193,9 @@ void MainWindow::connectParts() {
         showSelected();
         emit moduleSelected(module);
     });
-    connect(m_panel, &ModulePanel::intentRequested, this, &MainWindow::intentRequested);
-    connect(m_panel, &ModulePanel::holdRequested, this, &MainWindow::holdRequested);
-    connect(m_panel, &ModulePanel::holdReleased, this, &MainWindow::holdReleased);
     connect(&m_preparing, &QTimer::timeout, this, &MainWindow::preparePage);
     connect(
         m_panel, &ModulePanel::pageChanged, this, [this] { makeRoomForMotions(0); }, Qt::QueuedConnection);
-    connect(m_panel, &ModulePanel::settingsEdited, this, &MainWindow::axisEdited);
     connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,
             [this](bool wanted) { m_settings.setValue(simulatorOpen(m_layouts->kind()), wanted); });
@@ -202,9 +203,6 @@ void MainWindow::connectParts() {
     connect(m_scope, &ScopePanel::setupChanged, this,
             [this](const ScopeSetup& setup) { m_settings.setValue(kScope, setup.toText()); });
     connect(m_monitor, &MonitorDock::recordingChanged, this, &MainWindow::packetRecordingWanted);
-    connect(&m_scope->files(), &ScopeFiles::saveRequested, this, &MainWindow::saveRequested);
-    connect(m_monitor, &MonitorDock::saveRequested, this, &MainWindow::saveRequested);
-    connect(m_messages, &MessagePanel::saveRequested, this, &MainWindow::saveRequested);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_banner, &Banner::allWanted, this, [this](const QString& key) {
         showDockOf(*m_messages);

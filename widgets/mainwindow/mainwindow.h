@@ -16,7 +16,6 @@
 #include "model/procedure/procedure.h"
 #include "model/scope/history.h"
 #include "model/settings/machine.h"
-#include "widgets/common/filedialog.h"
 #include "widgets/common/texts.h"
 #include "widgets/mainwindow/commandpalette.h"
 #include "widgets/mainwindow/layouts.h"
@@ -47,6 +46,7 @@ class MonitorDock;
 class PathsDock;
 class OperatorLock;
 class Pendant;
+class Requests;
 class Ribbon;
 class ScopeFiles;
 class ScopePanel;
@@ -114,6 +114,8 @@ public:
     /// Sets how often a held button reports that it is held; 100 ms by default.
     void setHoldInterval(int milliseconds);
 
+    /// What the user requests anywhere in the window.
+    [[nodiscard]] Requests& requests() { return *m_requests; }
     /// The machine's file: its part of the File menu, its dialogs, and the name in the title.
     [[nodiscard]] MachineMenu& machineMenu() { return *m_machineMenu; }
     [[nodiscard]] ChainMenu& chainMenu() { return *m_chainMenu; }
@@ -166,21 +168,12 @@ signals:
     /// The user has confirmed that positions and gains are lost.
     void restartNetworkRequested();
     void stopAllRequested();
-    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
-    /// On press and every 100 ms while held; each press has a number of its own.
-    void holdRequested(const nmc::bus::HoldToMove& hold);
-    void holdReleased();
-    /// The user has changed the settings of an axis; this sends nothing.
-    void axisEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
     /// A control line for the built-in simulator; only while attached to it.
     void simulatorLineEntered(const QString& line);
     /// From now on, the packet monitor needs every exchange, or none.
     void packetRecordingWanted(bool wanted);
     /// The scope's display must change: showHistory() must be called soon, even if nothing has arrived.
     void scopeFrameWanted();
-    /// A file is to be saved: packets, messages, step responses, what the scope shows, and the like. The user
-    /// has agreed to replace the file if it exists.
-    void saveRequested(const QString& path, const nmc::FileContent& content);
     /// The port list is about to be opened.
     void portsRequested();
     void moduleSelected(nmc::ModuleIndex module);
@@ -252,6 +245,7 @@ private:
     [[nodiscard]] QString nothingText() const;
 
     QSettings& m_settings;
+    Requests* m_requests;
     ColourChoice* m_colours;
     Session m_session;
     FocusKeeper* m_focus;

@@ -39,8 +39,7 @@ void MainWindow::openProblemReport() {
             problemReport({m_settings, m_session.link(), m_monitor->figures(), m_bar->ports(),
                            m_monitor->lastPackets(kReportedPackets),
                            QString::fromStdString(messageText(m_messages->list().entries()))});
-        dialog = new ReportDialog(report, this);
-        connect(dialog, &ReportDialog::saveRequested, this, &MainWindow::saveRequested);
+        dialog = new ReportDialog(report, *m_requests, this);
     }
     dialog->show();
     dialog->raise();

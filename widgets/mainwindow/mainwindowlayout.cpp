@@ -67,15 +67,15 @@ void MainWindow::showDockOf(const QWidget& content) {
 void MainWindow::buildDocks() {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_chain = new ChainView(this);
-    m_scope = new ScopePanel(this);
+    m_scope = new ScopePanel(*m_requests, this);
     m_scope->setSetup(ScopeSetup::fromText(m_settings.value(kScope).toString()));
-    m_messages = new MessagePanel(this);
+    m_messages = new MessagePanel(*m_requests, this);
     addDock(u"chainDock"_s, tr("Modules"), m_chain, Qt::LeftDockWidgetArea);
     m_scopeDock = addDock(u"scopeDock"_s, tr("Scope"), scrolled(m_scope), Qt::BottomDockWidgetArea);
     QDockWidget* messages =
         addDock(u"messagesDock"_s, tr("Messages"), scrolled(m_messages), Qt::BottomDockWidgetArea);
     addSimulatorDock();
-    m_monitor = new MonitorDock(this);
+    m_monitor = new MonitorDock(*m_requests, this);
     placeMonitor(*this, *m_monitor, *messages, *m_scopeDock);
     m_docks.append(m_monitor);
     addResponseDock(*m_scopeDock, *messages);
@@ -98,7 +98,7 @@ void MainWindow::buildDocks() {
 }
 
 void MainWindow::addResponseDock(QDockWidget& scope, QDockWidget& messages) {
-    m_response = new ResponseDock(this);
+    m_response = new ResponseDock(*m_requests, this);
     tabifyDockWidget(&scope, m_response);
     m_response->hide();
     connect(m_panel, &ModulePanel::responseWanted, m_response, &ResponseDock::open);
@@ -109,13 +109,10 @@ void MainWindow::addResponseDock(QDockWidget& scope, QDockWidget& messages) {
         Qt::QueuedConnection);
     connect(m_response, &ResponseDock::opened, this, &MainWindow::showSelected);
     connect(m_response, &ResponseDock::gainsWanted, m_panel, &ModulePanel::stageGains);
-    connect(m_response, &ResponseDock::saveRequested, this, &MainWindow::saveRequested);
-    connect(m_response, &ResponseDock::asked, this,
-            [this](ModuleIndex module, const Intent& intent) { emit intentRequested(module, intent); });
 }
 
 void MainWindow::addLoopTestsDock(QDockWidget& scope, QDockWidget& messages) {
-    m_loopTests = new LoopTestsDock(this);
+    m_loopTests = new LoopTestsDock(*m_requests, this);
     tabifyDockWidget(&scope, m_loopTests);
     m_loopTests->hide();
     // Queued: until then, the layout does not know that the dock is visible.
@@ -128,14 +125,13 @@ void MainWindow::addLoopTestsDock(QDockWidget& scope, QDockWidget& messages) {
             [this](const KeptResponse& run) { showResponse(run); });
     connect(m_loopTests, &LoopTestsDock::reportWanted, this, &MainWindow::chooseReportFile);
     connect(m_loopTests, &LoopTestsDock::frequenciesWanted, this, &MainWindow::saveFrequencies);
-    connect(m_loopTests, &LoopTestsDock::asked, this, &MainWindow::intentRequested);
 }
 
 /// Adds these docks behind the scope's tab, closed.
 void MainWindow::addMotionDocks(QDockWidget& scope, QDockWidget& messages) {
     m_sequences = new SequencesDock(this);
-    m_paths = new PathsDock(this);
-    m_axes = new AxesDock(this);
+    m_paths = new PathsDock(*m_requests, this);
+    m_axes = new AxesDock(*m_requests, this);
     for (QDockWidget* dock : {static_cast<QDockWidget*>(m_sequences), static_cast<QDockWidget*>(m_paths),
                               static_cast<QDockWidget*>(m_axes)}) {
         tabifyDockWidget(&scope, dock);
@@ -150,11 +146,7 @@ void MainWindow::addMotionDocks(QDockWidget& scope, QDockWidget& messages) {
     connect(
         m_paths, &PathsDock::roomWanted, this,
         [this, &messages] { makeRoomBeside(messages, *m_paths, kPathsWidth); }, Qt::QueuedConnection);
-    connect(m_paths, &PathsDock::asked, this, &MainWindow::intentRequested);
-    connect(m_paths, &PathsDock::saveRequested, this, &MainWindow::saveRequested);
     connect(m_axes, &AxesDock::opened, this, &MainWindow::showAllAxes);
-    connect(m_axes, &AxesDock::holdRequested, this, &MainWindow::holdRequested);
-    connect(m_axes, &AxesDock::holdReleased, this, &MainWindow::holdReleased);
 }
 
 /// Widens a dock at the expense of the messages beside it.

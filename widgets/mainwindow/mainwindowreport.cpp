@@ -5,6 +5,7 @@
 
 #include "model/response/frequencyfile.h"
 #include "widgets/common/filedialog.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 #include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/looptestsdock.h"
@@ -46,7 +47,7 @@ void MainWindow::saveFrequencies(const QString& path, const QDateTime& measured)
     if (module == nullptr)
         return;
     const LinkState& link = m_session.link();
-    emit saveRequested(
+    emit m_requests->save(
         path, [origin = recordingHeader({}, QString::fromStdString(link.port), link.simulated, {}, measured),
                name = texts::moduleName(module->info.index).toStdString(),
                points = m_loopTests->frequency().points()] { return frequencyCsv(origin, name, points); });
@@ -69,7 +70,7 @@ void MainWindow::chooseReportFile() {
     connect(dialog, &QFileDialog::fileSelected, this, [this, report = *report](const QString& path) {
         const bool html = path.endsWith(u".html"_s, Qt::CaseInsensitive);
         const QByteArray bytes = html ? reportHtml(report).toUtf8() : reportPdf(report);
-        emit saveRequested(path, [content = bytes.toStdString()] { return content; });
+        emit m_requests->save(path, [content = bytes.toStdString()] { return content; });
     });
     dialog->show();
 }

@@ -11,6 +11,7 @@
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/words.h"
 #include "widgets/messages/messagelist.h"
 
@@ -18,7 +19,7 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-MessagePanel::MessagePanel(QWidget* parent) : QWidget(parent) {
+MessagePanel::MessagePanel(Requests& requests, QWidget* parent) : QWidget(parent), m_requests(requests) {
     look::name(this, u"messagePanel"_s, tr("Messages and their filter"));
     build();
     showLogFile({});
@@ -109,7 +110,7 @@ void MessagePanel::saveAs() {
     dialog->setDefaultSuffix(u"txt"_s);
     dialog->selectFile(u"messages "_s + QDate::currentDate().toString(Qt::ISODate));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        emit saveRequested(path, [entries = m_list->shownEntries()] { return messageText(entries); });
+        emit m_requests.save(path, [entries = m_list->shownEntries()] { return messageText(entries); });
     });
     dialog->show();
 }

@@ -15,13 +15,14 @@ namespace nmc {
 
 class ElidedLabel;
 class MessageList;
+class Requests;
 
 /// The list of messages with its filter, and the file in which messages are kept beyond this session.
 class MessagePanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit MessagePanel(QWidget* parent = nullptr);
+    explicit MessagePanel(Requests& requests, QWidget* parent = nullptr);
 
     [[nodiscard]] MessageList& list() { return *m_list; }
     /// Adds the message to the list, and its module to the filter.
@@ -30,17 +31,13 @@ public:
     /// `file`: where messages are kept; empty: they are not.
     void showLogFile(const QString& file);
 
-signals:
-    /// Requests that the messages shown be saved as text. If the file exists, the user has agreed to replace
-    /// it.
-    void saveRequested(const QString& path, const nmc::FileContent& content);
-
 private:
     void build();
     void filter();
     void offerModule(const Message& message);
     void saveAs();
 
+    Requests& m_requests;
     QComboBox* m_kind = nullptr;
     QComboBox* m_module = nullptr;
     QLineEdit* m_text = nullptr;

@@ -13,7 +13,8 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-MonitorDock::MonitorDock(QWidget* parent) : QDockWidget(PacketMonitor::tr("Packet monitor"), parent) {
+MonitorDock::MonitorDock(Requests& requests, QWidget* parent)
+    : QDockWidget(PacketMonitor::tr("Packet monitor"), parent), m_requests(requests) {
     look::name(this, u"monitorDock"_s, windowTitle());
     setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
                 QDockWidget::DockWidgetFloatable);
@@ -26,9 +27,8 @@ MonitorDock::MonitorDock(QWidget* parent) : QDockWidget(PacketMonitor::tr("Packe
 
 PacketMonitor& MonitorDock::page() {
     if (m_page == nullptr) {
-        m_page = new PacketMonitor(this);
+        m_page = new PacketMonitor(m_requests, this);
         connect(m_page, &PacketMonitor::recordingChanged, this, &MonitorDock::recordingChanged);
-        connect(m_page, &PacketMonitor::saveRequested, this, &MonitorDock::saveRequested);
         m_page->begin(m_session);
         m_page->offerModules(m_modules);
         m_page->showFigures(m_figures);

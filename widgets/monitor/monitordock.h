@@ -12,6 +12,7 @@
 namespace nmc {
 
 class PacketMonitor;
+class Requests;
 
 /// The dock of the packet monitor, which is closed at first and often stays closed: its content is built when
 /// it is seen for the first time, and then starts with the present state of the connection.
@@ -19,7 +20,7 @@ class MonitorDock : public QDockWidget {
     Q_OBJECT
 
 public:
-    explicit MonitorDock(QWidget* parent = nullptr);
+    explicit MonitorDock(Requests& requests, QWidget* parent = nullptr);
 
     // These are passed on to the PacketMonitor, if it exists.
     void begin(const PacketSession& session);
@@ -36,9 +37,9 @@ public:
 
 signals:
     void recordingChanged(bool recording);
-    void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
+    Requests& m_requests;
     PacketMonitor* m_page = nullptr;
     PacketSession m_session;
     LinkFigures m_figures;

@@ -14,6 +14,7 @@
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 #include "widgets/monitor/countertable.h"
 #include "widgets/monitor/packetmodel.h"
@@ -29,8 +30,9 @@ namespace {
 constexpr int kErrorsOnly = 100;
 }  // namespace
 
-PacketMonitor::PacketMonitor(QWidget* parent)
+PacketMonitor::PacketMonitor(Requests& requests, QWidget* parent)
     : QWidget(parent),
+      m_requests(requests),
       m_model(new PacketModel(this)),
       m_view(new PacketView(*m_model, this)),
       m_counters(new CounterTable(this)),
@@ -191,7 +193,7 @@ void PacketMonitor::chooseFile() {
         dialog->setDefaultSuffix(filter == log ? kPacketLogSuffix.mid(1) : u"txt"_s);
     });
     connect(dialog, &QFileDialog::fileSelected, this,
-            [this](const QString& path) { emit saveRequested(path, packetFile(m_model->log(), path)); });
+            [this](const QString& path) { emit m_requests.save(path, packetFile(m_model->log(), path)); });
     dialog->show();
 }
 

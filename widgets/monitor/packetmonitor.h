@@ -15,10 +15,11 @@ class QPushButton;
 namespace nmc {
 
 class CounterTable;
-class PacketModel;
-class PacketView;
 class PacketLog;
+class PacketModel;
 struct PacketSession;
+class PacketView;
+class Requests;
 
 /// Shows every exchange with time, bytes, meaning and verdict, and the counters of the link. It requests
 /// records only while it can be seen and is not paused, so that it costs nothing when closed.
@@ -26,7 +27,7 @@ class PacketMonitor : public QWidget {
     Q_OBJECT
 
 public:
-    explicit PacketMonitor(QWidget* parent = nullptr);
+    explicit PacketMonitor(Requests& requests, QWidget* parent = nullptr);
 
     /// Call when a connection is being opened; discards the packets of the previous one.
     void begin(const PacketSession& session);
@@ -44,9 +45,6 @@ public:
 
 signals:
     void recordingChanged(bool recording);
-    /// Requests that the whole log be saved: as a replayable log if the name ends in .nmclog, otherwise as
-    /// text.
-    void saveRequested(const QString& path, const nmc::FileContent& content);
 
 private:
     void buildControls();
@@ -60,6 +58,7 @@ private:
     void chooseFile();
     void showSummary();
 
+    Requests& m_requests;
     PacketModel* m_model;
     PacketView* m_view;
     CounterTable* m_counters;

@@ -6,13 +6,14 @@
 #include <QVBoxLayout>
 
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-GenericPanel::GenericPanel(QWidget* parent)
+GenericPanel::GenericPanel(Requests& requests, QWidget* parent)
     : QWidget(parent),
       m_name(new QLabel(this)),
       m_text(new QLabel(this)),
@@ -20,7 +21,7 @@ GenericPanel::GenericPanel(QWidget* parent)
       m_ask(new QPushButton(tr("Request status"), this)) {
     look::name(m_ask, u"askAnewButton"_s, tr("Request status"));
     connect(m_ask, &QPushButton::clicked, this,
-            [this] { emit intentRequested(m_module, intent::AskAnew{}); });
+            [this, &requests] { emit requests.intent(m_module, intent::AskAnew{}); });
     look::name(this, u"genericPanel"_s, tr("Module without controls"));
     QFont large = look::scaled(font(), 1.5);
     large.setBold(true);

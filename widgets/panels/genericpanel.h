@@ -11,6 +11,7 @@ class QPushButton;
 namespace nmc {
 
 class GlyphLabel;
+class Requests;
 
 /// A module that no data sheet here covers: what it reports to be, and its status byte. It is only monitored,
 /// because the effect of other commands is unknown.
@@ -18,12 +19,9 @@ class GenericPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit GenericPanel(QWidget* parent = nullptr);
+    explicit GenericPanel(Requests& requests, QWidget* parent = nullptr);
     /// Emits nothing.
     void showModule(const PanelView& view);
-
-signals:
-    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
 
 private:
     QLabel* m_name;

@@ -14,7 +14,8 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-IoPanel::IoPanel(const PanelView& view, QWidget* parent) : ModulePage(view, parent) {
+IoPanel::IoPanel(const PanelView& view, Requests& requests, QWidget* parent)
+    : ModulePage(view, requests, parent) {
     look::name(this, u"ioPanel"_s, tr("I/O module"));
     auto* head = new IoHead(m_context, this);
     auto* pins = new QVBoxLayout;

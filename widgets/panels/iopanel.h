@@ -10,7 +10,7 @@ class IoPanel : public ModulePage {
     Q_OBJECT
 
 public:
-    explicit IoPanel(const PanelView& view, QWidget* parent = nullptr);
+    IoPanel(const PanelView& view, Requests& requests, QWidget* parent = nullptr);
 };
 
 }  // namespace nmc

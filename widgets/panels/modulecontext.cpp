@@ -8,6 +8,7 @@
 
 #include "model/intent/rights.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
 
@@ -48,7 +49,8 @@ private:
 
 }  // namespace
 
-ModuleContext::ModuleContext(const PanelView& view, QObject* parent) : QObject(parent) {
+ModuleContext::ModuleContext(const PanelView& view, Requests& requests, QObject* parent)
+    : QObject(parent), m_requests(requests) {
     adopt(view);
 }
 
@@ -122,7 +124,15 @@ void ModuleContext::ask(const Intent& intent) {
         m_askedAt = m_state.latestTime;
         emit changed();
     }
-    emit asked(intent);
+    emit m_requests.intent(m_state.info.index, intent);
+}
+
+void ModuleContext::hold(const bus::HoldToMove& hold) {
+    emit m_requests.hold(hold);
+}
+
+void ModuleContext::release() {
+    emit m_requests.holdReleased();
 }
 
 void ModuleContext::edit(const SettingsEdit& edit) {
@@ -131,7 +141,7 @@ void ModuleContext::edit(const SettingsEdit& edit) {
     if (m_showing || whyNotEdited(m_state.rights) || settings == m_settings)
         return;
     m_settings = settings;
-    emit edited(settings);
+    emit m_requests.axisEdited(m_state.info.index, settings);
 }
 
 void ModuleContext::whenSeen(QWidget* box, const std::function<void()>& refresh) {

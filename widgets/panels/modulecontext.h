@@ -12,6 +12,8 @@ class QWidget;
 
 namespace nmc {
 
+class Requests;
+
 /// One module of one connection, as its page sees it, and for the lifetime of that page. Boxes read here what
 /// they show, and request here what the user wants; a panel keeps nothing about a module anywhere else. GUI
 /// thread.
@@ -19,7 +21,7 @@ class ModuleContext : public QObject {
     Q_OBJECT
 
 public:
-    explicit ModuleContext(const PanelView& view, QObject* parent = nullptr);
+    ModuleContext(const PanelView& view, Requests& requests, QObject* parent = nullptr);
 
     [[nodiscard]] const ModuleState& state() const { return m_state; }
     [[nodiscard]] const AxisSettings& settings() const { return m_settings; }
@@ -56,8 +58,8 @@ public:
     /// Changes the settings of the axis; sends nothing. Has no effect while boxes are refreshed, because what
     /// a field says then does not come from the user.
     void edit(const SettingsEdit& edit);
-    void hold(const bus::HoldToMove& hold) { emit holdAsked(hold); }
-    void release() { emit holdReleased(); }
+    void hold(const bus::HoldToMove& hold);
+    void release();
 
     /// Calls `refresh` now, and after each change: at once while `box` is visible, or else when it becomes
     /// visible.
@@ -81,15 +83,10 @@ signals:
     void lookedForAnew();
     void holdIntervalChanged(int milliseconds);
 
-    // ---- requests to be carried out ----
-    void asked(const nmc::Intent& intent);
-    void edited(const nmc::AxisSettings& settings);
-    void holdAsked(const nmc::bus::HoldToMove& hold);
-    void holdReleased();
-
 private:
     void adopt(const PanelView& view);
 
+    Requests& m_requests;
     ModuleState m_state;
     AxisSettings m_settings;
     std::map<ProcedureKind, ProcedureReport> m_procedures;

@@ -63,7 +63,8 @@ void letWrap(const QWidget& page, bool may) {
 
 }  // namespace
 
-ModulePage::ModulePage(const PanelView& view, QWidget* parent) : QWidget(parent), m_context(view, this) {
+ModulePage::ModulePage(const PanelView& view, Requests& requests, QWidget* parent)
+    : QWidget(parent), m_context(view, requests, this) {
     // The palette of the window: otherwise, everything on the page would change its palette each time the
     // page appears or disappears.
     look::adoptReadable(this);

@@ -34,17 +34,17 @@ void keepTabOrder(QWidget* before, QWidget* page) {
 }
 }  // namespace
 
-ModulePanel::ModulePanel(QWidget* parent)
+ModulePanel::ModulePanel(Requests& requests, QWidget* parent)
     : QWidget(parent),
+      m_requests(requests),
       m_empty(look::newMutedLabel({}, this)),
-      m_generic(new GenericPanel(this)),
+      m_generic(new GenericPanel(requests, this)),
       m_current(m_empty) {
     look::name(this, u"modulePanel"_s, tr("Selected module"));
     m_empty->setObjectName(u"emptyPanel"_s);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
     m_generic->hide();
-    connect(m_generic, &GenericPanel::intentRequested, this, &ModulePanel::intentRequested);
 }
 
 ModulePanel::~ModulePanel() {
@@ -54,23 +54,16 @@ ModulePanel::~ModulePanel() {
 std::unique_ptr<ModulePage> ModulePanel::build(const PanelView& view) {
     std::unique_ptr<ModulePage> page;
     if (view.module.isServo())
-        page = std::make_unique<ServoPanel>(view);
+        page = std::make_unique<ServoPanel>(view, m_requests);
     else if (view.module.isIo())
-        page = std::make_unique<IoPanel>(view);
+        page = std::make_unique<IoPanel>(view, m_requests);
     else
-        page = std::make_unique<StepperPanel>(view);
-    const ModuleIndex module = view.module.info.index;
+        page = std::make_unique<StepperPanel>(view, m_requests);
     ModuleContext& context = page->context();
-    connect(&context, &ModuleContext::asked, this,
-            [this, module](const Intent& intent) { emit intentRequested(module, intent); });
     connect(&context, &ModuleContext::changed, this, [this, at = page.get()] {
         if (at == m_current)
             accessibility::setBusy(*this, at->context().busy());
     });
-    connect(&context, &ModuleContext::edited, this,
-            [this, module](const AxisSettings& settings) { emit settingsEdited(module, settings); });
-    connect(&context, &ModuleContext::holdAsked, this, &ModulePanel::holdRequested);
-    connect(&context, &ModuleContext::holdReleased, this, &ModulePanel::holdReleased);
     connect(page.get(), &ModulePage::responseWanted, this, &ModulePanel::responseWanted);
     if (m_holdInterval)
         context.setHoldInterval(*m_holdInterval);

@@ -16,6 +16,7 @@ namespace nmc {
 
 class GenericPanel;
 class ModulePage;
+class Requests;
 
 /// The middle of the window: the page of the selected module, or what to do if there is none. A page is built
 /// when its module is first shown, or before that by prepare(), and belongs to this one module until the
@@ -24,7 +25,7 @@ class ModulePanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ModulePanel(QWidget* parent = nullptr);
+    explicit ModulePanel(Requests& requests, QWidget* parent = nullptr);
     ~ModulePanel() override;
 
     /// Emits nothing, except that a hold ends when its module disappears or it is no longer permitted.
@@ -61,12 +62,6 @@ signals:
     /// Another page is visible.
     void pageChanged();
     void responseWanted();
-    void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);
-    /// On press, and at the hold interval while held.
-    void holdRequested(const nmc::bus::HoldToMove& hold);
-    void holdReleased();
-    /// The user changed the settings of an axis; this sends nothing.
-    void settingsEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
 
 protected:
     bool event(QEvent* event) override;
@@ -86,6 +81,7 @@ private:
         ModuleIdentity identity;
         std::unique_ptr<ModulePage> widget{};
     };
+    Requests& m_requests;
     QLabel* m_empty;
     GenericPanel* m_generic;
     QWidget* m_current;

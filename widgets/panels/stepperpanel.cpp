@@ -22,7 +22,8 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-StepperPanel::StepperPanel(const PanelView& view, QWidget* parent) : ModulePage(view, parent) {
+StepperPanel::StepperPanel(const PanelView& view, Requests& requests, QWidget* parent)
+    : ModulePage(view, requests, parent) {
     look::name(this, u"stepperPanel"_s, tr("Stepper module"));
     auto* head = new PanelHead(m_context, this);
     auto* motion = new StepperMotionBox(m_context, this);

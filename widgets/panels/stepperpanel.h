@@ -13,7 +13,7 @@ class StepperPanel : public ModulePage {
     Q_OBJECT
 
 public:
-    explicit StepperPanel(const PanelView& view, QWidget* parent = nullptr);
+    StepperPanel(const PanelView& view, Requests& requests, QWidget* parent = nullptr);
 
 private:
     void fitPages(int width) override;

@@ -9,18 +9,17 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-PathsDock::PathsDock(QWidget* parent)
-    : LazyDock(u"pathsDock"_s, PathsPage::tr("Paths"), Qt::SHIFT | Qt::Key_F3, parent) {}
+PathsDock::PathsDock(Requests& requests, QWidget* parent)
+    : LazyDock(u"pathsDock"_s, PathsPage::tr("Paths"), Qt::SHIFT | Qt::Key_F3, parent),
+      m_requests(requests) {}
 
 PathsPage& PathsDock::page() {
     if (m_page == nullptr) {
-        m_page = new PathsPage(this);
+        m_page = new PathsPage(m_requests, this);
         m_page->setLatency(m_latency);
         m_page->showSequence(m_sequenceRuns);
         connect(m_page, &PathsPage::openRequested, this, &PathsDock::openRequested);
-        connect(m_page, &PathsPage::saveRequested, this, &PathsDock::saveRequested);
         connect(m_page, &PathsPage::placeRequested, this, &PathsDock::placeRequested);
-        connect(m_page, &PathsPage::asked, this, &PathsDock::asked);
         setWidget(scrolled(m_page));
     }
     return *m_page;

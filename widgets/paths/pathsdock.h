@@ -8,12 +8,14 @@
 
 namespace nmc {
 
+class Requests;
+
 /// The dock of paths, closed initially; its content is built when it is first seen.
 class PathsDock : public LazyDock {
     Q_OBJECT
 
 public:
-    explicit PathsDock(QWidget* parent = nullptr);
+    explicit PathsDock(Requests& requests, QWidget* parent = nullptr);
 
     void showSession(const LinkState& link, const Machine& machine, const Session::Procedures& procedures);
     void showSequence(bool running);
@@ -23,13 +25,12 @@ public:
 
 signals:
     void openRequested(const QString& file, const std::vector<nmc::PathColumn>& axes);
-    void saveRequested(const QString& file, const nmc::FileContent& content);
     void placeRequested(const nmc::Point& place);
-    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
 
 private:
     void build() override { std::ignore = page(); }
 
+    Requests& m_requests;
     PathsPage* m_page = nullptr;
     Duration m_latency{};
     bool m_sequenceRuns = false;

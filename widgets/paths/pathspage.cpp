@@ -21,6 +21,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/pathtexts.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -53,7 +54,7 @@ struct PathsPage::Basis {
     bool operator==(const Basis&) const = default;
 };
 
-PathsPage::PathsPage(QWidget* parent) : QWidget(parent) {
+PathsPage::PathsPage(Requests& requests, QWidget* parent) : QWidget(parent), m_requests(requests) {
     look::name(this, u"pathsPage"_s, tr("Paths"));
     m_plot = new PathPlot(this);
     auto* left = form::newColumn(this, {buildChoice(), buildRun(), nullptr});
@@ -108,11 +109,12 @@ QWidget* PathsPage::buildRun() {
                          .text = tr("Run path"),
                          .accessible = tr("Run path, with confirmation")},
                         box, [this] { ask(); });
-    m_end = new Command({.name = u"endPathButton"_s,
-                         .icon = u"player-stop"_s,
-                         .text = tr("Stop path"),
-                         .accessible = tr("Stop path: all its axes slow down")},
-                        box, [this] { emit asked(m_path->axes.front().module, intent::CancelProcedure{}); });
+    m_end = new Command(
+        {.name = u"endPathButton"_s,
+         .icon = u"player-stop"_s,
+         .text = tr("Stop path"),
+         .accessible = tr("Stop path: all its axes slow down")},
+        box, [this] { emit m_requests.intent(m_path->axes.front().module, intent::CancelProcedure{}); });
     m_progress = new QProgressBar(box);
     look::name(m_progress, u"pathProgress"_s, tr("Progress of the path"));
     m_progress->setRange(0, kWhole);
@@ -354,7 +356,7 @@ void PathsPage::chooseTarget() {
     dialog->setDefaultSuffix(u"csv"_s);
     dialog->selectFile(QFileInfo(m_path->name).completeBaseName());
     connect(dialog, &QFileDialog::fileSelected, this, [this, path = m_path](const QString& file) {
-        emit saveRequested(file, [path] { return pathText(path->table, path->axes); });
+        emit m_requests.save(file, [path] { return pathText(path->table, path->axes); });
     });
     dialog->show();
 }
@@ -412,7 +414,7 @@ void PathsPage::run() {
     const auto plan = planPath(m_path->table, m_link.modules, {m_link.baud, m_latency});
     if (!plan)
         return refresh();
-    emit asked(m_path->axes.front().module, *plan);
+    emit m_requests.intent(m_path->axes.front().module, *plan);
 }
 
 }  // namespace nmc

@@ -23,6 +23,7 @@ namespace nmc {
 
 class Command;
 class PathPlot;
+class Requests;
 
 /// A path as it was read from a file or drawn.
 struct LoadedPath {
@@ -36,7 +37,7 @@ class PathsPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit PathsPage(QWidget* parent = nullptr);
+    explicit PathsPage(Requests& requests, QWidget* parent = nullptr);
     ~PathsPage() override;
 
     // These emit nothing.
@@ -56,10 +57,8 @@ public:
 signals:
     /// The answer is showPath(), showProblems() or showNotRead().
     void openRequested(const QString& file, const std::vector<nmc::PathColumn>& axes);
-    void saveRequested(const QString& file, const nmc::FileContent& content);
     /// The axes of `place` are to move there, as to a taught point.
     void placeRequested(const nmc::Point& place);
-    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
 
 private:
     /// Everything that planPath() takes into account, for all modules.
@@ -89,6 +88,7 @@ private:
     void ask();
     void run();
 
+    Requests& m_requests;
     Command* m_open = nullptr;
     Command* m_save = nullptr;
     Command* m_draw = nullptr;

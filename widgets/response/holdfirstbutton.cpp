@@ -3,20 +3,21 @@
 
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-HoldFirstButton::HoldFirstButton(const QString& objectName, QWidget* parent)
+HoldFirstButton::HoldFirstButton(const QString& objectName, Requests& requests, QWidget* parent)
     : QPushButton(icons::tinted(u"hand-stop"_s), tr("Hold here first"), parent) {
     look::name(this, objectName, tr("Hold here first"));
     look::keepRoom(this);
     setVisible(false);
-    connect(this, &QPushButton::clicked, this, [this] {
+    connect(this, &QPushButton::clicked, this, [this, &requests] {
         if (m_module)
-            emit asked(*m_module, intent::StopHere{});
+            emit requests.intent(*m_module, intent::StopHere{});
     });
 }
 

@@ -8,19 +8,18 @@
 
 namespace nmc {
 
+class Requests;
+
 /// A button beside that of a test that begins where the servo is held: it makes that position known. Shown
 /// only while nothing else is missing.
 class HoldFirstButton : public QPushButton {
     Q_OBJECT
 
 public:
-    HoldFirstButton(const QString& objectName, QWidget* parent);
+    HoldFirstButton(const QString& objectName, Requests& requests, QWidget* parent);
 
     /// `refusal`: why the test of this module is refused, if it is. Emits nothing.
     void showFor(const std::optional<ModuleState>& module, std::optional<Refusal> refusal);
-
-signals:
-    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
 
 private:
     std::optional<ModuleIndex> m_module;

@@ -10,18 +10,16 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-ResponseDock::ResponseDock(QWidget* parent)
-    : LazyDock(u"responseDock"_s, ResponsePage::tr("Step response"), Qt::Key_F9, parent) {}
+ResponseDock::ResponseDock(Requests& requests, QWidget* parent)
+    : LazyDock(u"responseDock"_s, ResponsePage::tr("Step response"), Qt::Key_F9, parent),
+      m_requests(requests) {}
 
 ResponsePage& ResponseDock::page() {
     if (m_page == nullptr) {
-        m_page = new ResponsePage(this);
-        connect(m_page, &ResponsePage::asked, this, &ResponseDock::asked);
+        m_page = new ResponsePage(m_requests, this);
         connect(m_page, &ResponsePage::gainsWanted, this, &ResponseDock::gainsWanted);
         connect(m_page, &ResponsePage::suggestionWanted, this, &ResponseDock::suggestionWanted);
         connect(m_page, &ResponsePage::identifyWanted, this, &ResponseDock::identifyWanted);
-        connect(m_page, &ResponsePage::saveRequested, this, &ResponseDock::saveRequested);
-        connect(m_page, &ResponsePage::printRequested, this, &ResponseDock::printRequested);
         connect(m_page, &ResponsePage::runsChanged, this, &ResponseDock::runsChanged);
         setWidget(scrolled(m_page));
         if (!m_waiting.empty())

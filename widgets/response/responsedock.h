@@ -6,12 +6,14 @@
 
 namespace nmc {
 
+class Requests;
+
 /// The dock of the step responses, closed at first: its content is built when it is first shown or needed.
 class ResponseDock : public LazyDock {
     Q_OBJECT
 
 public:
-    explicit ResponseDock(QWidget* parent = nullptr);
+    explicit ResponseDock(Requests& requests, QWidget* parent = nullptr);
 
     // As in ResponsePage.
     void showModule(const PanelView& view);
@@ -33,19 +35,16 @@ public:
     ResponsePage& page();
 
 signals:
-    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void gainsWanted(const nmc::servo::SetGain& gains);
     void suggestionWanted(const nmc::SuggestionTask& task);
     void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
     void runsChanged();
-    void saveRequested(const QString& path, const nmc::FileContent& content);
-    /// One page; the receiver asks for a printer.
-    void printRequested(const QByteArray& pdf);
 
 private:
     void build() override { page(); }
     [[nodiscard]] bool inUse() const { return seen() || (m_page != nullptr && m_page->lends()); }
 
+    Requests& m_requests;
     ResponsePage* m_page = nullptr;
     std::vector<KeptResponse> m_waiting;
 };

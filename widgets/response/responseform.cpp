@@ -13,6 +13,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 #include "widgets/panels/gainsmeaning.h"
 #include "widgets/response/holdfirstbutton.h"
@@ -28,7 +29,8 @@ constexpr double kNarrowestBand = 0.1, kWidestBand = 50.0;
 constexpr int kStepDigits = 6;  ///< width of each field
 }  // namespace
 
-ResponseForm::ResponseForm(QWidget* parent) : QWidget(parent), m_lastBand(kFirstBand) {
+ResponseForm::ResponseForm(Requests& requests, QWidget* parent)
+    : QWidget(parent), m_requests(requests), m_lastBand(kFirstBand) {
     look::name(this, u"responseForm"_s, tr("Settings of the next step"));
     auto* grid = new FormGrid(this, 4, {.sides = 0, .ends = 0, .across = 1});
     grid->setColumnStretch(3, 1);
@@ -104,12 +106,11 @@ void ResponseForm::buildButton(FormGrid* grid) {
     m_state = look::newMutedLabel({}, parentWidget());
     m_state->setObjectName(u"responseState"_s);
     m_state->setWordWrap(true);
-    m_hold = new HoldFirstButton(u"responseHoldButton"_s, this);
+    m_hold = new HoldFirstButton(u"responseHoldButton"_s, m_requests, this);
     const int line = grid->rowCount();
     grid->addWidget(m_step, line, 0);
     grid->addWidget(m_hold, line, 1, 1, 3, Qt::AlignLeft);
     connect(m_step, &QPushButton::clicked, this, [this] { step(); });
-    connect(m_hold, &HoldFirstButton::asked, this, &ResponseForm::asked);
 }
 
 void ResponseForm::showModule(const PanelView& view) {
@@ -188,7 +189,7 @@ void ResponseForm::step(const std::vector<std::int32_t>& series) {
 
 void ResponseForm::ask(ModuleIndex module, const intent::StepResponse& step,
                        const std::vector<std::int32_t>& series) {
-    emit asked(module, series.empty() ? Intent(step) : intent::StepSeries{step, series});
+    emit m_requests.intent(module, series.empty() ? Intent(step) : intent::StepSeries{step, series});
 }
 
 /// The gains in the fields that differ from those of the module; empty if there are none.

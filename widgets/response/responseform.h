@@ -17,13 +17,14 @@ class FormGrid;
 class HoldFirstButton;
 class NumberField;
 class QuantityField;
+class Requests;
 
 /// The settings of the next step, and the button that makes it.
 class ResponseForm : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ResponseForm(QWidget* parent = nullptr);
+    explicit ResponseForm(Requests& requests, QWidget* parent = nullptr);
 
     // Emit nothing.
     void showModule(const PanelView& view);
@@ -46,7 +47,6 @@ public:
     [[nodiscard]] QLabel* stateLabel() const { return m_state; }
 
 signals:
-    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     void bandEdited(double percent);
     /// The settings of the next step have changed.
     void edited();
@@ -61,6 +61,7 @@ private:
     [[nodiscard]] std::optional<intent::StepResponse> entered() const;
     [[nodiscard]] QString unsentGains() const;
 
+    Requests& m_requests;
     QuantityField* m_distance = nullptr;
     QComboBox* m_method = nullptr;
     NumberField* m_record = nullptr;

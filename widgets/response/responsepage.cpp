@@ -16,6 +16,7 @@
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 #include "widgets/response/responseform.h"
 #include "widgets/response/responseplot.h"
@@ -30,12 +31,13 @@ namespace {
 const QString kSaveDialog = u"responseRunsDialog"_s;
 }
 
-ResponsePage::ResponsePage(QWidget* parent)
+ResponsePage::ResponsePage(Requests& requests, QWidget* parent)
     : QWidget(parent),
-      m_form(new ResponseForm(this)),
+      m_requests(requests),
+      m_form(new ResponseForm(requests, this)),
       m_results(new ResponseResults(this)),
       m_model(new ModelBox(m_kept, *m_form, this)),
-      m_view(new ResponseView(this)),
+      m_view(new ResponseView(requests, this)),
       m_table(new ResponseTable(this)) {
     look::name(this, u"responsePage"_s, tr("Step response"));
     m_runs = newRunsPart();
@@ -49,7 +51,6 @@ ResponsePage::ResponsePage(QWidget* parent)
     connect(m_model, &ModelBox::gainsWanted, this, &ResponsePage::gainsWanted);
     connect(m_model, &ModelBox::curvesChanged, this, &ResponsePage::showModelCurves);
     lay();
-    connect(m_form, &ResponseForm::asked, this, &ResponsePage::asked);
     connect(m_form, &ResponseForm::bandEdited, this, &ResponsePage::judgeAll);
     connect(m_table, &ResponseTable::shownWanted, this, &ResponsePage::showAs);
     connect(m_table, &ResponseTable::chosenChanged, this, &ResponsePage::refreshButtons);
@@ -58,8 +59,6 @@ ResponsePage::ResponsePage(QWidget* parent)
     connect(m_use, &QPushButton::clicked, this, &ResponsePage::useGains);
     connect(m_remove, &QPushButton::clicked, this, &ResponsePage::removeChosen);
     connect(m_save, &QPushButton::clicked, this, &ResponsePage::chooseFile);
-    connect(m_view, &ResponseView::saveRequested, this, &ResponsePage::saveRequested);
-    connect(m_view, &ResponseView::printRequested, this, &ResponsePage::printRequested);
     refreshRuns();
 }
 
@@ -334,7 +333,7 @@ void ResponsePage::chooseFile() {
     dialog->selectFile(u"step-responses"_s);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         const QString program = u"NMC Panel "_s + QCoreApplication::applicationVersion();
-        emit saveRequested(
+        emit m_requests.save(
             path, [program = program.toStdString(), runs = m_kept] { return responsesCsv(program, runs); });
     });
     dialog->show();

@@ -18,6 +18,7 @@ class QTabWidget;
 
 namespace nmc {
 
+class Requests;
 class ResponseForm;
 class ResponseResults;
 class ResponseView;
@@ -27,7 +28,7 @@ class ResponsePage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ResponsePage(QWidget* parent = nullptr);
+    explicit ResponsePage(Requests& requests, QWidget* parent = nullptr);
 
     // Emit at most suggestionWanted(), and showRun() also runsChanged().
     void showModule(const PanelView& view);
@@ -60,7 +61,6 @@ public:
     [[nodiscard]] QStringList motorWords() const { return m_model->motorWords(); }
 
 signals:
-    void asked(nmc::ModuleIndex module, const nmc::Intent& intent);
     /// These gains are to be put into the fields of the selected module, which is that of the run; nothing is
     /// to be sent.
     void gainsWanted(const nmc::servo::SetGain& gains);
@@ -68,10 +68,6 @@ signals:
     void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
     /// runs() has changed other than by showKept() or clearRuns(), and must be stored.
     void runsChanged();
-    /// All runs are to be saved, or a picture of those that are shown.
-    void saveRequested(const QString& path, const nmc::FileContent& content);
-    /// One page; the receiver asks for a printer.
-    void printRequested(const QByteArray& pdf);
 
 private:
     void lay();
@@ -92,6 +88,7 @@ private:
     [[nodiscard]] const KeptResponse* find(std::optional<int> number) const;
     [[nodiscard]] QString whyNotUsable(const KeptResponse* run) const;
 
+    Requests& m_requests;
     std::vector<KeptResponse> m_kept;     ///< oldest first
     std::vector<KeptResponse> m_removed;  ///< the one removed last at the end
     ResponseForm* m_form;

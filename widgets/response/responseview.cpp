@@ -15,6 +15,7 @@
 
 #include "widgets/common/look.h"
 #include "widgets/common/picture.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/words.h"
 #include "widgets/response/responseplot.h"
 #include "widgets/response/responsewords.h"
@@ -23,8 +24,9 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-ResponseView::ResponseView(QWidget* parent)
+ResponseView::ResponseView(Requests& requests, QWidget* parent)
     : QWidget(parent),
+      m_requests(requests),
       m_plot(new ResponsePlot(this)),
       m_readings(new QTableWidget(0, 4, this)),
       m_bar(new QHBoxLayout),
@@ -92,7 +94,7 @@ void ResponseView::buildMenu() {
     m_menu->addSeparator();
     add(u"responsePrintAction"_s, tr("P&rint…"),
         tr("Prints the visible plot on one of this computer's printers."),
-        [this] { emit printRequested(pdfOf(picture())); });
+        [this] { emit m_requests.print(pdfOf(picture())); });
     add(u"responseCopyAction"_s, tr("&Copy picture"), tr("Copies the visible plot to the clipboard."),
         [this] { copy(); });
     QToolButton* button = newButton(u"responsePictureButton"_s, tr("Picture"),
@@ -179,12 +181,12 @@ void ResponseView::save(Kind kind, const QString& path) {
     m_folder = QFileInfo(path).absolutePath();
     switch (kind) {
         case Kind::Png:
-            return emit saveRequested(path,
-                                      [image = imageOf(picture())] { return pngOf(image).toStdString(); });
+            return emit m_requests.save(path,
+                                        [image = imageOf(picture())] { return pngOf(image).toStdString(); });
         case Kind::Svg:
-            return emit saveRequested(path, [svg = svgOf(picture())] { return svg.toStdString(); });
+            return emit m_requests.save(path, [svg = svgOf(picture())] { return svg.toStdString(); });
         case Kind::Pdf:
-            return emit saveRequested(path, [pdf = pdfOf(picture())] { return pdf.toStdString(); });
+            return emit m_requests.save(path, [pdf = pdfOf(picture())] { return pdf.toStdString(); });
     }
 }
 

@@ -16,6 +16,7 @@ class QToolButton;
 namespace nmc {
 
 struct Picture;
+class Requests;
 class ResponsePlot;
 
 /// The step plot with its buttons, the readings of its cursors, and the export of its picture.
@@ -23,7 +24,7 @@ class ResponseView : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ResponseView(QWidget* parent = nullptr);
+    explicit ResponseView(Requests& requests, QWidget* parent = nullptr);
 
     [[nodiscard]] ResponsePlot& plot() { return *m_plot; }
     /// As ResponsePlot::showRuns().
@@ -31,11 +32,6 @@ public:
                   const std::vector<const KeptResponse*>& others);
     /// Adds a control beside its buttons.
     void addControl(QWidget* control);
-
-signals:
-    void saveRequested(const QString& path, const nmc::FileContent& content);
-    /// One page; the receiver asks for a printer.
-    void printRequested(const QByteArray& pdf);
 
 private:
     enum class Kind : std::uint8_t { Png, Svg, Pdf };
@@ -49,6 +45,7 @@ private:
     void copy();
     [[nodiscard]] Picture picture() const;
 
+    Requests& m_requests;
     ResponsePlot* m_plot;
     QTableWidget* m_readings;
     QHBoxLayout* m_bar;

@@ -15,6 +15,7 @@
 #include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/picture.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/words.h"
 #include "widgets/scope/scopestrips.h"
 
@@ -111,7 +112,8 @@ QStringList captionOf(const ScopeOrigin& origin, const QString& title, double le
 
 }  // namespace
 
-ScopeExport::ScopeExport(QWidget* panel) : QObject(panel), m_panel(panel), m_menu(new QMenu(panel)) {
+ScopeExport::ScopeExport(Requests& requests, QWidget* panel)
+    : QObject(panel), m_requests(requests), m_panel(panel), m_menu(new QMenu(panel)) {
     m_menu->setTitle(tr("Export"));
     m_menu->setToolTipsVisible(true);
     look::name(m_menu, u"scopeExportMenu"_s, tr("Export"));
@@ -180,21 +182,21 @@ void ScopeExport::take(ScopeStrips& strips, const History& history, double now, 
                           }};
     switch (wanted.kind) {
         case Kind::Csv:
-            emit saveRequested(wanted.path, contentOf(seenOf(strips, history, wanted.form), strips.modules(),
-                                                      origin, wanted.form));
+            emit m_requests.save(wanted.path, contentOf(seenOf(strips, history, wanted.form),
+                                                        strips.modules(), origin, wanted.form));
             break;
         case Kind::Png:
-            emit saveRequested(wanted.path,
-                               [image = imageOf(picture)] { return pngOf(image).toStdString(); });
+            emit m_requests.save(wanted.path,
+                                 [image = imageOf(picture)] { return pngOf(image).toStdString(); });
             break;
         case Kind::Svg:
-            emit saveRequested(wanted.path, [svg = svgOf(picture)] { return svg.toStdString(); });
+            emit m_requests.save(wanted.path, [svg = svgOf(picture)] { return svg.toStdString(); });
             break;
         case Kind::Pdf:
-            emit saveRequested(wanted.path, [pdf = pdfOf(picture)] { return pdf.toStdString(); });
+            emit m_requests.save(wanted.path, [pdf = pdfOf(picture)] { return pdf.toStdString(); });
             break;
         case Kind::Printer:
-            emit printRequested(pdfOf(picture));
+            emit m_requests.print(pdfOf(picture));
             break;
         case Kind::Clipboard:
             copy(imageOf(picture), fewSamples(seenOf(strips, history), strips.modules(), origin));

@@ -14,6 +14,7 @@ class QMenu;
 
 namespace nmc {
 
+class Requests;
 class ScopeStrips;
 
 /// Makes the content of a file. A call may take a second, and may come from any thread.
@@ -25,7 +26,7 @@ class ScopeExport : public QObject {
     Q_OBJECT
 
 public:
-    explicit ScopeExport(QWidget* panel);
+    ScopeExport(Requests& requests, QWidget* panel);
 
     [[nodiscard]] QMenu* menu() const { return m_menu; }
     /// Carries out the export that was requested, if any; call it after each frame, with the time of that
@@ -36,8 +37,6 @@ public:
 signals:
     /// take() must be called soon.
     void frameWanted();
-    void saveRequested(const QString& path, const nmc::FileContent& content);
-    void printRequested(const QByteArray& pdf);
 
 private:
     enum class Kind : std::uint8_t { Csv, Png, Svg, Pdf, Clipboard, Printer };
@@ -52,6 +51,7 @@ private:
     void want(const Wanted& wanted);
     static void copy(const QImage& image, const std::string& samples);
 
+    Requests& m_requests;
     QWidget* m_panel;
     QMenu* m_menu;
     QString m_folder;

@@ -28,10 +28,10 @@ const QString kRecordingFileSuffix = QString::fromLatin1(kRecordingSuffix.data()
 
 }  // namespace
 
-ScopeFiles::ScopeFiles(QWidget* panel)
+ScopeFiles::ScopeFiles(Requests& requests, QWidget* panel)
     : QWidget(panel),
       m_panel(panel),
-      m_export(panel),
+      m_export(requests, panel),
       m_record(new QAction(panel)),
       m_open(new QAction(tr("Open &recording…"), panel)),
       m_under(new QAction(tr("Over&lay a recording…"), panel)) {
@@ -51,8 +51,6 @@ ScopeFiles::ScopeFiles(QWidget* panel)
     connect(m_underRow.button, &QPushButton::clicked, this, &ScopeFiles::underRemoved);
     connect(m_recordingRow.button, &QPushButton::clicked, this, &ScopeFiles::recordingEndRequested);
     connect(m_openingRow.button, &QPushButton::clicked, this, &ScopeFiles::openingCancelled);
-    connect(&m_export, &ScopeExport::saveRequested, this, &ScopeFiles::saveRequested);
-    connect(&m_export, &ScopeExport::printRequested, this, &ScopeFiles::printRequested);
 
     m_record->setObjectName(u"scopeRecordAction"_s);
     m_record->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));

@@ -12,6 +12,8 @@ class QPushButton;
 
 namespace nmc {
 
+class Requests;
+
 /// The file functions of the scope: recording to a file, opening one, showing one under the live traces, and
 /// exporting. Asks for file names and shows the progress, in a row for each activity; other classes carry
 /// them out.
@@ -29,7 +31,7 @@ public:
         double share = 0;  ///< 0 to 1
     };
 
-    explicit ScopeFiles(QWidget* panel);
+    ScopeFiles(Requests& requests, QWidget* panel);
 
     [[nodiscard]] QAction* recordAction() const { return m_record; }
     [[nodiscard]] QAction* openAction() const { return m_open; }
@@ -55,9 +57,6 @@ signals:
     void underMoved(double share);
     void underRemoved();
     void openingCancelled();
-    void saveRequested(const QString& path, const nmc::FileContent& content);
-    /// One page; the receiver asks for a printer.
-    void printRequested(const QByteArray& pdf);
 
 private:
     struct Row {

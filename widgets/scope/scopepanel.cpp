@@ -32,11 +32,11 @@ constexpr double kBehindEvent = 0.5;
 constexpr int kEnoughRows = 32;
 }  // namespace
 
-ScopePanel::ScopePanel(QWidget* parent)
+ScopePanel::ScopePanel(Requests& requests, QWidget* parent)
     : QWidget(parent),
       m_layout(new QVBoxLayout(this)),
       m_bar(new ScopeBar(this)),
-      m_files(new ScopeFiles(this)),
+      m_files(new ScopeFiles(requests, this)),
       m_trigger(new TriggerControl(new TriggerBar(this))) {
     look::name(this, u"scopePanel"_s, tr("Scope"));
     setAcceptDrops(true);

@@ -18,6 +18,7 @@ class QVBoxLayout;
 namespace nmc {
 
 class CursorPanel;
+class Requests;
 class ScopeBar;
 class ScopeFiles;
 class ScopeStrips;
@@ -31,7 +32,7 @@ class ScopePanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ScopePanel(QWidget* parent = nullptr);
+    explicit ScopePanel(Requests& requests, QWidget* parent = nullptr);
     ~ScopePanel() override;
 
     /// How to read the live samples, and which module is selected.
