@@ -9137,6 +9137,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Motion</source>
         <translation>Bewegung</translation>
     </message>
+    <message>
+        <source>The pages of this module.</source>
+        <translation>Die Seiten dieses Moduls.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModulePanel</name>

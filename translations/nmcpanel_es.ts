@@ -9137,6 +9137,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Motion</source>
         <translation>Movimiento</translation>
     </message>
+    <message>
+        <source>The pages of this module.</source>
+        <translation>Las páginas de este módulo.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModulePanel</name>

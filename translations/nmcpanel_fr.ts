@@ -9137,6 +9137,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Motion</source>
         <translation>Mouvement</translation>
     </message>
+    <message>
+        <source>The pages of this module.</source>
+        <translation>Les pages de ce module.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModulePanel</name>

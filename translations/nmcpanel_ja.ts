@@ -9118,6 +9118,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Motion</source>
         <translation>動作</translation>
     </message>
+    <message>
+        <source>The pages of this module.</source>
+        <translation>このモジュールのページです。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModulePanel</name>

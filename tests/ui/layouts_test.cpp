@@ -68,6 +68,31 @@ TEST_F(LayoutsTest, TuneGivesTwoThirdsToThePlotsWithGainsAndStepBesideThem) {
         expectWhole(QLatin1String(name));
 }
 
+/// No tab hides behind the arrows of its bar, whatever the layout, the module and the size of the window.
+TEST_F(LayoutsTest, NoTabBarHasScrollArrows) {
+    for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1456, 952)}) {
+        window->resize(size);
+        for (const ModuleIdentity& identity :
+             {ModuleIdentity{ModuleType::Servo, 4}, ModuleIdentity{ModuleType::Servo, 10},
+              ModuleIdentity{ModuleType::Stepper, 1}, ModuleIdentity{ModuleType::Io, 1}}) {
+            ModuleState module;
+            module.info.identity = identity;
+            module.info.address = BusAddress(1);
+            window->showLink(connectedTo({module}));
+            for (const Qt::Key layout : {Qt::Key_1, Qt::Key_2, Qt::Key_3}) {
+                strike(layout, Qt::ControlModifier);
+                for (const QTabBar* bar : window->findChildren<QTabBar*>())
+                    for (const QToolButton* arrow : bar->findChildren<QToolButton*>())
+                        EXPECT_FALSE(arrow->isVisible())
+                            << size.width() << ", layout " << layout - Qt::Key_0 << ", "
+                            << bar->parentWidget()->objectName().toStdString() << ", version "
+                            << static_cast<int>(identity.version) << ": " << bar->count() << " tabs in "
+                            << bar->width();
+            }
+        }
+    }
+}
+
 /// On X11, the keys of the digits 1 to 8 have the codes 10 to 17, and type these characters without Shift.
 TEST_F(LayoutsTest, AreChosenByTheKeysOfDigitsWhereTheseAreShifted) {
     const QString azerty = u"&é\"'(-è_"_s;

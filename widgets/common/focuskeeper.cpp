@@ -45,8 +45,12 @@ bool FocusKeeper::eventFilter(QObject* watched, QEvent* event) {
 
 void keepFocusOnTabs(QTabWidget& pages) {
     QObject::connect(&pages, &QTabWidget::currentChanged, &pages, [&pages] {
-        if (const QWidget* focused = pages.window()->focusWidget();
-            focused != nullptr && pages.isAncestorOf(focused))
+        QWidget* focused = pages.window()->focusWidget();
+        if (focused == nullptr || !pages.isAncestorOf(focused))
+            return;
+        if (pages.tabBar()->isHidden())
+            focused->clearFocus();
+        else
             pages.tabBar()->setFocus(Qt::OtherFocusReason);
     });
 }

@@ -102,6 +102,11 @@ public:
                             *this, option);
         QProxyStyle::drawComplexControl(control, option, painter, widget);
     }
+    /// Half of Fusion's space beside the words of a tab, so that more tabs fit into a bar.
+    int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+        const int pixels = QProxyStyle::pixelMetric(metric, option, widget);
+        return metric == PM_TabBarTabHSpace ? pixels / 2 : pixels;
+    }
     /// Caches the icons, because Fusion decodes its images each time, and each dock requests two of them
     /// again and again.
     QIcon standardIcon(StandardPixmap which, const QStyleOption* option,

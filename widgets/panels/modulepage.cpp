@@ -15,6 +15,7 @@
 
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/palettes.h"
 #include "widgets/common/scrolled.h"
@@ -77,6 +78,13 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     pages->tabBar()->setAccessibleName(pages->accessibleName());
     pages->tabBar()->setObjectName(pages->objectName() + u"Bar"_s);
     keepFocusOnTabs(*pages);
+    m_pageList = form::newChoice({.name = pages->objectName() + u"List"_s,
+                                  .accessible = pages->accessibleName(),
+                                  .meaning = tr("The pages of this module.")},
+                                 this);
+    m_pageList->hide();
+    connect(m_pageList, &QComboBox::activated, pages, &QTabWidget::setCurrentIndex);
+    connect(pages, &QTabWidget::currentChanged, m_pageList, &QComboBox::setCurrentIndex);
     const int unit = look::gridUnit(this);
     auto* left = new QWidget;
     motions->setContentsMargins(0, 0, 0, unit);
@@ -89,7 +97,7 @@ void ModulePage::layOut(QWidget* head, QLayout* motions, QTabWidget* pages) {
     m_columns->setContentsMargins(unit, 0, unit, 0);
     m_columns->setSpacing(unit);
     m_columns->addWidget(m_motions, 1);
-    m_columns->addWidget(pages, 1);
+    m_columns->addLayout(form::newColumn(this, {m_pageList, {pages, 1}}, 0.5), 1);
     auto* heading = new QHBoxLayout;
     heading->setContentsMargins(unit, unit / 2, unit, unit / 2);
     heading->addWidget(head);
@@ -139,9 +147,21 @@ void ModulePage::resizeEvent(QResizeEvent* event) {
     fit(pageWidth());
 }
 
+/// A list of the pages replaces their tabs if these do not fit, instead of arrows that hide some of them.
+void ModulePage::offerPages() {
+    const bool list = m_pages->tabBar()->sizeHint().width() > pageWidth() + scrollBarWidth();
+    m_pages->tabBar()->setVisible(!list);
+    m_pageList->setVisible(list);
+    m_pageList->clear();
+    for (int i = 0; i < m_pages->count(); ++i)
+        m_pageList->addItem(m_pages->tabText(i).replace(u"&&"_s, u"&"_s));
+    m_pageList->setCurrentIndex(m_pages->currentIndex());
+}
+
 /// Labels of fields wrap before a page scrolls sideways, and rows fold if that is not enough. Labels may not
 /// wrap earlier, because a label that may wrap does so even if there is room.
 void ModulePage::fit(int width) {
+    offerPages();
     fitPages(width);
     for (int i = 0; i < m_pages->count(); ++i) {
         const auto* area = qobject_cast<QScrollArea*>(m_pages->widget(i));

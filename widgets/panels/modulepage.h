@@ -6,6 +6,7 @@
 
 #include "widgets/panels/modulecontext.h"
 
+class QComboBox;
 class QHBoxLayout;
 class QLayout;
 class QScrollArea;
@@ -69,11 +70,13 @@ private:
     [[nodiscard]] int motionsWidth() const;
     [[nodiscard]] int pageWidth() const;
     void fit(int width);
+    void offerPages();
     /// In operator mode, disables pages with fields that the operator may not use.
     void lockPages();
 
     std::optional<OperatorRights> m_lockedFor;
     QTabWidget* m_pages = nullptr;
+    QComboBox* m_pageList = nullptr;  ///< instead of the tabs, if these do not fit
     QScrollArea* m_motions = nullptr;
     QHBoxLayout* m_columns = nullptr;
     int m_columnWidth = 0;                  ///< pixels; the least width of the motions
