@@ -305,7 +305,7 @@ class Package(Folder):
         self.assertEqual(self.field("Version"), f"{version}-1")
         self.assertEqual(self.field("Section"), "electronics")
         self.assertRegex(self.field("Maintainer"), r"^.+ <.+@.+>$")
-        for library in ("libqt6widgets6", "libqt6charts6", "libqt6svg6", "libqt6serialport6"):
+        for library in ("libqt6widgets6", "libqt6svg6", "libqt6serialport6"):
             self.assertRegex(self.field("Depends"), rf"\b{re.escape(library)} \(>= ")
         for recommended in ("fonts-noto-cjk", "libsdl2-2.0-0", "qt6-translations-l10n", "qt6-wayland"):
             self.assertIn(recommended, self.field("Recommends"))

@@ -33,8 +33,8 @@ private:
     QPointer<QWidget> m_left;  ///< the control that could no longer keep the focus
 };
 
-/// When the user turns a page, moves the focus to the tab bar instead of a button on the new page; if there is
-/// no tab bar, nothing gets it.
+/// When the user turns a page, moves the focus to the tab bar instead of a button on the new page; if there
+/// is no tab bar, nothing gets it.
 void keepFocusOnTabs(QTabWidget& pages);
 
 }  // namespace nmc

@@ -25,7 +25,7 @@ SquarePlot::SquarePlot(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setToolTip(tr(
         "All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains."));
-    connect(&m_backdrop, &ChartBackdrop::changed, this, qOverload<>(&QWidget::update));
+    connect(&m_frame, &PlotFrame::changed, this, qOverload<>(&QWidget::update));
     adoptPalette();
     fit();
 }
@@ -55,16 +55,16 @@ void SquarePlot::showFold(const Fold& now, const Fold& before, const AxisScale& 
     if (!now.forward.empty() || !now.back.empty())
         m_command << QPointF(-toSeconds(kBeforeStep), -side) << QPointF(0, -side) << QPointF(0, side)
                   << QPointF(now.half, side) << QPointF(now.half, -side) << QPointF(2 * now.half, -side);
-    m_backdrop.setLegend(m_command.empty() ? std::vector<ChartBackdrop::LegendEntry>{}
-                                           : std::vector<ChartBackdrop::LegendEntry>{
-                                                 {tr("median, %1").arg(texts::unitOf(scale)),
-                                                  look::traceColour(0, palette()), false},
-                                                 {tr("command"), look::mutedText(palette()), true}});
+    m_frame.setLegend(m_command.empty() ? std::vector<PlotFrame::LegendEntry>{}
+                                        : std::vector<PlotFrame::LegendEntry>{
+                                              {tr("median, %1").arg(texts::unitOf(scale)),
+                                               look::traceColour(0, palette()), false},
+                                              {tr("command"), look::mutedText(palette()), true}});
     fit();
 }
 
 void SquarePlot::adoptPalette() {
-    m_backdrop.setLook(palette(), look::tabular(look::scaled(font(), 0.9)));
+    m_frame.setLook(palette(), look::tabular(look::scaled(font(), 0.9)));
     update();
 }
 
@@ -80,12 +80,12 @@ void SquarePlot::fit() {
     const int em = fontMetrics().height();
     const int rows = std::clamp((height() - 3 * em) * 2 / (em * 3), 2, 8);
     const AxisRange::Range range = AxisRange::around(all.top(), all.bottom(), 0, rows);
-    m_backdrop.setValueAxis(range.min, range.max, range.step);
-    m_backdrop.setMargins(m_backdrop.labelWidth(), em * 3 / 2, em);
+    m_frame.setValueAxis(range.min, range.max, range.step);
+    m_frame.setMargins(m_frame.labelWidth(), em * 3 / 2, em);
     const int columns = std::clamp(width() / (em * 5), 2, 10);
     const double division = TimeWindow::nice(all.width() / columns);
-    m_backdrop.setTimeAxis(all.left(), all.right(), division, division);
-    m_geometry = {m_backdrop.plotArea(), all.left(), all.right(), range.min, range.max};
+    m_frame.setTimeAxis(all.left(), all.right(), division, division);
+    m_geometry = {m_frame.plotArea(), all.left(), all.right(), range.min, range.max};
     update();
 }
 
@@ -99,8 +99,8 @@ QPolygonF SquarePlot::placed(const QPolygonF& line) const {
 
 void SquarePlot::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    painter.drawPixmap(0, 0, m_backdrop.picture(devicePixelRatioF()));
-    m_geometry.area = m_backdrop.plotArea();
+    painter.drawPixmap(0, 0, m_frame.picture(devicePixelRatioF()));
+    m_geometry.area = m_frame.plotArea();
     if (m_geometry.empty())
         return;
     painter.setRenderHint(QPainter::Antialiasing);
@@ -132,11 +132,12 @@ void SquarePlot::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(look::traceColour(0, palette()), kTraceWidth));
     for (const Curve& curve : m_now)
         painter.drawPolyline(placed(curve.median));
+    m_frame.paintLegend(painter);
 }
 
 void SquarePlot::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    m_backdrop.resize(size());
+    m_frame.resize(size());
     fit();
 }
 

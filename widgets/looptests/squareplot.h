@@ -7,7 +7,7 @@
 
 #include "model/response/edgefold.h"
 #include "model/settings/axisscale.h"
-#include "widgets/scope/chartbackdrop.h"
+#include "widgets/scope/plotframe.h"
 #include "widgets/scope/tracedrawing.h"
 
 namespace nmc {
@@ -46,7 +46,7 @@ private:
     void fit();
     [[nodiscard]] QPolygonF placed(const QPolygonF& line) const;
 
-    ChartBackdrop m_backdrop;
+    PlotFrame m_frame;
     PlotGeometry m_geometry;
     std::vector<Curve> m_now;
     std::vector<Curve> m_before;

@@ -42,7 +42,7 @@ ResponsePlot::ResponsePlot(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setToolTip(tr(
         "Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time."));
-    connect(&m_backdrop, &ChartBackdrop::changed, this, qOverload<>(&QWidget::update));
+    connect(&m_frame, &PlotFrame::changed, this, qOverload<>(&QWidget::update));
     adoptPalette();
     fit();
 }
@@ -88,7 +88,7 @@ void ResponsePlot::showRuns(const KeptResponse* a, const KeptResponse* b,
     const AxisScale* scaleOfB = b == nullptr ? nullptr : oneModule ? &a->scale : &b->scale;
     m_curves[1] = b != nullptr ? std::optional(curveOf(*b, *scaleOfB)) : std::nullopt;
     m_strips.show(a, b, scaleOfB);
-    m_backdrop.resize(QSizeF(width(), height() - stripsHeight()));
+    m_frame.resize(QSizeF(width(), height() - stripsHeight()));
     adoptPalette();
     fit();
 }
@@ -116,8 +116,8 @@ void ResponsePlot::showModel(const KeptResponse* about, const std::vector<Respon
 }
 
 void ResponsePlot::adoptPalette() {
-    m_backdrop.setLook(palette(), look::tabular(look::scaled(font(), 0.9)));
-    std::vector<ChartBackdrop::LegendEntry> legend;
+    m_frame.setLook(palette(), look::tabular(look::scaled(font(), 0.9)));
+    std::vector<PlotFrame::LegendEntry> legend;
     for (std::size_t i = 0; i < m_curves.size(); ++i)
         if (m_curves[i])
             legend.push_back(
@@ -128,7 +128,7 @@ void ResponsePlot::adoptPalette() {
         legend.push_back({tr("predicted"), colour(kPrediction), true});
     if (!legend.empty())
         legend.push_back({tr("goal"), look::mutedText(palette()), true});
-    m_backdrop.setLegend(legend);
+    m_frame.setLegend(legend);
     update();
 }
 
@@ -169,12 +169,12 @@ void ResponsePlot::fit() {
     AxisRange::Range range{view.bottom, view.top, TimeWindow::nice((view.top - view.bottom) / rows)};
     if (!m_view)
         range = AxisRange::around(view.bottom, view.top, 0, rows);
-    m_backdrop.setValueAxis(range.min, range.max, range.step);
-    m_backdrop.setMargins(m_backdrop.labelWidth() + em * 5 / 4, em * 3 / 2, em * 9 / 4);
+    m_frame.setValueAxis(range.min, range.max, range.step);
+    m_frame.setMargins(m_frame.labelWidth() + em * 5 / 4, em * 3 / 2, em * 9 / 4);
     const int columns = std::clamp(width() / (em * 5), 2, 10);
     const double division = TimeWindow::nice((view.right - view.left) / columns);
-    m_backdrop.setTimeAxis(view.left, view.right, division, division);
-    m_geometry = {m_backdrop.plotArea(), view.left, view.right, range.min, range.max};
+    m_frame.setTimeAxis(view.left, view.right, division, division);
+    m_geometry = {m_frame.plotArea(), view.left, view.right, range.min, range.max};
     emit measured();
     update();
 }
@@ -192,17 +192,17 @@ QPointF ResponsePlot::pointAt(double seconds, double value) const {
 void ResponsePlot::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Base));
-    painter.drawPixmap(0, 0, m_backdrop.picture(devicePixelRatioF()));
+    painter.drawPixmap(0, 0, m_frame.picture(devicePixelRatioF()));
     paintOver(painter);
 }
 
 void ResponsePlot::renderTo(QPainter& painter) {
-    m_backdrop.render(painter);
+    m_frame.render(painter);
     paintOver(painter);
 }
 
 void ResponsePlot::paintOver(QPainter& painter) {
-    m_geometry.area = m_backdrop.plotArea();
+    m_geometry.area = m_frame.plotArea();
     if (m_geometry.empty())
         return;
     painter.save();
@@ -239,6 +239,7 @@ void ResponsePlot::paintOver(QPainter& painter) {
     pen.setDashPattern(kDashes);
     painter.setPen(pen);
     paintLine(painter, m_geometry, m_predicted);
+    m_frame.paintLegend(painter);
     paintCursors(painter);
     if (m_drag == Drag::Choose) {
         QColor fill = palette().color(QPalette::Highlight);
@@ -530,7 +531,7 @@ void ResponsePlot::keyPressEvent(QKeyEvent* event) {
 
 void ResponsePlot::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    m_backdrop.resize(QSizeF(width(), height() - stripsHeight()));
+    m_frame.resize(QSizeF(width(), height() - stripsHeight()));
     fit();
 }
 

@@ -10,7 +10,7 @@
 
 #include "model/response/responsefile.h"
 #include "widgets/response/responsestrips.h"
-#include "widgets/scope/chartbackdrop.h"
+#include "widgets/scope/plotframe.h"
 #include "widgets/scope/tracedrawing.h"
 
 namespace nmc {
@@ -45,7 +45,7 @@ public:
     /// Draws vectors if the painter supports them.
     void renderTo(QPainter& painter);
 
-    [[nodiscard]] QString legendText(std::size_t entry) const { return m_backdrop.legendText(entry); }
+    [[nodiscard]] QString legendText(std::size_t entry) const { return m_frame.legendText(entry); }
     /// Where this point is drawn; `value` is in the unit of the axis.
     [[nodiscard]] QPointF pointAt(double seconds, double value) const;
     [[nodiscard]] const PlotGeometry& geometryShown() const { return m_geometry; }
@@ -118,7 +118,7 @@ private:
     void paintOthers(QPainter& painter) const;
     [[nodiscard]] QColor colour(std::size_t which) const;
 
-    ChartBackdrop m_backdrop;
+    PlotFrame m_frame;
     std::array<std::optional<Curve>, 2> m_curves;
     std::vector<Curve> m_others;
     QPolygonF m_fitted;

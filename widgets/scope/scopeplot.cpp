@@ -27,13 +27,13 @@ constexpr double kBandRoom = 2.0;         ///< maximum room for a band on either
 
 ScopePlot::ScopePlot(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_OpaquePaintEvent);
-    connect(&m_backdrop, &ChartBackdrop::changed, this, &ScopePlot::paintWanted);
+    connect(&m_frame, &PlotFrame::changed, this, &ScopePlot::paintWanted);
     leaveLeft(0);
     adoptPalette();
 }
 
 void ScopePlot::adoptPalette() {
-    m_backdrop.setLook(palette(), look::tabular(look::scaled(font(), 0.9)));
+    m_frame.setLook(palette(), look::tabular(look::scaled(font(), 0.9)));
     setTraces(m_traces);
 }
 
@@ -47,7 +47,7 @@ void ScopePlot::setTraces(std::vector<Trace> traces) {
     m_traces = std::move(traces);
     m_drawings.resize(m_traces.size());
     m_under.resize(m_traces.size());
-    std::vector<ChartBackdrop::LegendEntry> legend;
+    std::vector<PlotFrame::LegendEntry> legend;
     for (std::size_t i = 0; i < m_traces.size(); ++i) {
         const Trace& trace = m_traces[i];
         TraceDrawing& drawing = m_drawings[i];
@@ -64,7 +64,7 @@ void ScopePlot::setTraces(std::vector<Trace> traces) {
                                   : tr("%1 · %2/s").arg(trace.label, rate);
         legend.push_back({label, drawing.colour, drawing.dashed});
     }
-    m_backdrop.setLegend(legend);
+    m_frame.setLegend(legend);
 }
 
 void ScopePlot::setTimeLabels(bool shown) {
@@ -91,7 +91,7 @@ void ScopePlot::showFrame(const View& view, const History& history, double now, 
     take(m_under, under != nullptr ? under->zero() : view.zero, [&](const ModuleSignal& of) {
         return under != nullptr ? under->source(of) : DerivedSignals::Source{};
     });
-    m_backdrop.setTimeAxis(view.left, view.right, view.division, m_timeLabels ? 2 * view.division : 0);
+    m_frame.setTimeAxis(view.left, view.right, view.division, m_timeLabels ? 2 * view.division : 0);
     fitValues(now);
     noteBand();
     emit paintWanted();
@@ -153,7 +153,7 @@ void ScopePlot::setValueAxis(const AxisRange::Range& range) {
     // A fitted axis ends at labels; one that the user has moved stays where it was put.
     m_geometry.bottom = m_manual ? range.min : std::floor(range.min / interval + 1e-9) * interval;
     m_geometry.top = m_manual ? range.max : std::ceil(range.max / interval - 1e-9) * interval;
-    m_backdrop.setValueAxis(m_geometry.bottom, m_geometry.top, interval);
+    m_frame.setValueAxis(m_geometry.bottom, m_geometry.top, interval);
 }
 
 void ScopePlot::forget() {
@@ -208,7 +208,7 @@ void ScopePlot::panValues(double share) {
 
 void ScopePlot::leaveLeft(int width) {
     const int em = fontMetrics().height();
-    m_backdrop.setMargins(width, em * 3 / 2, m_timeLabels ? em : em / 2);
+    m_frame.setMargins(width, em * 3 / 2, m_timeLabels ? em : em / 2);
 }
 
 AxisRange::Range ScopePlot::valueRange() const {
@@ -219,12 +219,12 @@ AxisRange::Range ScopePlot::valueRange() const {
 
 void ScopePlot::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    painter.drawPixmap(0, 0, m_backdrop.picture(devicePixelRatioF()));
+    painter.drawPixmap(0, 0, m_frame.picture(devicePixelRatioF()));
     paintOver(painter);
 }
 
 void ScopePlot::renderTo(QPainter& painter) {
-    m_backdrop.render(painter);
+    m_frame.render(painter);
     paintOver(painter);
 }
 
@@ -240,6 +240,7 @@ void ScopePlot::paintOver(QPainter& painter) {
         drawing.paint(painter, m_geometry);
     for (const TraceDrawing& drawing : m_drawings)
         drawing.paint(painter, m_geometry);
+    m_frame.paintLegend(painter);
     for (const Trace& trace : m_traces)
         for (const double limit : trace.limits)
             if (limit >= m_geometry.bottom && limit <= m_geometry.top) {
@@ -291,7 +292,7 @@ void ScopePlot::paintCursors(QPainter& painter) const {
 
 void ScopePlot::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    m_backdrop.resize(size());
+    m_frame.resize(size());
     m_geometry.area = plotArea();
 }
 

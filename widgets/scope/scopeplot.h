@@ -8,7 +8,7 @@
 
 #include "model/scope/derivedsignals.h"
 #include "widgets/scope/axisrange.h"
-#include "widgets/scope/chartbackdrop.h"
+#include "widgets/scope/plotframe.h"
 #include "widgets/scope/scopemodule.h"
 #include "widgets/scope/tracedrawing.h"
 
@@ -72,14 +72,14 @@ public:
 
     /// For aligning strips: the width that the labels to the left of the plot area need; leaveLeft() sets the
     /// width that they get.
-    [[nodiscard]] int labelWidth() const { return m_backdrop.labelWidth(); }
+    [[nodiscard]] int labelWidth() const { return m_frame.labelWidth(); }
     void leaveLeft(int width);
 
-    [[nodiscard]] QRectF plotArea() const { return m_backdrop.plotArea(); }
+    [[nodiscard]] QRectF plotArea() const { return m_frame.plotArea(); }
     [[nodiscard]] AxisRange::Range valueRange() const;
     /// The note about a band that the strip does not show completely; empty if it does.
     [[nodiscard]] const QString& bandNotice() const { return m_bandNotice; }
-    [[nodiscard]] QString legendText(std::size_t trace) const { return m_backdrop.legendText(trace); }
+    [[nodiscard]] QString legendText(std::size_t trace) const { return m_frame.legendText(trace); }
     /// Draws vectors if the painter supports them.
     void renderTo(QPainter& painter);
     [[nodiscard]] QSize sizeHint() const override;
@@ -119,7 +119,7 @@ private:
     [[nodiscard]] double smallestSpan() const;
     [[nodiscard]] std::optional<int> cursorAt(const QPointF& position) const;
 
-    ChartBackdrop m_backdrop;
+    PlotFrame m_frame;
     std::vector<Trace> m_traces;
     std::vector<TraceDrawing> m_drawings;
     std::vector<TraceDrawing> m_under;  ///< of the recording under the traces, in the order of m_traces
