@@ -3,6 +3,7 @@
 // hand.
 #include <gtest/gtest.h>
 
+#include "model/intent/jog.h"
 #include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
 #include "tests/model/stepperfixture.h"
@@ -33,6 +34,21 @@ TEST(StepperTravel, ARunOfAStepperIsAMoveToTheLimit) {
     const auto& load = std::get<stepper::LoadTrajectory>(std::get<StepperCommand>(steps->front().command));
     EXPECT_EQ(load.position, Counts(-1'000));
     EXPECT_EQ(load.speed, 40);
+}
+
+/// Minimum profile speed 4 at 25 steps/s each; 149 steps/s are speed 5, not 6.
+TEST(StepperTravel, AJogIsRefusedAtTheEndAndIsNeverFasterThanRequested) {
+    const AxisSettings axis;
+    const Stepper end = limitedStepper(2'000);
+    EXPECT_EQ(jogRange(end.module, axis), (JogRange{100, 1'000, 100}));
+    const auto forward = jog(end.module, axis, 149, false);
+    ASSERT_TRUE(forward);
+    EXPECT_EQ(forward->pace, (bus::StepperPace{5, 40}));
+    EXPECT_EQ(whyNot(*forward, end.module), Refusal::AtTravelEnd);
+    EXPECT_FALSE(whyNot(*jog(end.module, axis, 149, true), end.module));
+    Stepper unknown;
+    unknown.says(kStepPower);
+    EXPECT_FALSE(jog(unknown.module, axis, 149, true)) << "speed 5 of what?";
 }
 
 TEST(StepperTravel, StepsBeyondAreRefusedAlsoRelativeOnes) {

@@ -6,6 +6,7 @@
 
 #include "model/intent/backlash.h"
 #include "model/intent/homingplan.h"
+#include "model/intent/jog.h"
 #include "tests/model/servofixture.h"
 
 namespace nmc {
@@ -216,6 +217,20 @@ TEST(Travel, HeldMotionHasTheLimitAheadAsItsGoal) {
     open.home.forget();
     EXPECT_FALSE(withinTravel(hold, open)->goal);
     EXPECT_EQ(withinTravel(hold, limited(802)).error().refusal, Refusal::AtTravelEnd);
+}
+
+TEST(Travel, AJogIsRefusedAtTheEndAndHasNoOtherSpeedThanThatOfItsAxis) {
+    AxisSettings axis;
+    const ModuleState end = limited(1'500);
+    const auto forward = jog(end, axis, 0.25, false);
+    ASSERT_TRUE(forward);
+    EXPECT_EQ(forward->velocity.value(), 16'384U) << "a quarter of 65 536";
+    EXPECT_EQ(forward->acceleration.value(), 131U) << "0.002 of 65 536, until it is set";
+    EXPECT_EQ(whyNot(*forward, end), Refusal::AtTravelEnd);
+    EXPECT_FALSE(whyNot(*jog(end, axis, 0.25, true), end));
+    EXPECT_EQ(jogRange(end, axis), (JogRange{1.0 / 65'536, 2.0, 0.25}));
+    axis.travel.fastest = 0.125;
+    EXPECT_EQ(jogRange(end, axis), (JogRange{1.0 / 65'536, 0.125, 0.125}));
 }
 
 TEST(Travel, PwmAndPushesAreRefusedAtTheEnd) {

@@ -220,6 +220,31 @@ TEST_F(StepperPanelTest, StagesParametersAndSendsThemAllAtOnce) {
     EXPECT_EQ(field(u"stepperRunCurrentField"_s)->text(), u"90"_s);
 }
 
+TEST_F(StepperPanelTest, EditsOfParametersAreUndoneAndRedoneAndSendNothing) {
+    window->resize(1'456, 952);
+    Stepper fresh;
+    fresh.says(kStepPower);
+    show(fresh);
+    EXPECT_FALSE(button(u"stepperUndoParametersButton"_s)->isEnabled());
+    type(u"stepperRunCurrentField"_s, u"77"_s);
+    click(u"stepperFillParametersButton"_s);
+    click(u"stepperIgnoreEstopField"_s);
+    EXPECT_TRUE(button(u"stepperIgnoreEstopField"_s)->isChecked());
+    click(u"stepperUndoParametersButton"_s);
+    EXPECT_FALSE(button(u"stepperIgnoreEstopField"_s)->isChecked());
+    EXPECT_EQ(field(u"stepperRunCurrentField"_s)->text(), u"64"_s) << "a starting value";
+    click(u"stepperUndoParametersButton"_s);
+    EXPECT_EQ(field(u"stepperRunCurrentField"_s)->text(), u"77"_s);
+    EXPECT_EQ(find<QComboBox>(u"stepperSpeedModeField"_s)->currentIndex(), -1);
+    click(u"stepperUndoParametersButton"_s);
+    EXPECT_EQ(field(u"stepperRunCurrentField"_s)->text(), QString());
+    EXPECT_EQ(text(u"stepperRunCurrentState"_s), u"? unknown"_s);
+    click(u"stepperRedoParametersButton"_s);
+    EXPECT_EQ(field(u"stepperRunCurrentField"_s)->text(), u"77"_s);
+    EXPECT_EQ(text(u"stepperRunCurrentState"_s), u"● not sent"_s);
+    EXPECT_EQ(intents.size(), 0);
+}
+
 TEST_F(StepperPanelTest, AnEmptyFieldStaysEmptyInAnotherUnit) {
     Stepper first = Stepper::holding();
     Stepper second;

@@ -98,6 +98,7 @@ struct Text {
 /// A label that names the control beside it.
 [[nodiscard]] QLabel* newLabel(const QString& text, QWidget* control);
 void setBold(QLabel* label);
+/// A label in bold.
 [[nodiscard]] QLabel* newHeading(const QString& text, QWidget* box);
 /// A label of plain text in as many lines as it needs. Without `what`, it is a remark that is read out only
 /// with its text. It keeps room for that many `lines`, so that nothing moves when its text changes.
