@@ -10,8 +10,6 @@
 #include "widgets/common/requests.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/mainwindow/settingskeys.h"
-#include "widgets/response/responsedock.h"
-#include "widgets/scope/scopefiles.h"
 
 namespace nmc {
 

@@ -15,8 +15,7 @@ namespace nmc {
 class ChainDialog;
 class Requests;
 
-/// The menu for the chain as a whole, and the dialog that it opens: doctor, groups and baud rate. All
-/// requests are signals.
+/// The menu for the chain as a whole, and the dialog that it opens: doctor, groups and baud rate.
 class ChainMenu : public QObject {
     Q_OBJECT
 

@@ -104,8 +104,8 @@ void setBold(QLabel* label);
 /// with its text. It keeps room for that many `lines`, so that nothing moves when its text changes.
 [[nodiscard]] QLabel* newParagraph(const QString& name, const QString& what, QWidget* box, int lines = 0);
 
-/// What a line, a column or a row of a grid is filled with: a widget, a layout, or nullptr for empty room.
-/// With `stretch`, it takes the room that is left: in a grid, all columns that follow.
+/// What a line, a column or a row of a grid is filled with: a widget, a layout, or nullptr for empty space.
+/// An item with a `stretch` factor takes up the remaining space, which in a grid is all remaining columns.
 class Item {
 public:
     Item(QWidget* widget, int stretch = 0) : m_widget(widget), m_stretch(stretch) {}

@@ -33,7 +33,6 @@ ResponseForm::ResponseForm(Requests& requests, QWidget* parent)
     : QWidget(parent), m_requests(requests), m_lastBand(kFirstBand) {
     look::name(this, u"responseForm"_s, tr("Settings of the next step"));
     auto* grid = new FormGrid(this, 4, {.sides = 0, .ends = 0, .across = 1});
-    grid->setColumnStretch(3, 1);
     buildFields(grid);
     buildButton(grid);
     refresh();
