@@ -444,6 +444,30 @@ TEST_F(ScopeControls, ARecordStandsInPlaceOfWhatIsLiveUntilTheUserGoesBack) {
     EXPECT_LT(plot().valueRange().max, 1'000);
 }
 
+/// A hundred samples a second between -10 and 10, and a peak of so many of them.
+TEST_F(ScopeControls, TheAxisShowsWhatLastsAndNotASpike) {
+    for (const auto& [samples, seen] : {std::pair{1, false}, std::pair{2, true}}) {
+        HandMadeHistory peak;
+        for (int i = 0; i <= 2'000; ++i)
+            peak.add(i / 100.0, i >= 1'500 && i < 1'500 + samples ? 1'000 : i % 2 == 0 ? 10 : -10);
+        click(u"scopePauseButton"_s);
+        strips().time().show(14.5, 15.5);
+        strips().fitValues();
+        for (int i = 0; i < 2; ++i) {
+            emit strips().timeChanged();
+            window->showHistory(peak.history(), HandMadeHistory::at(20));
+            QApplication::processEvents();
+        }
+        const AxisRange::Range range = plot().valueRange();
+        EXPECT_LE(range.min, -10) << samples;
+        EXPECT_GE(range.max, 10) << samples;
+        EXPECT_EQ(range.max >= 1'000, seen) << range.max;
+        if (!seen) {
+            EXPECT_LE(range.max - range.min, 60) << "three spans of what lasts";
+        }
+    }
+}
+
 TEST_F(ScopeControls, ASpikeOfOneSampleIsSeenAtEveryZoom) {
     HandMadeHistory spike;
     for (int i = 0; i <= 200'000; ++i)
@@ -459,9 +483,11 @@ TEST_F(ScopeControls, ASpikeOfOneSampleIsSeenAtEveryZoom) {
         const QRectF area = plot().plotArea();
         const QImage image = plot().grab().toImage();
         const int x = qRound(area.left() + area.width() / 3);
-        const double top = area.bottom() - (1000 - plot().valueRange().min) /
-                                               (plot().valueRange().max - plot().valueRange().min) *
-                                               area.height();
+        // Its tip, or the mark at the edge of an axis that shows the rest.
+        const double top =
+            qMax(area.top(), area.bottom() - (1000 - plot().valueRange().min) /
+                                                 (plot().valueRange().max - plot().valueRange().min) *
+                                                 area.height());
         int highest = image.height();
         for (int y = static_cast<int>(area.top()); y < static_cast<int>(area.bottom()); ++y)
             for (int dx = -2; dx <= 2; ++dx)

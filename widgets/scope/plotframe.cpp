@@ -15,7 +15,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kLegendOpacity = 200;   ///< of 255: the traces behind it can be made out
+constexpr int kLegendOpacity = 128;   ///< of 255: the traces behind it can be made out
 constexpr double kMarkerWidth = 1.5;  ///< of a line in the legend, in heights of its text
 }  // namespace
 

@@ -22,6 +22,7 @@ namespace {
 constexpr double kWheelPan = 0.1;         ///< share of the visible time, for each notch
 constexpr double kSmallestPart = 1e-4;    ///< share of the smallest span of a fitted axis: zooming ends here
 constexpr float kUnderlayOpacity = 0.4F;  ///< of the recording under the traces
+constexpr double kSpike = 3.0;            ///< spans of everything else from which a spike is out of view
 constexpr double kBandRoom = 2.0;         ///< maximum room for a band on either side, in spans of the signals
 }  // namespace
 
@@ -108,37 +109,32 @@ double ScopePlot::smallestSpan() const {
 void ScopePlot::fitValues(double now) {
     if (m_manual)
         return setValueAxis(*m_manual);
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    double lowBand = low;
-    double highBand = high;
-    for (const TraceDrawing& drawing : m_under) {
-        low = std::min(low, drawing.lowest());
-        high = std::max(high, drawing.highest());
-    }
-    for (const TraceDrawing& drawing : m_drawings) {
-        low = std::min(low, drawing.lowest());
-        high = std::max(high, drawing.highest());
-        lowBand = std::min(lowBand, drawing.lowestBand());
-        highBand = std::max(highBand, drawing.highestBand());
-    }
-    if (low > high)
+    Reach all;
+    Reach steady;
+    for (const auto* drawings : {&m_under, &m_drawings})
+        for (const TraceDrawing& drawing : *drawings) {
+            all.add(drawing.reach());
+            steady.add(drawing.reachWithoutSpikes());
+        }
+    if (all.low > all.high)
         return setValueAxis(m_range.range());
-    // With more room, the signal would look like a straight line.
-    const double room = kBandRoom * std::max(high - low, smallestSpan());
-    setValueAxis(
-        m_range.fit(std::max(lowBand, low - room), std::min(highBand, high + room), now, smallestSpan()));
+    // Fitted to a spike, the axis would show the rest as a straight line; the same holds for the band.
+    const bool spiky = all.span() > kSpike * std::max(steady.span(), smallestSpan());
+    const Reach& reach = spiky ? steady : all;
+    const double room = kBandRoom * std::max(reach.span(), smallestSpan());
+    setValueAxis(m_range.fit(std::max(reach.lowBand, reach.low - room),
+                             std::min(reach.highBand, reach.high + room), now, smallestSpan()));
 }
 
 /// A band that ends where the strip ends would look narrower than it is.
 void ScopePlot::noteBand() {
     m_bandNotice.clear();
     for (const TraceDrawing& drawing : m_drawings)
-        if (drawing.lowestBand() < std::min(m_geometry.bottom, drawing.lowest()) ||
-            drawing.highestBand() > std::max(m_geometry.top, drawing.highest()))
+        if (const Reach& reach = drawing.reach(); reach.lowBand < std::min(m_geometry.bottom, reach.low) ||
+                                                  reach.highBand > std::max(m_geometry.top, reach.high))
             m_bandNotice = tr("The band exceeds the strip: %1 to %2")
-                               .arg(texts::numberAt(drawing.lowestBand(), valueRange().step),
-                                    texts::numberAt(drawing.highestBand(), valueRange().step));
+                               .arg(texts::numberAt(reach.lowBand, valueRange().step),
+                                    texts::numberAt(reach.highBand, valueRange().step));
 }
 
 /// Sets the value axis, with as many labels as there is room for.
@@ -241,6 +237,10 @@ void ScopePlot::paintOver(QPainter& painter) {
     for (const TraceDrawing& drawing : m_drawings)
         drawing.paint(painter, m_geometry);
     m_frame.paintLegend(painter);
+    if (!m_manual)
+        for (const auto* drawings : {&m_under, &m_drawings})
+            for (const TraceDrawing& drawing : *drawings)
+                drawing.paintExceeding(painter, m_geometry, valueRange().step);
     for (const Trace& trace : m_traces)
         for (const double limit : trace.limits)
             if (limit >= m_geometry.bottom && limit <= m_geometry.top) {
@@ -300,10 +300,6 @@ void ScopePlot::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
         adoptPalette();
-}
-
-QSize ScopePlot::sizeHint() const {
-    return {fontMetrics().height() * 40, fontMetrics().height() * 9};
 }
 
 QSize ScopePlot::minimumSizeHint() const {

@@ -82,7 +82,6 @@ public:
     [[nodiscard]] QString legendText(std::size_t trace) const { return m_frame.legendText(trace); }
     /// Draws vectors if the painter supports them.
     void renderTo(QPainter& painter);
-    [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:

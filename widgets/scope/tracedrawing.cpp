@@ -12,9 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "widgets/common/plots.h"
+#include "widgets/scope/scopewords.h"
 
 namespace nmc {
 
@@ -185,10 +185,9 @@ private:
 void TraceDrawing::clear() {
     m_columns.clear();
     m_hasBand = false;
-    m_lowest = std::numeric_limits<double>::infinity();
-    m_highest = -m_lowest;
-    m_lowestBand = m_lowest;
-    m_highestBand = m_highest;
+    m_reach = {};
+    m_highs = m_highBands = m_negatedLows = m_negatedLowBands = {};
+    m_visible = 0;
 }
 
 void TraceDrawing::take(const ModuleHistory& history, ScopeSignal signal, const LinearScale& scale,
@@ -220,10 +219,16 @@ void TraceDrawing::take(const ModuleHistory& history, ScopeSignal signal, const 
             }
             m_columns.push_back(column);
             if (column.right >= geometry.left && column.left <= geometry.right) {
-                m_lowest = std::min(m_lowest, low);
-                m_highest = std::max(m_highest, high);
-                m_lowestBand = std::min({m_lowestBand, column.bandLow, column.bandHigh});
-                m_highestBand = std::max({m_highestBand, column.bandLow, column.bandHigh});
+                if (low < m_reach.low)
+                    m_lowestAt = column.left;
+                if (high > m_reach.high)
+                    m_highestAt = column.left;
+                m_reach.add({low, high, column.bandLow, column.bandHigh});
+                m_highs.add(high);
+                m_highBands.add(column.bandHigh);
+                m_negatedLows.add(-low);
+                m_negatedLowBands.add(-column.bandLow);
+                ++m_visible;
             }
         }
         beforeKnown = extremes.known();
@@ -245,6 +250,36 @@ void TraceDrawing::paint(QPainter& painter, const PlotGeometry& geometry) const 
         paintLines(painter, geometry);
     if (!tag.isEmpty())
         paintTag(painter, geometry);
+}
+
+void TraceDrawing::paintExceeding(QPainter& painter, const PlotGeometry& geometry, double step) const {
+    const QFontMetricsF metrics(painter.font());
+    const double size = metrics.xHeight();
+    const auto mark = [&](double at, double value, double edge, double inwards) {
+        const double x =
+            std::clamp(geometry.x(at), geometry.area.left() + size, geometry.area.right() - size);
+        painter.setBrush(colour);
+        painter.setPen(Qt::NoPen);
+        painter.drawPolygon(QPolygonF{QPointF(x, edge), QPointF(x - size, edge + inwards * 1.5 * size),
+                                      QPointF(x + size, edge + inwards * 1.5 * size)});
+        const QString text = texts::numberAt(value, step);
+        const double width = metrics.horizontalAdvance(text);
+        const bool fits = x + 2 * size + width < geometry.area.right();
+        painter.setPen(colour);
+        painter.drawText(QPointF(fits ? x + 2 * size : x - 2 * size - width,
+                                 edge + (inwards > 0 ? metrics.ascent() : -metrics.descent())),
+                         text);
+    };
+    if (m_reach.high > geometry.top)
+        mark(m_highestAt, m_reach.high, geometry.area.top(), 1);
+    if (m_reach.low < geometry.bottom)
+        mark(m_lowestAt, m_reach.low, geometry.area.bottom(), -1);
+}
+
+Reach TraceDrawing::reachWithoutSpikes() const {
+    constexpr std::size_t kColumnsForASpike = 100;
+    const std::size_t i = std::min(m_visible / kColumnsForASpike, m_highs.values.size() - 1);
+    return {-m_negatedLows.values[i], m_highs.values[i], -m_negatedLowBands.values[i], m_highBands.values[i]};
 }
 
 double TraceDrawing::dashesPerSecond(const PlotGeometry& geometry) {
