@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QTabWidget>
 
+#include "widgets/scope/scopepanel.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -66,6 +67,31 @@ TEST_F(LayoutsTest, TuneGivesTwoThirdsToThePlotsWithGainsAndStepBesideThem) {
                              "stateLabel",     "positionLabel",    "responsePlot",   "responseRunTable",
                              "responseResults"})
         expectWhole(QLatin1String(name));
+}
+
+/// It is the error that one tunes by.
+TEST_F(LayoutsTest, TuneShowsTheErrorAsHighAsThePosition) {
+    strike(Qt::Key_2, Qt::ControlModifier);
+    const QWidget* position = find(u"scopePlot1"_s);
+    const QWidget* error = find(u"scopePlot2"_s);
+    EXPECT_NEAR(error->height(), position->height(), 1);
+    const auto* analog = window->findChild<QWidget*>(u"scopePlot3"_s);
+    EXPECT_TRUE(analog == nullptr || !analog->isVisible());
+    strike(Qt::Key_1, Qt::ControlModifier);
+    EXPECT_TRUE(find(u"scopePlot3"_s)->isVisible());
+    expectWhole(u"scopePlot3"_s);
+}
+
+/// What is chosen in one layout does not change another.
+TEST_F(LayoutsTest, EachHasItsOwnSignals) {
+    auto* scope = find<ScopePanel>(u"scopePanel"_s);
+    strike(Qt::Key_2, Qt::ControlModifier);
+    click(u"scopeLaneButton"_s);
+    EXPECT_TRUE(scope->setup().lane);
+    strike(Qt::Key_1, Qt::ControlModifier);
+    EXPECT_FALSE(scope->setup().lane);
+    strike(Qt::Key_2, Qt::ControlModifier);
+    EXPECT_TRUE(scope->setup().lane);
 }
 
 /// No tab hides behind the arrows of its bar, whatever the layout, the module and the size of the window.

@@ -234,7 +234,7 @@ TEST_F(ScopeControls, TheTableFoldsAndStaysFolded) {
     EXPECT_FALSE(window->findChild<QWidget*>(u"scopeCursorTable"_s)->isVisible());
     EXPECT_GT(strips().width() * strips().height(), before) << "the strips get its room";
     EXPECT_TRUE(fold->text().contains(u"Hz"_s)) << fold->text().toStdString();
-    EXPECT_FALSE(ScopeSetup::fromText(settings.value(u"scope"_s).toString()).readings);
+    EXPECT_FALSE(ScopeSetup::fromText(settings.value(u"scope/tune"_s).toString()).readings);
     click(u"scopeCursorFoldButton"_s);
     EXPECT_TRUE(find(u"scopeCursorTable"_s)->isVisible());
 }
@@ -242,9 +242,6 @@ TEST_F(ScopeControls, TheTableFoldsAndStaysFolded) {
 /// One strip becomes higher and its neighbour lower, this is kept for the next start, and a double click
 /// makes all of them equal.
 TEST_F(ScopeControls, TheLineBetweenTwoStripsIsDragged) {
-    ScopeSetup setup = ScopeSetup::usual();
-    setup.strips[2].clear();
-    find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
     makeRoom();
     auto* second = find<ScopePlot>(u"scopePlot2"_s);
     auto* splitter = strips().findChild<QSplitter*>();
@@ -260,7 +257,7 @@ TEST_F(ScopeControls, TheLineBetweenTwoStripsIsDragged) {
     frame();
     EXPECT_NEAR(plot().height(), first - 20, 2);
     EXPECT_NEAR(second->height(), both - first + 20, 2);
-    const ScopeSetup kept = ScopeSetup::fromText(settings.value(u"scope"_s).toString());
+    const ScopeSetup kept = ScopeSetup::fromText(settings.value(u"scope/tune"_s).toString());
     EXPECT_NEAR(kept.heights[0] / kept.heights[1], static_cast<double>(plot().height()) / second->height(),
                 0.05);
     QTest::mouseDClick(line, Qt::LeftButton, {}, grip);

@@ -10,8 +10,6 @@ namespace nmc {
 LazyDock::LazyDock(const QString& objectName, const QString& title, const QKeySequence& key, QWidget* parent)
     : QDockWidget(title, parent) {
     look::name(this, objectName, title);
-    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
-                QDockWidget::DockWidgetFloatable);
     toggleViewAction()->setShortcut(key);
     connect(toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
         // A dock behind another's tab counted as shown, so this has hidden it.

@@ -5,7 +5,11 @@
 #include <QActionGroup>
 #include <QMainWindow>
 #include <QSettings>
+#include <algorithm>
+#include <array>
+#include <map>
 
+#include "widgets/common/lazydock.h"
 #include "widgets/mainwindow/settingskeys.h"
 
 namespace nmc {
@@ -14,34 +18,81 @@ using namespace Qt::StringLiterals;
 using namespace settingskeys;
 
 namespace {
-/// The first layout has the key that existed before the others were added.
-QString settingsKeyOf(Layouts::Kind kind) {
-    switch (kind) {
-        case Layouts::Kind::Operate:
-            break;
-        case Layouts::Kind::Tune:
-            return kState + u"/tune"_s;
-        case Layouts::Kind::Chain:
-            return kState + u"/chain"_s;
+
+enum class Place : quint8 {
+    Apart,   ///< beside the other docks of its area
+    Below,   ///< below the previous dock of its area
+    Behind,  ///< behind the tab of the previous dock of its area
+};
+using enum Place;
+
+/// Where a dock is at first. Its size is a share of the window's; 0: what the others leave.
+struct Cell {
+    Qt::DockWidgetArea area;
+    Place place = Apart;
+    bool open = false;
+    double width = 0;
+    double height = 0;
+};
+
+struct Row {
+    QLatin1String dock;
+    Cell operate, tune, chain;
+    /// The size that its content needs when the user opens it, in lines of text.
+    QSize wanted{};
+
+    [[nodiscard]] const Cell& cell(Layouts::Kind kind) const {
+        return kind == Layouts::Kind::Tune ? tune : kind == Layouts::Kind::Chain ? chain : operate;
     }
-    return kState;
+};
+
+constexpr auto kLeft = Qt::LeftDockWidgetArea;
+constexpr auto kRight = Qt::RightDockWidgetArea;
+constexpr auto kBottom = Qt::BottomDockWidgetArea;
+constexpr bool kOpen = true;
+constexpr bool kClosed = false;
+
+// clang-format off
+const std::array kRows{
+    //                        Operate                               Tune                                 Chain
+    Row{"chainDock"_L1,     {kLeft, Apart, kOpen, 0.15},          {kRight, Apart},                     {kLeft, Apart, kOpen, 0.15}},
+    Row{"simulatorDock"_L1, {kLeft, Behind, kOpen},               {kRight, Apart},                     {kLeft, Behind, kOpen}},
+    Row{"scopeDock"_L1,     {kBottom, Apart, kOpen, 0.56, 0.39},  {kLeft, Apart, kOpen, 0.79, 0.4},    {kBottom, Apart}},
+    Row{"responseDock"_L1,  {kBottom, Behind},                    {kLeft, Below, kOpen, 0.79, 0.6},    {kBottom, Behind},    {58, 0}},
+    Row{"loopTestsDock"_L1, {kBottom, Behind},                    {kLeft, Behind},                     {kBottom, Behind},    {58, 0}},
+    Row{"sequencesDock"_L1, {kBottom, Behind},                    {kRight, Apart},                     {kBottom, Behind},    {62, 24}},
+    Row{"pathsDock"_L1,     {kBottom, Behind},                    {kRight, Apart},                     {kBottom, Behind},    {52, 0}},
+    Row{"axesDock"_L1,      {kBottom, Behind},                    {kRight, Apart},                     {kBottom, Behind}},
+    Row{"messagesDock"_L1,  {kBottom, Apart, kOpen, 0.29},        {kRight, Apart},                     {kBottom, Apart, kOpen, 0.35}},
+    Row{"monitorDock"_L1,   {kBottom, Behind},                    {kRight, Apart},                     {kBottom, Apart, kOpen, 0.5, 0.5}, {44, 0}},
+};
+// clang-format on
+
+/// What a dock beside another keeps, in lines of text.
+constexpr int kLeastWidth = 18;
+
+const Row& rowOf(const QDockWidget& dock) {
+    return *std::find_if(kRows.begin(), kRows.end(),
+                         [&dock](const Row& row) { return row.dock == dock.objectName(); });
 }
+
 }  // namespace
 
-Layouts::Layouts(QMainWindow& window, QSettings& settings, std::function<void(Kind)> arrange)
-    : QObject(&window), m_window(window), m_settings(settings), m_arrange(std::move(arrange)) {
+Layouts::Layouts(QMainWindow& window, QSettings& settings)
+    : QObject(&window), m_window(window), m_settings(settings) {
     auto* group = new QActionGroup(this);
-    add(u"operateLayoutAction"_s, tr("&Operate"), tr("Motion in the middle, everything else around it."),
-        Qt::CTRL | Qt::Key_1);
-    add(u"tuneLayoutAction"_s, tr("&Tune"), tr("Large plots, with gains and step response beside them."),
-        Qt::CTRL | Qt::Key_2);
-    add(u"chainLayoutAction"_s, tr("&Chain"), tr("Modules, packets and messages."), Qt::CTRL | Qt::Key_3);
+    addAction(u"operateLayoutAction"_s, tr("&Operate"),
+              tr("Motion in the middle, everything else around it."), Qt::CTRL | Qt::Key_1);
+    addAction(u"tuneLayoutAction"_s, tr("&Tune"),
+              tr("Large plots, with gains and step response beside them."), Qt::CTRL | Qt::Key_2);
+    addAction(u"chainLayoutAction"_s, tr("&Chain"), tr("Modules, packets and messages."),
+              Qt::CTRL | Qt::Key_3);
     for (QAction* action : m_actions)
         group->addAction(action);
 }
 
-void Layouts::add(const QString& objectName, const QString& text, const QString& meaning,
-                  const QKeySequence& key) {
+void Layouts::addAction(const QString& objectName, const QString& text, const QString& meaning,
+                        const QKeySequence& key) {
     const Kind kind = static_cast<Kind>(m_actions.size());
     auto* action = new QAction(text, this);
     action->setObjectName(objectName);
@@ -52,6 +103,37 @@ void Layouts::add(const QString& objectName, const QString& text, const QString&
     m_actions.append(action);
 }
 
+void Layouts::add(QDockWidget& dock) {
+    m_docks.append(&dock);
+    // Queued: until then, the window does not know that the dock is visible.
+    if (const auto* lazy = qobject_cast<LazyDock*>(&dock))
+        connect(
+            lazy, &LazyDock::roomWanted, this, [this, &dock] { makeRoomFor(dock); }, Qt::QueuedConnection);
+}
+
+QDockWidget& Layouts::dock(const QString& objectName) const {
+    return **std::find_if(m_docks.begin(), m_docks.end(), [&objectName](const QDockWidget* dock) {
+        return dock->objectName() == objectName;
+    });
+}
+
+/// The first layout has the keys that existed before the others were added.
+QString Layouts::key(const QString& setting) const {
+    switch (m_kind) {
+        case Kind::Operate:
+            break;
+        case Kind::Tune:
+            return setting + u"/tune"_s;
+        case Kind::Chain:
+            return setting + u"/chain"_s;
+    }
+    return setting;
+}
+
+bool Layouts::opens(const QDockWidget& dock) const {
+    return rowOf(dock).cell(m_kind).open;
+}
+
 void Layouts::restore() {
     const int kept = m_settings.value(kLayout).toInt();
     m_kind = static_cast<Kind>(qBound(0, kept, static_cast<int>(m_actions.size()) - 1));
@@ -60,13 +142,13 @@ void Layouts::restore() {
 
 void Layouts::show() {
     m_actions[static_cast<int>(m_kind)]->setChecked(true);
-    if (!m_window.restoreState(m_settings.value(settingsKeyOf(m_kind)).toByteArray()))
-        m_arrange(m_kind);
+    if (!m_window.restoreState(m_settings.value(key(kState)).toByteArray()))
+        arrange();
     emit chosen(m_kind);
 }
 
 void Layouts::save() {
-    m_settings.setValue(settingsKeyOf(m_kind), m_window.saveState());
+    m_settings.setValue(key(kState), m_window.saveState());
     m_settings.setValue(kLayout, static_cast<int>(m_kind));
 }
 
@@ -79,8 +161,74 @@ void Layouts::choose(Kind kind) {
 }
 
 void Layouts::reset() {
-    m_arrange(m_kind);
+    arrange();
     emit chosen(m_kind);
+}
+
+/// Puts the docks where the table has them.
+void Layouts::arrange() {
+    for (QDockWidget* dock : m_docks) {
+        dock->setFloating(false);
+        m_window.removeDockWidget(dock);
+    }
+    std::map<Qt::DockWidgetArea, QDockWidget*> previous;
+    for (const Row& row : kRows) {
+        const Cell& cell = row.cell(m_kind);
+        QDockWidget& next = dock(row.dock);
+        m_window.addDockWidget(cell.area, &next);
+        if (cell.place == Below)
+            m_window.splitDockWidget(previous.at(cell.area), &next, Qt::Vertical);
+        else if (cell.place == Behind)
+            m_window.tabifyDockWidget(previous.at(cell.area), &next);
+        next.setVisible(cell.open);
+        previous[cell.area] = &next;
+    }
+    // Last, because whatever is added undoes it.
+    for (const Qt::Orientation orientation : {Qt::Horizontal, Qt::Vertical}) {
+        QList<QDockWidget*> docks;
+        QList<int> sizes;
+        for (const Row& row : kRows) {
+            const Cell& cell = row.cell(m_kind);
+            const bool across = orientation == Qt::Horizontal;
+            const double size = across ? cell.width * m_window.width() : cell.height * m_window.height();
+            if (size == 0)
+                continue;
+            docks << &dock(row.dock);
+            sizes << qRound(size);
+        }
+        m_window.resizeDocks(docks, sizes, orientation);
+    }
+}
+
+void Layouts::keepColumn(int wider) {
+    QDockWidget& scope = dock(u"scopeDock"_s);
+    if (m_kind == Kind::Tune && m_window.dockWidgetArea(&scope) == kLeft && scope.isVisible())
+        m_window.resizeDocks({&scope}, {qMax(1, scope.width() + wider)}, Qt::Horizontal);
+}
+
+/// The dock that shares the width of the window's lower part with this one; null: none.
+QDockWidget* Layouts::beside(QDockWidget& dock) const {
+    if (m_window.dockWidgetArea(&dock) != kBottom)
+        return nullptr;
+    const auto found = std::find_if(m_docks.begin(), m_docks.end(), [&](QDockWidget* other) {
+        return other != &dock && !other->isFloating() && !other->visibleRegion().isEmpty() &&
+               m_window.dockWidgetArea(other) == kBottom && other->y() == dock.y();
+    });
+    return found != m_docks.end() ? *found : nullptr;
+}
+
+/// Widens a dock that the user has opened at the expense of the one beside it, and makes it high enough.
+void Layouts::makeRoomFor(QDockWidget& dock) {
+    const int line = m_window.fontMetrics().height();
+    const QSize wanted = rowOf(dock).wanted * line;
+    if (QDockWidget* other = beside(dock); other != nullptr && dock.width() < wanted.width()) {
+        const int both = dock.width() + other->width();
+        const int taken = qMin(wanted.width(), qMax(both / 2, both - line * kLeastWidth));
+        m_window.resizeDocks({&dock, other}, {taken, both - taken}, Qt::Horizontal);
+    }
+    const int height = qMin(wanted.height(), m_window.height() / 2);
+    if (m_window.dockWidgetArea(&dock) == kBottom && dock.height() < height)
+        m_window.resizeDocks({&dock}, {height}, Qt::Vertical);
 }
 
 }  // namespace nmc

@@ -107,7 +107,7 @@ void MainWindow::buildTop() {
     look::name(menuBar, u"menuBar"_s, tr("Menus"));
     m_bar = new ConnectionBar(top);
     m_start = new StartPage(*m_bar, m_panel);
-    fillMenus(*menuBar, *this, m_bar->readOnlyAction(), m_docks, m_settings);
+    fillMenus(*menuBar, *this, m_bar->readOnlyAction(), m_layouts->docks(), m_settings);
     buildRibbons(top);
     m_banner = new Banner(top);
     auto* layout = new QVBoxLayout(top);
@@ -198,10 +198,10 @@ void MainWindow::connectParts() {
         m_panel, &ModulePanel::pageChanged, this, [this] { makeRoomForMotions(0); }, Qt::QueuedConnection);
     connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,
-            [this](bool wanted) { m_settings.setValue(simulatorOpen(m_layouts->kind()), wanted); });
+            [this](bool wanted) { m_settings.setValue(m_layouts->key(kSimulatorOpen), wanted); });
     connect(m_scope, &ScopePanel::frameWanted, this, &MainWindow::scopeFrameWanted);
     connect(m_scope, &ScopePanel::setupChanged, this,
-            [this](const ScopeSetup& setup) { m_settings.setValue(kScope, setup.toText()); });
+            [this](const ScopeSetup& setup) { m_settings.setValue(m_layouts->key(kScope), setup.toText()); });
     connect(m_monitor, &MonitorDock::recordingChanged, this, &MainWindow::packetRecordingWanted);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_banner, &Banner::allWanted, this, [this](const QString& key) {

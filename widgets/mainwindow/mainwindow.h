@@ -199,27 +199,15 @@ private:
     void buildTop();
     void buildRibbons(QWidget* top);
     void buildDocks();
-    void arrangeDocks(Layouts::Kind kind);
-    void giveRoomToPlots();
-    void keepColumn(int wider);
     void showLayout(Layouts::Kind kind);
-    [[nodiscard]] static QString simulatorOpen(Layouts::Kind kind);
     void stepNow();
     void connectParts();
-    QDockWidget* addDock(const QString& objectName, const QString& title, QWidget* content,
-                         Qt::DockWidgetArea area);
+    [[nodiscard]] QDockWidget* newDock(const QString& objectName, const QString& title, QWidget* content);
     void showDockOf(const QWidget& content);
-    void addSimulatorDock();
-    void addResponseDock(QDockWidget& scope, QDockWidget& messages);
-    void makeRoomBeside(QDockWidget& messages, QDockWidget& dock, int lines);
-    void makeRoomForSequences(QDockWidget& messages);
     [[nodiscard]] std::optional<TuningReport> tuningReport();
     void chooseReportFile();
-    void addLoopTestsDock(QDockWidget& scope, QDockWidget& messages);
-    void addMotionDocks(QDockWidget& scope, QDockWidget& messages);
     void saveFrequencies(const QString& path, const QDateTime& measured);
     void showAllAxes();
-    void makeRoomForSimulator();
     void makeRoomForMotions(int higher);
     void restoreLayout();
     void saveLayout();
@@ -277,8 +265,6 @@ private:
     AxesDock* m_axes = nullptr;
     LinkBar* m_linkBar = nullptr;
     CommandPalette* m_palette = nullptr;
-    QList<QDockWidget*> m_docks;
-    QByteArray m_firstState;
     Layouts* m_layouts = nullptr;
     QAction* m_stepNow = nullptr;
     QTimer m_preparing;

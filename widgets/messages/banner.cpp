@@ -6,7 +6,6 @@
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
-#include <utility>
 
 #include "widgets/common/accessibility.h"
 #include "widgets/common/elidedlabel.h"
@@ -54,33 +53,15 @@ Banner::Banner(QWidget* parent)
     connect(m_dismiss, &QToolButton::clicked, this, [this] { endMessage(m_shown); });
 
     const int unit = look::gridUnit(this);
-    m_first = form::newLine(this, {m_glyph, {m_headline, 1}, m_all, m_dismiss});
-    m_second = form::newLine(this, {{m_body, 1}, m_actions});
-    setLayout(form::newColumn(this, {{m_first, 1}, {m_second, 1}}, 0));
+    setLayout(form::newLine(this, {m_glyph, m_headline, {m_body, 1}, m_actions, m_all, m_dismiss}));
     layout()->setContentsMargins(unit * 2, unit / 2, unit, unit / 2);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     look::keepRoom(this);
     hide();
 }
 
-void Banner::setCompact(bool compact) {
-    if (std::exchange(m_compact, compact) == compact)
-        return;
-    QHBoxLayout& from = compact ? *m_second : *m_first;
-    QHBoxLayout& to = compact ? *m_first : *m_second;
-    const int place = compact ? m_first->indexOf(m_headline) + 1 : 0;
-    from.removeWidget(m_body);
-    from.removeItem(m_actions);
-    m_actions->setParent(nullptr);
-    to.insertWidget(place, m_body, 1);
-    m_first->setStretchFactor(m_headline, compact ? 0 : 1);  // in a single line, the body shrinks first
-    to.insertLayout(place + 1, m_actions);
-    updateGeometry();
-}
-
 QSize Banner::sizeHint() const {
-    const int lines = m_compact ? 1 : 2;
-    return {0, m_all->sizeHint().height() * lines + look::gridUnit(this)};
+    return {0, m_all->sizeHint().height() + look::gridUnit(this)};
 }
 
 void Banner::showMessage(const Message& message) {

@@ -16,9 +16,9 @@ namespace nmc {
 class ElidedLabel;
 class GlyphLabel;
 
-/// Shows the most important message that has not ended, with its actions. Never modal. Its space is kept
-/// while there is none, and is the same for every message, so that nothing below it ever moves under the
-/// pointer. Text that does not fit and the other messages are one click away. An event that requires no
+/// Shows the most important message that has not ended, with its actions, in one line. Never modal. Its space
+/// is kept while there is none, and is the same for every message, so that nothing below it ever moves under
+/// the pointer. Text that does not fit and the other messages are one click away. An event that requires no
 /// action is removed when it is old news.
 class Banner : public QFrame {
     Q_OBJECT
@@ -35,10 +35,6 @@ public:
     void review(const LinkState& link);
     /// How long an event is news; 10 min by default. Applies to messages shown from now on.
     void setNewsLife(std::chrono::milliseconds life) { m_newsLife = life; }
-
-    /// Makes the banner one line high instead of two, to leave more room for the rest of the window. Call it
-    /// only while no button is pressed.
-    void setCompact(bool compact);
 
     /// The size of its space, whatever the message.
     [[nodiscard]] QSize sizeHint() const override;
@@ -66,9 +62,6 @@ private:
     unsigned m_count = 0;
     std::chrono::milliseconds m_newsLife = std::chrono::minutes(10);
     QString m_shown;
-    bool m_compact = false;
-    QHBoxLayout* m_first = nullptr;   ///< the first line
-    QHBoxLayout* m_second = nullptr;  ///< the second line; empty when compact
     GlyphLabel* m_glyph;
     ElidedLabel* m_headline;
     ElidedLabel* m_body;

@@ -4,7 +4,6 @@
 #include <QScrollArea>
 #include <utility>
 
-#include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
 #include "widgets/monitor/packetmonitor.h"
 #include "widgets/monitor/packetsaving.h"
@@ -14,14 +13,10 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 MonitorDock::MonitorDock(Requests& requests, QWidget* parent)
-    : QDockWidget(PacketMonitor::tr("Packet monitor"), parent), m_requests(requests) {
-    look::name(this, u"monitorDock"_s, windowTitle());
-    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
-                QDockWidget::DockWidgetFloatable);
-    // Not showEvent: a dock behind another's tab is shown, but not seen.
+    : LazyDock(u"monitorDock"_s, PacketMonitor::tr("Packet monitor"), {}, parent), m_requests(requests) {
     connect(this, &QDockWidget::visibilityChanged, this, [this](bool seen) {
-        if (seen || m_page != nullptr)
-            page().setSeen(seen);
+        if (m_page != nullptr)
+            m_page->setSeen(seen);
     });
 }
 

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDockWidget>
 #include <vector>
 
 #include "bus/exchangerecord.h"
 #include "model/module/linkstate.h"
 #include "model/packets/packetlog.h"
-#include "widgets/common/filedialog.h"
+#include "widgets/common/lazydock.h"
 
 namespace nmc {
 
 class PacketMonitor;
 class Requests;
 
-/// The dock of the packet monitor, which is closed at first and often stays closed: its content is built when
-/// it is seen for the first time, and then starts with the present state of the connection.
-class MonitorDock : public QDockWidget {
+/// The dock of the packet monitor. Its content starts with the present state of the connection.
+class MonitorDock : public LazyDock {
     Q_OBJECT
 
 public:
@@ -39,6 +37,8 @@ signals:
     void recordingChanged(bool recording);
 
 private:
+    void build() override { page(); }
+
     Requests& m_requests;
     PacketMonitor* m_page = nullptr;
     PacketSession m_session;

@@ -143,15 +143,15 @@ void ScopePanel::showEvent(QShowEvent* event) {
 // ---- the arrangement ----
 
 void ScopePanel::setSetup(const ScopeSetup& setup) {
-    m_setup = setup;
+    const double before = std::exchange(m_setup, setup).seconds;
     m_bar->showSetup(setup);
+    if (setup.seconds != before)
+        showWidth();
     if (m_strips != nullptr) {
         m_strips->setSetup(setup);
         if (m_readings != nullptr)
             m_readings->setUnfolded(setup.readings);
         placeReadings();
-    } else {
-        m_trigger->setWindow(setup.seconds);
     }
     touch();
 }
@@ -247,11 +247,15 @@ void ScopePanel::setPaused(bool paused) {
 void ScopePanel::setWidth(double seconds) {
     ScopeSetup setup = m_setup;
     setup.seconds = seconds;
-    if (m_strips != nullptr) {
-        m_strips->time().setWidth(seconds);
-        m_trigger->setWindow(seconds);
-    }
     change(setup);
+    showWidth();  // the user may have zoomed since it was last set
+}
+
+/// Makes the width of the setup the visible one.
+void ScopePanel::showWidth() {
+    if (m_strips != nullptr)
+        m_strips->time().setWidth(m_setup.seconds);
+    m_trigger->setWindow(m_setup.seconds);
 }
 
 /// Shows the present window of time in the controls.

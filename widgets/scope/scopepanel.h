@@ -83,6 +83,7 @@ private:
     void addLaneBits(QMenu& menu);
     void change(const ScopeSetup& setup);
     void applyModules();
+    void showWidth();
     void showTime();
     void showTrigger();
     void restartTrigger();

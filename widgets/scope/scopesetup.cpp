@@ -75,6 +75,13 @@ ScopeSetup ScopeSetup::usual() {
     return setup;
 }
 
+ScopeSetup ScopeSetup::forTuning() {
+    ScopeSetup setup = usual();
+    setup.strips[2].clear();
+    setup.heights.fill(1);
+    return setup;
+}
+
 QString ScopeSetup::toText() const {
     QStringList parts;
     for (const auto& strip : strips) {
@@ -96,8 +103,10 @@ QString ScopeSetup::toText() const {
     return parts.join(u';');
 }
 
-ScopeSetup ScopeSetup::fromText(const QString& text) {
-    ScopeSetup setup;
+ScopeSetup ScopeSetup::fromText(const QString& text, const ScopeSetup& initial) {
+    ScopeSetup setup = initial;
+    for (std::vector<SignalRef>& signalsShown : setup.strips)
+        signalsShown.clear();
     std::size_t strip = 0;
     for (const QString& part : text.split(u';')) {
         const QString key = part.section(u'=', 0, 0);
@@ -129,7 +138,7 @@ ScopeSetup ScopeSetup::fromText(const QString& text) {
     const bool nothing = std::all_of(setup.strips.begin(), setup.strips.end(),
                                      [](const auto& shown) { return shown.empty(); });
     if (nothing && !setup.lane)
-        setup.strips = usual().strips;
+        setup.strips = initial.strips;
     return setup;
 }
 

@@ -30,11 +30,13 @@ struct ScopeSetup {
     /// Position and command position, below them the error, and below that the A/D values (such as the motor
     /// current) where they are reported.
     [[nodiscard]] static ScopeSetup usual();
+    /// Position and error, equally high: there, the error is what matters.
+    [[nodiscard]] static ScopeSetup forTuning();
     /// Text for the settings file.
     [[nodiscard]] QString toText() const;
-    /// Anything unreadable is left out; if neither signals nor the lane remain, the signals are the usual
-    /// ones.
-    [[nodiscard]] static ScopeSetup fromText(const QString& text);
+    /// Anything that the text lacks, or that is unreadable, is as in `initial`; if neither signals nor the
+    /// lane remain, so are the signals.
+    [[nodiscard]] static ScopeSetup fromText(const QString& text, const ScopeSetup& initial = usual());
 
     [[nodiscard]] bool shows(std::size_t strip, const SignalRef& signal) const;
     void set(std::size_t strip, const SignalRef& signal, bool shown);

@@ -12,8 +12,6 @@ using namespace Qt::StringLiterals;
 
 SimulatorDock::SimulatorDock(QWidget* parent) : QDockWidget(tr("Simulator"), parent) {
     look::name(this, u"simulatorDock"_s, windowTitle());
-    setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
-                QDockWidget::DockWidgetFloatable);
     connect(toggleViewAction(), &QAction::triggered, this, &SimulatorDock::want);
 }
 
@@ -63,20 +61,6 @@ void SimulatorDock::showSelected(std::optional<ModuleIndex> module) {
 void SimulatorDock::showAnswer(const QString& line, const QByteArray& json) {
     if (m_bench != nullptr)
         m_bench->showAnswer(line, json);
-}
-
-void SimulatorDock::showEvent(QShowEvent* event) {
-    QDockWidget::showEvent(event);
-    emit shown();
-}
-
-void SimulatorDock::hideEvent(QHideEvent* event) {
-    QDockWidget::hideEvent(event);
-    m_height = height();
-}
-
-int SimulatorDock::wantedHeight() const {
-    return m_height > 0 ? m_height : sizeHint().height();
 }
 
 }  // namespace nmc

@@ -28,19 +28,13 @@ public:
     void showSelected(std::optional<ModuleIndex> module);
     void showAnswer(const QString& line, const QByteArray& json);
 
-    /// The height when it was last visible, or else that of its content.
-    [[nodiscard]] int wantedHeight() const;
-
 signals:
-    void shown();
     void lineEntered(const QString& line);
     /// The user closed it, or opened it again.
     void wantedChanged(bool wanted);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
 private:
     void build();
@@ -49,7 +43,6 @@ private:
 
     SimulatorBench* m_bench = nullptr;
     bool m_attached = false;
-    int m_height = 0;  ///< when it was last visible; 0: never yet
     bool m_wanted = true;
 };
 
