@@ -22,7 +22,9 @@ INNER = "NMC_ON_THE_DISPLAY"
 def start_display():
     """The number of an X server without anything on it, and its process."""
     reader, writer = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "1600x1200x24", "-nolisten", "tcp"],
+    # Without -noreset, it starts anew when its last client leaves, and refuses whoever connects meanwhile.
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "1600x1200x24", "-nolisten", "tcp",
+                               "-noreset"],
                               pass_fds=[writer], stderr=subprocess.DEVNULL)
     os.close(writer)
     with os.fdopen(reader) as said:
