@@ -206,7 +206,9 @@ int main(int argc, char** argv) {
     // The simulated chips do not wait for other work on this computer, and neither does a host's bus thread.
     nmc::preferThisThread();
     // "ready" means able to receive the first byte: the chain was switched on one dead time ago.
-    nmc::sim::Chain chain(*modules, options.simulation);
+    nmc::sim::ChainOptions simulation = options.simulation;
+    simulation.hostHasOwnClock = !options.pacing.stepped;
+    nmc::sim::Chain chain(*modules, simulation);
     chain.advanceTo(nmc::TimePoint{} + options.simulation.resetDeadTime);
     const std::string path = terminal->path();
     nmc::SimServer server(std::move(chain), std::move(*terminal), options.pacing, STDIN_FILENO,

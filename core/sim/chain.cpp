@@ -28,9 +28,9 @@ Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const Cha
     for (const ModuleIdentity& identity : identities) {
         const auto phase = static_cast<Duration::rep>(
             m_random.below(static_cast<std::uint64_t>(std::chrono::nanoseconds(kServoTick).count())));
-        const ModuleOptions moduleOptions{Duration(phase), options.resetDeadTime,
-                                          options.unpaced, options.deafWhenAddressInputRises,
-                                          options.motor,   options.seed};
+        const ModuleOptions moduleOptions{
+            Duration(phase), options.resetDeadTime, options.unpaced,        options.deafWhenAddressInputRises,
+            options.motor,   options.seed,          options.hostHasOwnClock};
         assert(isKnown(identity));
         const auto index = static_cast<std::uint8_t>(modules.size());
         if (identity.type == ModuleType::Stepper)

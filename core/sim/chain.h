@@ -33,7 +33,11 @@ struct ChainOptions {
     /// The data sheets do not say whether a module that was awake stops listening when its ADDR_IN rises
     /// again.
     bool deafWhenAddressInputRises = false;
-    bool enableFaults = false;             ///< control lines may inject faults
+    bool enableFaults = false;  ///< control lines may inject faults
+    /// The host is another process at a terminal, with a clock of its own. A Stop Motor may cut a reply short
+    /// one tick after its command: the host times that by its clock, and the computer may have held the
+    /// command back for longer than the stop, so the stop is not blamed for overwriting it.
+    bool hostHasOwnClock = false;
     double lineMargin = kCleanLineMargin;  ///< margin for garbleProbability(); smaller where edges are slow
     MotorParameters motor{};               ///< parameters of every PIC-SERVO's motor
     /// Called with the ground truth in the very tick in which a module has executed a command and latched the

@@ -47,6 +47,7 @@ struct ModuleOptions {
     bool deafWhenAddressInputRises = false;
     MotorParameters motor{};  ///< motor of a PIC-SERVO
     std::uint64_t seed = 1;   ///< seed of its encoder's noise, together with its index
+    bool hostHasOwnClock = false;
 };
 
 /// What every NMC chip has, regardless of what it drives: UART and receive buffer, address and group, the

@@ -14,7 +14,7 @@ using Kinds = std::vector<Kind>;
 
 class Violations : public testing::Test {
 protected:
-    Violations() : wire("servo,servo") {
+    explicit Violations(const ChainOptions& options = {}) : wire("servo,servo", options) {
         wire.address(2);
         wire.gains(goodGains());
         wire.servoOn();
@@ -110,16 +110,16 @@ TEST_F(Violations, WaitingHalfAMillisecondBehindAGroupCommandIsEnough) {
 
 class Overwriting : public Violations {
 protected:
+    using Violations::Violations;
     /// Sends two commands at once, up to twenty times, until this is a violation. At half the servo rate, 250
     /// kBd is not a violation; a command takes 160 us of a tick of 512.
-    void sendTwo(bool late) {
+    void sendTwo(bool late, const Bytes& second = packet(1, 0x0E)) {
         wire.gains(gainData(0, 0, 0, 0, 0, 0, 0, 2, 0), 0xFF);
         wire.command(0xFF, 0x1A, {4});
         wire.chain.setHostBaud(250'000);
         for (int i = 0; i < 20 && wire.violations().empty(); ++i) {
             Bytes two = packet(1, 0x12, {0x20});
-            for (const std::uint8_t byte : packet(1, 0x0E))
-                two.push_back(byte);
+            two.insert(two.end(), second.begin(), second.end());
             wire.chain.hostSends(two, wire.now, late);
             wire.wait(std::chrono::microseconds(2'100));
         }
@@ -130,6 +130,27 @@ TEST_F(Overwriting, ASecondCommandBeforeTheFirstIsExecutedOverwritesIt) {
     sendTwo(false);
     EXPECT_TRUE(has(Kind::CommandOverwritten));
     EXPECT_EQ(wire.command(1, 0x0E).size(), 2U) << "Define Status was lost";
+}
+
+/// DS-V 4.1: after one tick, it may cut a reply short.
+TEST_F(Overwriting, AStopThatIsTooEarlyOverwritesItToo) {
+    sendTwo(false, packet(1, 0x17, {0x05}));
+    EXPECT_TRUE(has(Kind::CommandOverwritten));
+}
+
+class OverwritingAtATerminal : public Overwriting {
+protected:
+    OverwritingAtATerminal() : Overwriting(ChainOptions{.hostHasOwnClock = true}) {}
+};
+
+TEST_F(OverwritingAtATerminal, AStopIsNotBlamedForIt) {
+    sendTwo(false, packet(1, 0x17, {0x05}));
+    EXPECT_EQ(wire.violations(), Kinds{});
+}
+
+TEST_F(OverwritingAtATerminal, ACommandThatMustWaitForTheAnswerIs) {
+    sendTwo(false);
+    EXPECT_TRUE(has(Kind::CommandOverwritten));
 }
 
 TEST_F(Overwriting, WhoWasReadLateIsNotBlamedForIt) {
