@@ -26,7 +26,8 @@ enum class Place : quint8 {
 };
 using enum Place;
 
-/// Where a dock is at first. Its size is a share of the window's; 0: what the others leave.
+/// Where a dock is at first. Its size is a share of the window's; 0: what the others leave. A negative width
+/// leaves so many lines of text to the rest of the window.
 struct Cell {
     Qt::DockWidgetArea area;
     Place place = Apart;
@@ -57,8 +58,8 @@ const std::array kRows{
     //                        Operate                               Tune                                 Chain
     Row{"chainDock"_L1,     {kLeft, Apart, kOpen, 0.15},          {kRight, Apart},                     {kLeft, Apart, kOpen, 0.15}},
     Row{"simulatorDock"_L1, {kLeft, Behind, kOpen},               {kRight, Apart},                     {kLeft, Behind, kOpen}},
-    Row{"scopeDock"_L1,     {kBottom, Apart, kOpen, 0.56, 0.39},  {kLeft, Apart, kOpen, 0.79, 0.4},    {kBottom, Apart}},
-    Row{"responseDock"_L1,  {kBottom, Behind},                    {kLeft, Below, kOpen, 0.79, 0.6},    {kBottom, Behind},    {58, 0}},
+    Row{"scopeDock"_L1,     {kBottom, Apart, kOpen, 0.56, 0.39},  {kLeft, Apart, kOpen, -22, 0.4},    {kBottom, Apart}},
+    Row{"responseDock"_L1,  {kBottom, Behind},                    {kLeft, Below, kOpen, 0, 0.6},    {kBottom, Behind},    {58, 0}},
     Row{"loopTestsDock"_L1, {kBottom, Behind},                    {kLeft, Behind},                     {kBottom, Behind},    {58, 0}},
     Row{"sequencesDock"_L1, {kBottom, Behind},                    {kRight, Apart},                     {kBottom, Behind},    {62, 24}},
     Row{"pathsDock"_L1,     {kBottom, Behind},                    {kRight, Apart},                     {kBottom, Behind},    {52, 0}},
@@ -190,11 +191,13 @@ void Layouts::arrange() {
         for (const Row& row : kRows) {
             const Cell& cell = row.cell(m_kind);
             const bool across = orientation == Qt::Horizontal;
-            const double size = across ? cell.width * m_window.width() : cell.height * m_window.height();
-            if (size == 0)
+            const double share = across ? cell.width : cell.height;
+            const int whole = across ? m_window.width() : m_window.height();
+            if (share == 0)
                 continue;
             docks << &dock(row.dock);
-            sizes << qRound(size);
+            sizes << (share > 0 ? qRound(share * whole)
+                                : qMax(1, whole + qRound(share) * m_window.fontMetrics().height()));
         }
         m_window.resizeDocks(docks, sizes, orientation);
     }

@@ -93,7 +93,7 @@ void MainWindow::buildDocks() {
 /// before, as far as nothing else needs it.
 void MainWindow::makeRoomForMotions(int higher) {
     layout()->activate();
-    const ModulePage* page = m_panel->page();
+    ModulePage* page = m_panel->page();
     if (page == nullptr || !m_scopeDock->isVisible() ||
         dockWidgetArea(m_scopeDock) != Qt::BottomDockWidgetArea)
         return;
@@ -101,10 +101,12 @@ void MainWindow::makeRoomForMotions(int higher) {
     const int most = m_scopeDock->height() + m_scopeGave + qMax(0, higher);
     const int wanted =
         qBound(qMin(least, m_scopeDock->height()), m_scopeDock->height() + page->spareHeight(), most);
-    if (wanted == m_scopeDock->height())
-        return;
-    m_scopeGave = qMax(0, m_scopeGave + m_scopeDock->height() - wanted);
-    resizeDocks({m_scopeDock}, {wanted}, Qt::Vertical);
+    if (wanted != m_scopeDock->height()) {
+        m_scopeGave = qMax(0, m_scopeGave + m_scopeDock->height() - wanted);
+        resizeDocks({m_scopeDock}, {wanted}, Qt::Vertical);
+    }
+    // Queued: the page has its new size only then.
+    QMetaObject::invokeMethod(page, &ModulePage::dropScrollBar, Qt::QueuedConnection);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -153,6 +155,9 @@ void MainWindow::showLayout(Layouts::Kind kind) {
         m_response->takeFormBack();
     }
     showSelected();
+    // Queued: the docks have their sizes only then.
+    QMetaObject::invokeMethod(
+        this, [this] { makeRoomForMotions(0); }, Qt::QueuedConnection);
 }
 
 /// Makes a step, from anywhere in the window. It moves the motor, so its form must be visible.

@@ -201,9 +201,16 @@ void ModulePage::setTuning(bool on) {
         revealTuning();
 }
 
+void ModulePage::dropScrollBar() {
+    if (spareHeight() < 0 || !m_motions->verticalScrollBar()->isVisible())
+        return;
+    m_motions->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_motions->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+}
+
 int ModulePage::spareHeight() const {
     const QWidget& motions = *m_motions->widget();
-    const QSize room = m_motions->viewport()->size();
+    const QSize room = m_motions->maximumViewportSize();
     // Only heightForWidth() takes into account how many lines the flowing rows need.
     const int need = motions.hasHeightForWidth() ? motions.heightForWidth(room.width()) : 0;
     return room.height() - qMax(need, motions.minimumSizeHint().height());

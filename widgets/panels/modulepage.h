@@ -40,8 +40,11 @@ public:
     /// there.
     void setTuning(bool on);
 
-    /// Height in pixels that the motions leave unused; negative if not all of them are visible.
+    /// Height in pixels that the motions leave unused; negative if not all of them fit without a scroll bar.
     [[nodiscard]] virtual int spareHeight() const;
+    /// Hides the scroll bar of motions that fit without it. In the width that it leaves, their rows wrap and
+    /// need it, so it would stay.
+    void dropScrollBar();
 
 signals:
     void responseWanted();
