@@ -1,22 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/messagecontroller.h"
 
+#include <QDateTime>
 #include <algorithm>
 
 #include "link/clock.h"
+#include "model/module/modulescale.h"
+#include "widgets/common/positiontexts.h"
 #include "widgets/common/texts.h"
+#include "widgets/common/travelwords.h"
+#include "widgets/messages/messagelist.h"
+#include "widgets/messages/messagepanel.h"
 
 namespace nmc {
 
 MessageController::MessageController(MainWindow& window, const BusStore& store,
-                                     const ProcedureController& procedures, FlightController& flight,
-                                     RecordingController& recordings, QObject* parent)
+                                     const ProcedureController& procedures, const PositionKeeper& positions,
+                                     FlightController& flight, RecordingController& recordings,
+                                     const QString& logFolder, QObject* parent)
     : QObject(parent),
       m_window(window),
       m_store(store),
       m_procedures(procedures),
       m_flight(flight),
-      m_recordings(recordings) {}
+      m_recordings(recordings),
+      m_log(logFolder) {
+    MessagePanel& panel = m_window.messages();
+    connect(&panel.list(), &MessageList::told, this,
+            [this](const MessageEntry& entry) { keepLog(messageLine(entry)); });
+    connect(&panel.list(), &MessageList::ended, this,
+            [this](const MessageEntry& entry) { keepLog(overLine(entry)); });
+    connect(&m_log, &DayLog::failed, this, [this, &panel](const FileError& error) {
+        report(texts::messagesNotKept(error));
+        panel.showLogFile({});
+    });
+    panel.showLogFile(m_log.file(QDateTime::currentDateTime()));
+    connect(&m_store, &BusStore::linkChanged, this, &MessageController::look);
+    connect(&m_procedures, &ProcedureController::reported, this, &MessageController::showEnd);
+    connect(&positions, &PositionKeeper::offered, this, &MessageController::showPositionOffer);
+    connect(&positions, &PositionKeeper::over, this,
+            [this](ModuleIndex module) { end(texts::key::position(module)); });
+}
+
+void MessageController::keepLog(const QString& line) {
+    const QDateTime now = QDateTime::currentDateTime();
+    m_log.write(line.toStdString(), now);
+    m_window.messages().showLogFile(m_log.file(now));
+}
+
+AxisScale MessageController::scaleOf(const ModuleState& module) const {
+    return nmc::scaleOf(module, m_store.machine().axis(module.info.index));
+}
+
+void MessageController::showPositionOffer(const PositionMemory::Offer& offer) {
+    report(texts::positionRemembered(offer, scaleOf(*m_store.module(offer.module))));
+}
+
+void MessageController::showEnd(const ProcedureReport& procedure) {
+    if (!procedure.over())
+        return end(texts::key::procedure(procedure.module));
+    const ModuleState* module = m_store.module(procedure.module);
+    if (module == nullptr)
+        return;
+    if (const auto message = texts::procedureEnded(procedure, scaleOf(*module)))
+        reportOf(*message);
+}
+
+void MessageController::refused(ModuleIndex index, Refusal refusal, const Intent& intent) {
+    const ModuleState& module = *m_store.module(index);
+    reportOf(texts::notPossible(index, texts::refusal(refusal, intent, module, scaleOf(module))));
+}
 
 void MessageController::look() {
     const LinkState& link = m_store.link();
@@ -56,33 +109,78 @@ void MessageController::reportOfChain(const Message& message) {
     m_events[message.key] = std::nullopt;
 }
 
-void MessageController::noteStop(const Message& message, bus::StopCause cause,
-                                 const std::vector<ModuleIndex>& modules) {
-    for (const ModuleIndex module : modules)
-        m_stopping[{cause, module}] = message.key;
-    m_stopMessages[message.key] = message;
-}
-
-void MessageController::stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
-    const auto told = m_stopping.find({confirmed.cause, confirmed.module});
-    if (told == m_stopping.end())
+void MessageController::take(const StoreEvent& event) {
+    std::visit([this](const auto& any) { on(any); }, event);
+    if (std::holds_alternative<GuardianMissing>(event) && std::exchange(m_guardianMissed, true))
         return;
-    Message& message = m_stopMessages[told->second];
-    message.headline += u' ' + texts::stopConfirmed(confirmed);
-    m_window.amendMessage(message);
-    m_stopping.erase(told);
+    for (const News& news : newsOf(event, m_store.link()))
+        take(news);
 }
 
-void MessageController::obeyed(ModuleIndex module) {
-    endEvents(module);
+void MessageController::take(const News& news) {
+    const Message& message = news.message;
+    if (news.stop) {
+        for (const ModuleIndex module : news.stopped)
+            m_stopping[{*news.stop, module}] = message.key;
+        m_stopMessages[message.key] = message;
+    }
+    switch (news.until) {
+        case News::Until::Cause:
+            return report(message);
+        case News::Until::ModuleObeys:
+            return reportOf(message);
+        case News::Until::ConnectionEnds:
+            return reportOfChain(message);
+    }
 }
 
-void MessageController::chainFound() {
+/// Conditions that persist are reported again.
+void MessageController::on(const bus::ChainFound& /*found*/) {
     m_stopping.clear();
     endEvents(std::nullopt);
+    end(texts::key::badLink());
 }
 
-void MessageController::connectionEnded() {
+void MessageController::on(const bus::OperationFinished& finished) {
+    if (finished.outcome == bus::Outcome::Done)
+        endEvents(finished.module);
+}
+
+void MessageController::on(const bus::OwedStopConfirmed& confirmed) {
+    const auto reported = m_stopping.find({confirmed.cause, confirmed.module});
+    if (reported == m_stopping.end())
+        return;
+    Message& message = m_stopMessages[reported->second];
+    message.headline += u' ' + texts::stopConfirmed(confirmed);
+    m_window.amendMessage(message);
+    m_stopping.erase(reported);
+}
+
+void MessageController::on(const bus::StopFinished& finished) {
+    // For example, a port without modules was closed: no stop was requested, and none was needed.
+    if (finished.unasked && finished.reachedNobody())
+        return;
+    m_flight.note(texts::stopResult(finished, {}).key, texts::stopOfAll(), {},
+                  monotonicNow() - finished.took);
+    m_recordings.note(texts::stopOfAll());
+    m_window.showStopResult(finished);
+}
+
+void MessageController::on(const bus::ModuleUnresponsive& silence) {
+    if (!silence.silent)
+        end(texts::key::link());
+}
+
+void MessageController::on(const bus::HealthChanged& changed) {
+    if (changed.health == bus::LinkHealth::Good)
+        end(texts::key::badLink());
+}
+
+void MessageController::on(const bus::Readdressed& /*readdressed*/) {
+    end(texts::key::unaddressed());
+}
+
+void MessageController::on(const PortClosed& /*closed*/) {
     endEvents(std::nullopt);
 }
 

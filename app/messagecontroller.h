@@ -8,25 +8,34 @@
 #include <vector>
 
 #include "app/flightcontroller.h"
+#include "app/news.h"
+#include "app/positionkeeper.h"
 #include "app/recordingcontroller.h"
 #include "link/command/procedurecontroller.h"
 #include "link/connection/busstore.h"
+#include "link/files/daylog.h"
+#include "model/intent/intent.h"
 #include "widgets/mainwindow/mainwindow.h"
 
 namespace nmc {
 
 /// Shows conditions and events in the window, and ends their messages: a module's fault ends with its cause,
 /// which look() checks; a command that a module did not carry out, when it obeys again; and everything else
-/// with the connection. Events that can be viewed in the scope later are recorded. GUI thread.
+/// with the connection. Events that can be viewed in the scope later are recorded. All messages are logged,
+/// because they outlive the session. GUI thread.
 class MessageController : public QObject {
     Q_OBJECT
 
 public:
+    /// `logFolder` need not exist.
     MessageController(MainWindow& window, const BusStore& store, const ProcedureController& procedures,
-                      FlightController& flight, RecordingController& recordings, QObject* parent = nullptr);
+                      const PositionKeeper& positions, FlightController& flight,
+                      RecordingController& recordings, const QString& logFolder, QObject* parent = nullptr);
 
-    /// Shows conditions that have begun, and ends those that are over. Call with every event.
+    /// Shows conditions that have begun, and ends those that are over. Call first for every event.
     void look();
+    /// Reports an event. Not for the end of an operation that belongs to a procedure or a sequence.
+    void take(const StoreEvent& event);
 
     /// The caller also ends this message.
     void report(const Message& message);
@@ -34,14 +43,8 @@ public:
     void reportOf(const Message& message);
     /// Reports a problem of the chain; ends with this connection.
     void reportOfChain(const Message& message);
-    /// Notes that `message` reports a stop sent to these modules; it is amended when they are seen at rest.
-    void noteStop(const Message& message, bus::StopCause cause, const std::vector<ModuleIndex>& modules);
-
-    void stopConfirmed(const bus::OwedStopConfirmed& confirmed);
-    void obeyed(ModuleIndex module);
-    /// The chain has been searched for again: conditions that persist are reported again.
-    void chainFound();
-    void connectionEnded();
+    /// A precondition of the intent was not met.
+    void refused(ModuleIndex module, Refusal refusal, const Intent& intent);
     void end(const QString& key) { m_window.endMessage(key); }
 
 signals:
@@ -49,6 +52,20 @@ signals:
     void aboutToReport();
 
 private:
+    void keepLog(const QString& line);
+    void showPositionOffer(const PositionMemory::Offer& offer);
+    void showEnd(const ProcedureReport& report);
+    [[nodiscard]] AxisScale scaleOf(const ModuleState& module) const;
+    void take(const News& news);
+    void on(const auto&) {}
+    void on(const bus::ChainFound& found);
+    void on(const bus::OperationFinished& finished);
+    void on(const bus::OwedStopConfirmed& confirmed);
+    void on(const bus::StopFinished& finished);
+    void on(const bus::ModuleUnresponsive& silence);
+    void on(const bus::HealthChanged& changed);
+    void on(const bus::Readdressed& readdressed);
+    void on(const PortClosed& closed);
     void endEvents(std::optional<ModuleIndex> obeyed);
 
     MainWindow& m_window;
@@ -56,6 +73,7 @@ private:
     const ProcedureController& m_procedures;
     FlightController& m_flight;
     RecordingController& m_recordings;
+    DayLog m_log;
     struct Standing {
         ModuleIndex module;
         std::uint32_t connection = 0;
@@ -65,6 +83,7 @@ private:
     /// The message that reports each stop, and its text, which is amended.
     std::map<std::pair<bus::StopCause, ModuleIndex>, QString> m_stopping;
     std::map<QString, Message> m_stopMessages;
+    bool m_guardianMissed = false;  ///< the message about it has been shown
 };
 
 }  // namespace nmc

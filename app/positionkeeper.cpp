@@ -39,6 +39,7 @@ PositionKeeper::PositionKeeper(QString folder, BusStore& store, FileWriter::Disk
     m_keepTimer.setInterval(kKeepPositionsAfterMs);
     connect(&m_keepTimer, &QTimer::timeout, this, &PositionKeeper::keep);
     connect(&m_loading, &BackgroundJob::ended, this, &PositionKeeper::loaded);
+    connect(&m_store, &BusStore::linkChanged, this, &PositionKeeper::look);
 }
 
 void PositionKeeper::begin(const QString& port, bool owns) {
@@ -89,6 +90,15 @@ void PositionKeeper::loaded() {
     if (m_found)
         m_memory.found(m_found->modules, m_found->attached);
     look();
+}
+
+void PositionKeeper::take(const StoreEvent& event) {
+    if (const auto* chain = std::get_if<bus::ChainFound>(&event))
+        found(*chain);
+    else if (const auto* readdressed = std::get_if<bus::Readdressed>(&event))
+        m_memory.restarted(readdressed->module.index);
+    else if (std::holds_alternative<bus::StopFinished>(event))
+        look();  // the port may be closed at once, after which nothing is known any more
 }
 
 void PositionKeeper::found(const bus::ChainFound& found) {

@@ -30,10 +30,8 @@ public:
     void begin(const QString& port, bool owns);
     /// The name of the panel's machine; empty: none. Offers from another machine are withdrawn.
     void setMachine(const std::string& name);
-    void found(const bus::ChainFound& found);
-    void restarted(ModuleIndex module) { m_memory.restarted(module); }
-    /// Call with every change of the link.
-    void look();
+    /// Call for every event.
+    void take(const StoreEvent& event);
 
 signals:
     /// The module's home is now offered.
@@ -42,6 +40,8 @@ signals:
     void over(nmc::ModuleIndex module);
 
 private:
+    void found(const bus::ChainFound& found);
+    void look();
     void loaded();
     void begin();
     void keep();

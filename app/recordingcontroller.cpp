@@ -133,6 +133,11 @@ void RecordingController::write(std::string text) {
     m_writer.append(std::move(text));
 }
 
+void RecordingController::take(const StoreEvent& event) {
+    if (std::holds_alternative<PortClosed>(event))
+        end();
+}
+
 void RecordingController::end() {
     if (m_writer.isRecording() && isOfThisChain())
         writeNews();

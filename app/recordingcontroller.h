@@ -24,10 +24,11 @@ public:
 
     /// Adds a note for readers of the recording.
     void note(const QString& text);
-    /// Ends the recording.
-    void end();
+    /// Call for every event: the recording ends with the connection.
+    void take(const StoreEvent& event);
 
 private:
+    void end();
     void start(const QString& path);
     void look();
     [[nodiscard]] bool isOfThisChain();

@@ -112,7 +112,8 @@ Monkey::~Monkey() {
 
 void Monkey::startProgram() {
     m_program = std::make_unique<Composition>(m_settings, places(m_directory.path()), m_directory.path());
-    m_program->setTransports([this](const ConnectTarget& /*target*/) { return m_chain.transport(); });
+    m_program->connection().setTransports(
+        [this](const ConnectTarget& /*target*/) { return m_chain.transport(); });
     m_oath = std::make_unique<Oath>(m_chain, *m_program);
     // Every second user gives the port on the command line.
     Start start;

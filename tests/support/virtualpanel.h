@@ -19,7 +19,7 @@ public:
                           const QString& data = {}, const FileWriter::Disk& disk = writeFile)
         : IntentPanel(settings, std::move(places), data, disk) {
         setBackground([](const std::function<void()>& work) { work(); });
-        composition().setTransports([this](const ConnectTarget& target) {
+        composition().connection().setTransports([this](const ConnectTarget& target) {
             m_port = target.port;
             VirtualChain* chain = VirtualChain::at(m_port);
             if (chain == nullptr)

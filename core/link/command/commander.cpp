@@ -9,6 +9,7 @@
 #include "model/intent/rights.h"
 #include "model/intent/travel.h"
 #include "model/procedure/procedures.h"
+#include "model/settings/pinsof.h"
 #include "module/commandfacts.h"
 
 namespace nmc {
@@ -140,8 +141,11 @@ void Commander::endRuns() {
 
 bool Commander::take(const StoreEvent& event) {
     const bool ends = std::holds_alternative<bus::OperationFinished>(event);
-    if (std::holds_alternative<bus::ChainFound>(event))
+    if (std::holds_alternative<bus::ChainFound>(event)) {
         m_travelLimits.clear();
+        m_stopOutputs.clear();
+        sendStopOutputs();
+    }
     if (ends || std::holds_alternative<bus::GroupFinished>(event)) {
         // The operation may have set a counter, in which case the bus has dropped the limits of that axis.
         m_travelLimits.clear();
@@ -166,6 +170,7 @@ bus::OperationId Commander::submit(bus::Operation operation) {
 }
 
 void Commander::look() {
+    sendStopOutputs();
     if (m_store.link().phase != LinkPhase::Connected || m_store.link().readOnly)
         return;
     sendTravelLimits();
@@ -186,6 +191,20 @@ void Commander::sendTravelLimits() {
         return;
     m_travelLimits = limits;
     m_worker.setTravelLimits(std::move(limits));
+}
+
+/// The bus thread must know them before the stop is requested.
+void Commander::sendStopOutputs() {
+    std::vector<bus::StopOutputs> outputs;
+    for (const AxisSettings& axis : m_store.machine().axes) {
+        const PinSettings& pins = pinsOf(axis);
+        outputs.push_back(
+            {PinSettings::offAtStop(pins.pins), static_cast<std::uint8_t>(PinSettings::offAtStop(pins.pwm))});
+    }
+    if (outputs == m_stopOutputs)
+        return;
+    m_stopOutputs = outputs;
+    m_worker.setStopOutputs(std::move(outputs));
 }
 
 void Commander::keepArmed(const ModuleState& module) {

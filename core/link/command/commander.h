@@ -19,8 +19,8 @@ namespace nmc {
 
 /// Carries out requests to modules and groups: as an operation, as a procedure, or as a command to a group.
 /// Whatever was running with the module before is ended, and a stop does not wait for any of it. The class
-/// also keeps the bus informed of what follows from the machine: travel limits, limit stops that are due, and
-/// the module that a test needs polled fast. GUI thread.
+/// also keeps the bus informed of what follows from the machine: travel limits, limit stops that are due, the
+/// outputs that a stop of all modules takes low, and the module that a test needs polled fast. GUI thread.
 class Commander : public QObject {
     Q_OBJECT
 
@@ -62,6 +62,7 @@ private:
     bus::OperationId nextId() { return bus::OperationId(++m_lastOperation); }
     void look();
     void sendTravelLimits();
+    void sendStopOutputs();
     void keepArmed(const ModuleState& module);
     [[nodiscard]] std::vector<ModuleIndex> membersOf(std::uint8_t group) const;
     void noteTest(const ProcedureReport& report);
@@ -73,6 +74,7 @@ private:
     SequenceController m_sequences;
     std::uint32_t m_lastOperation = 0;
     std::vector<bus::TravelLimits> m_travelLimits;  ///< as last sent; empty: the bus may have other limits
+    std::vector<bus::StopOutputs> m_stopOutputs;    ///< as last sent; empty: the bus may have others
     std::map<ModuleIndex, TimePoint> m_armedAt;     ///< when a limit stop was last sent
     std::set<ModuleIndex> m_tested;                 ///< by running procedures (isTest)
     QTimer m_focusTimer;                            ///< renews the focus, which the bus otherwise withdraws

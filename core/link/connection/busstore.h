@@ -54,6 +54,7 @@ public:
     void declarePosition(ModuleIndex module, bool right);
     /// Sets the user's settings for how the axes may move.
     void setMachine(const Machine& machine);
+    [[nodiscard]] const Machine& machine() const { return m_machine; }
     /// Offers the home position that follows from remembered data, if those are still true.
     void offerHome(ModuleIndex module, std::int32_t counts);
     /// Called when the user accepts, or declines, the offered home.

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/connection.h"
+
+#include <utility>
+
+#include "app/knownchain.h"
+#include "link/connection/serialtransport.h"
+#include "link/connection/simulatortransport.h"
+#include "model/module/chaindiagnosis.h"
+#include "sim/chainspec.h"
+
+namespace nmc {
+
+namespace {
+
+/// The chain after '=', or the default one.
+auto simulatedChain(const QString& port) {
+    const std::string chain = port.mid(kSimulatorPort.size() + 1).toStdString();
+    return sim::parseChain(chain.empty() ? sim::kDefaultChain : std::string_view(chain));
+}
+
+/// A name of this form that does not specify a valid chain is not a port at all.
+bool isSimulator(const QString& port) {
+    return port == kSimulatorPort ||
+           (port.startsWith(kSimulatorPort + QLatin1Char('=')) && simulatedChain(port).has_value());
+}
+
+}  // namespace
+
+Connection::Connection(QSettings& settings, BusStore& store, BusWorker& worker, Commander& commander,
+                       PortController& ports, QObject* parent)
+    : QObject(parent),
+      m_settings(settings),
+      m_store(store),
+      m_worker(worker),
+      m_commander(commander),
+      m_ports(ports) {
+    connect(&commander.procedures(), &ProcedureController::idle, this, &Connection::searchIfIdle);
+    connect(&commander.sequences(), &SequenceController::reported, this,
+            [this](const SequenceReport& report) {
+                if (report.over())
+                    searchIfIdle();
+            });
+}
+
+void Connection::open(const ConnectTarget& target) {
+    if (m_ports.mayConnect(target))
+        openAnyway(target);
+}
+
+void Connection::reopen() {
+    if (m_target)
+        open(*m_target);
+}
+
+void Connection::reopenFully() {
+    if (m_target)
+        open({m_target->port, m_target->baud, false});
+}
+
+void Connection::openOffered() {
+    if (!m_ports.offered())
+        return;
+    const ConnectTarget offer = *m_ports.offered();
+    if (m_lostPort)
+        m_lostPort = offer.port;  // the same adapter under another name
+    openAnyway(offer);
+}
+
+void Connection::openAnyway(const ConnectTarget& target) {
+    m_openNext = target;
+    if (m_worker.isOpen()) {
+        m_commander.endRuns();
+        m_worker.close();  // PortClosed opens the next one
+    } else
+        openNow(*std::exchange(m_openNext, std::nullopt));
+}
+
+void Connection::openNow(const ConnectTarget& target) {
+    m_target = target;
+    const QString port = target.port;
+    const bool simulated = isSimulator(port);
+    bus::EngineConfig config;
+    config.baud = target.baud;
+    config.readOnly = target.readOnly;
+    BusWorker::TransportFactory factory;
+    if (simulated) {
+        config.adapterLatency = Duration::zero();
+        sim::ChainOptions options;
+        options.enableFaults = m_enableFaults;
+        factory = [modules = simulatedChain(port).value(), options] {
+            return std::make_unique<SimulatorTransport>(modules, options);
+        };
+    } else {
+        config.adapterLatency = m_ports.adapterLatency(port);
+        config.known = knownChain(m_settings, port);
+        config.knownBaud = knownRate(m_settings, port);
+        factory = [port, baud = target.baud] { return std::make_unique<SerialTransport>(port, baud); };
+        m_ports.opening(target);
+    }
+    emit opening(target, simulated, config.adapterLatency);
+    m_store.begin(port, simulated, target.baud, target.readOnly);
+    m_worker.open(m_transports ? m_transports(target) : std::move(factory), config);
+}
+
+void Connection::close() {
+    m_openNext.reset();
+    m_commander.endRuns();
+    m_worker.close();
+}
+
+void Connection::end() {
+    if (!m_worker.isOpen()) {
+        emit ended();
+        return;
+    }
+    m_endWhenClosed = true;
+    close();
+}
+
+void Connection::searchAgain() {
+    if (m_worker.isOpen()) {
+        m_searchWhenIdle = m_commander.anyRunning();
+        if (m_searchWhenIdle) {
+            // Nothing is left running without supervision: the motors stop first.
+            m_commander.stopRuns();
+        } else
+            m_worker.connectAgain();
+    } else {
+        reopen();
+    }
+    emit searching();
+}
+
+void Connection::searchIfIdle() {
+    if (m_searchWhenIdle)
+        searchAgain();
+}
+
+void Connection::acceptChain() {
+    const LinkState& link = m_store.link();
+    std::vector<bus::ModuleInfo> present;
+    std::vector<ModuleIdentity> identities;
+    std::vector<ModuleIndex> missing;
+    for (const ModuleState& module : link.modules) {
+        if (isMissing(module)) {
+            missing.push_back(module.info.index);
+        } else {
+            present.push_back(module.info);
+            identities.push_back(module.info.identity);
+        }
+    }
+    const bool forgets = !missing.empty() && !link.simulated;
+    // The known chain is dropped only by reconnecting, and closing the connection stops motors.
+    if (forgets && !link.readOnly && m_store.movingMotors() > 0) {
+        emit notAccepted();
+        return;
+    }
+    emit accepted(identities, missing);
+    if (link.phase != LinkPhase::Connected || link.simulated)
+        return;
+    rememberChain(m_settings, m_target->port, present);
+    if (forgets)
+        reopen();
+}
+
+void Connection::take(const StoreEvent& event) {
+    if (const auto* found = std::get_if<bus::ChainFound>(&event))
+        on(*found);
+    else if (const auto* closed = std::get_if<PortClosed>(&event))
+        on(*closed);
+    else if (std::holds_alternative<bus::LinkLost>(event))
+        m_lostPort = m_target->port;
+    else if (std::holds_alternative<bus::AddressChanged>(event))
+        remember();
+    else if (const auto* changed = std::get_if<bus::RateChanged>(&event);
+             changed != nullptr && !m_store.link().simulated)
+        rememberRate(m_settings, m_target->port, changed->baud);
+}
+
+/// Known modules that are missing are reported separately, as silent.
+void Connection::on(const bus::ChainFound& found) {
+    if (m_lostPort == m_target->port) {
+        m_lostPort.reset();
+        emit recovered();
+    }
+    const int modules = static_cast<int>(found.modules.size());
+    // The machine's own list takes precedence over what was seen at this port.
+    const auto ofMachine = static_cast<int>(expectedModules(m_store.machine()));
+    const auto known = static_cast<int>(knownChain(m_settings, m_target->port).size());
+    const int expected = ofMachine > 0 ? ofMachine : known;
+    if (modules < expected)
+        emit fewerFound(modules, expected);
+    else if (found.absent.empty() && !found.unaddressed && !m_store.link().simulated)
+        rememberChain(m_settings, m_target->port, found.modules);
+}
+
+void Connection::on(const PortClosed& closed) {
+    m_searchWhenIdle = false;
+    if (closed.error) {
+        if (closed.error->problem == PortProblem::Gone)
+            m_lostPort = m_target->port;
+        m_ports.closed(*closed.error);
+    }
+    if (m_endWhenClosed)
+        emit ended();
+    else if (m_openNext)
+        openNow(*std::exchange(m_openNext, std::nullopt));
+}
+
+/// Stores the changed addresses, so that the chain can be found again.
+void Connection::remember() {
+    if (m_store.link().simulated)
+        return;
+    std::vector<bus::ModuleInfo> chain;
+    for (const ModuleState& module : m_store.link().modules)
+        chain.push_back(module.info);
+    rememberChain(m_settings, m_target->port, chain);
+}
+
+}  // namespace nmc

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QSettings>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "app/portcontroller.h"
+#include "link/command/commander.h"
+#include "link/connection/busstore.h"
+#include "link/connection/busworker.h"
+
+namespace nmc {
+
+/// The connection to a port or to the simulator, as the user asks for it: opens and closes it, opens the next
+/// one once the present one has closed, and searches again once nothing runs. Stores the chain found at each
+/// port in the settings. GUI thread.
+class Connection : public QObject {
+    Q_OBJECT
+
+public:
+    Connection(QSettings& settings, BusStore& store, BusWorker& worker, Commander& commander,
+               PortController& ports, QObject* parent = nullptr);
+
+    /// Creates the transport that opens a port, in the bus thread.
+    using Transports = std::function<BusWorker::TransportFactory(const ConnectTarget&)>;
+    /// For tests, instead of the system's ports and the simulator.
+    void setTransports(Transports transports) { m_transports = std::move(transports); }
+    /// Allows control lines to inject faults into the simulator.
+    void enableFaults(bool enable) { m_enableFaults = enable; }
+
+    /// Closes the present connection first. If the port has another adapter than before, the user is asked.
+    void open(const ConnectTarget& target);
+    /// Opens the present connection again, or the last one.
+    void reopen();
+    /// The same, with commands allowed.
+    void reopenFully();
+    /// Opens the port of the adapter that is back.
+    void openOffered();
+    void close();
+    /// Stops the motors and closes; ended() follows.
+    void end();
+
+    /// Searches for the chain again, once procedures and sequences have stopped their motors.
+    void searchAgain();
+    /// The user has requested something else than the search that waits.
+    void dropSearch() { m_searchWhenIdle = false; }
+    /// Makes the modules that are present the expected ones; those that are missing are forgotten.
+    void acceptChain();
+
+    /// Call for every event, after everything that must be over before the next connection is opened.
+    void take(const StoreEvent& event);
+
+signals:
+    /// `latency`: of the adapter.
+    void opening(const nmc::ConnectTarget& target, bool simulated, nmc::Duration latency);
+    void searching();
+    /// Fewer modules were found than the machine has, or were found at this port before.
+    void fewerFound(int modules, int expected);
+    /// The port that was lost is connected again.
+    void recovered();
+    /// These are present; the modules in `missing` are not.
+    void accepted(const std::vector<nmc::ModuleIdentity>& present,
+                  const std::vector<nmc::ModuleIndex>& missing);
+    /// Forgetting a module would close the connection, which would stop motors.
+    void notAccepted();
+    void ended();
+
+private:
+    void openAnyway(const ConnectTarget& target);
+    void openNow(const ConnectTarget& target);
+    void searchIfIdle();
+    void on(const bus::ChainFound& found);
+    void on(const PortClosed& closed);
+    void remember();
+
+    QSettings& m_settings;
+    BusStore& m_store;
+    BusWorker& m_worker;
+    Commander& m_commander;
+    PortController& m_ports;
+    Transports m_transports;
+    std::optional<ConnectTarget> m_target;    ///< the present connection, or the last one
+    std::optional<ConnectTarget> m_openNext;  ///< opened when the present connection has closed
+    std::optional<QString> m_lostPort;        ///< where the state of motors became unknown
+    bool m_endWhenClosed = false;
+    bool m_searchWhenIdle = false;  ///< as soon as no procedure and no sequence is running
+    bool m_enableFaults = false;
+};
+
+}  // namespace nmc

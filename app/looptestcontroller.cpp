@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/looptestcontroller.h"
+
+#include <QDateTime>
+#include <utility>
+
+#include "link/clock.h"
+#include "model/module/modulescale.h"
+#include "model/response/responsefile.h"
+#include "widgets/common/words.h"
+#include "widgets/looptests/frequencypage.h"
+#include "widgets/looptests/looptestsdock.h"
+#include "widgets/looptests/squarewavepage.h"
+#include "widgets/response/responsedock.h"
+
+namespace nmc {
+
+LoopTestController::LoopTestController(MainWindow& window, const BusStore& store,
+                                       const ProcedureController& procedures, QObject* parent)
+    : QObject(parent), m_window(window), m_store(store) {
+    connect(&procedures, &ProcedureController::reported, this, &LoopTestController::take);
+}
+
+void LoopTestController::take(const ProcedureReport& report) {
+    if (makesSteps(report.kind))
+        followSteps(report);
+    if (report.kind == ProcedureKind::SquareWave)
+        followSquareWave(report);
+    if (report.kind == ProcedureKind::FrequencyResponse && !report.frequencies.empty())
+        m_window.loopTests().frequency().showReport(report);
+}
+
+void LoopTestController::followSteps(const ProcedureReport& report) {
+    const ModuleState* module = m_store.module(report.module);
+    if (module == nullptr || !report.step)
+        return;
+    if (std::exchange(m_steps[report.module], *report.step) != *report.step)
+        if (const auto run = recordOf(*module, *report.step))
+            m_window.showResponse(*run);
+    if (report.kind == ProcedureKind::StepSeries && report.stage == ProcedureStage::Done)
+        m_window.stepResponses().page().find(report.module);
+}
+
+void LoopTestController::followSquareWave(const ProcedureReport& report) {
+    const ModuleState* module = m_store.module(report.module);
+    const auto last = m_edges.find(report.module);
+    const bool next = last == m_edges.end() || report.step != last->second;
+    if (last != m_edges.end() && module != nullptr && (next || report.stage == ProcedureStage::Stopping))
+        if (auto edge = recordOf(*module, last->second))
+            m_window.loopTests().squareWave().showEdge(std::move(*edge));
+    if (report.over() || report.stage == ProcedureStage::Stopping) {
+        m_edges.erase(report.module);
+    } else if (report.step) {
+        if (last == m_edges.end())
+            m_window.loopTests().squareWave().clear();
+        m_edges[report.module] = *report.step;
+    }
+}
+
+std::optional<KeptResponse> LoopTestController::recordOf(const ModuleState& module,
+                                                         const ResponseTaken& taken) const {
+    const ModuleIndex index = module.info.index;
+    const ModuleHistory* history = m_store.history().module(index);
+    if (history == nullptr)
+        return std::nullopt;
+    const auto samples = history->samples(taken.at - kBeforeStep, taken.at + fromSeconds(taken.record));
+    const auto ago = std::chrono::duration_cast<std::chrono::milliseconds>(monotonicNow() - taken.at);
+    const QDateTime started = QDateTime::currentDateTime().addMSecs(-ago.count());
+    const AxisSettings axis = m_store.machine().axis(index);
+    KeptResponse kept;
+    kept.run = takeRun(index, samples, taken, kFirstBand);
+    kept.startedAt = isoDate(started).toStdString();
+    kept.moduleName = texts::moduleName(index).toStdString();
+    kept.axisName = axis.name;
+    kept.scale = scaleOf(module, axis);
+    kept.port = m_store.link().port;
+    kept.simulated = m_store.link().simulated;
+    return kept;
+}
+
+}  // namespace nmc

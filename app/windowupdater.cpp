@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/windowupdater.h"
+
+#include <algorithm>
+
+#include "link/clock.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr int kFrameIntervalMs = 16;
+constexpr int kFiguresIntervalMs = 1'000;
+constexpr int kReadableMs = 40;
+
+}  // namespace
+
+WindowUpdater::WindowUpdater(MainWindow& window, BusStore& store, BusWorker& worker, Commander& commander,
+                             FlightController& flight, QObject* parent)
+    : QObject(parent),
+      m_window(window),
+      m_store(store),
+      m_worker(worker),
+      m_commander(commander),
+      m_flight(flight) {
+    m_linkTimer.setSingleShot(true);
+    connect(&m_linkTimer, &QTimer::timeout, this, &WindowUpdater::showLink);
+    connect(&m_store, &BusStore::linkChanged, this, &WindowUpdater::showLinkSoon);
+    m_frameTimer.setInterval(kFrameIntervalMs);
+    connect(&m_frameTimer, &QTimer::timeout, this, &WindowUpdater::showFrame);
+    connect(&m_window, &MainWindow::scopeFrameWanted, this, &WindowUpdater::showFrameSoon);
+    m_figuresTimer.setInterval(kFiguresIntervalMs);
+    connect(&m_figuresTimer, &QTimer::timeout, this, &WindowUpdater::showFigures);
+}
+
+void WindowUpdater::begin() {
+    m_frameTimer.start();
+    m_figuresTimer.start();
+}
+
+void WindowUpdater::catchUp() {
+    if (m_linkTimer.isActive())
+        showLink();
+}
+
+void WindowUpdater::take(const StoreEvent& event) {
+    if (std::holds_alternative<bus::ChainFound>(event))
+        m_watched.clear();  // the bus has forgotten it
+    if (const auto* answer = std::get_if<SimulatorAnswered>(&event))
+        m_window.showSimulatorAnswer(QString::fromStdString(answer->line),
+                                     QByteArray::fromStdString(answer->json));
+    if (!std::holds_alternative<PortClosed>(event))
+        return;
+    m_window.showPackets(m_worker.takeRecords());
+    m_flight.keepAll();
+    m_frameTimer.stop();
+    // The last reported values continue to age.
+    if (!m_store.link().unplugged)
+        m_figuresTimer.stop();
+    m_window.showFigures({});
+}
+
+/// Statuses arrive faster than numbers can be read, but changes of a module's activity and requests are shown
+/// at once, because controls depend on them.
+void WindowUpdater::showLinkSoon() {
+    const bool due = !m_linkShown.isValid() || m_linkShown.elapsed() >= kReadableMs;
+    if (due || m_shown != Shown(m_store.link()))
+        showLink();
+    else if (!m_linkTimer.isActive())
+        m_linkTimer.start(kReadableMs - static_cast<int>(m_linkShown.elapsed()));
+}
+
+void WindowUpdater::showLink() {
+    m_linkTimer.stop();
+    m_linkShown.start();
+    m_shown = Shown(m_store.link());
+    m_window.showLink(m_store.link());
+}
+
+WindowUpdater::Shown::Shown(const LinkState& link) : phase(link.phase), connection(link.connection) {
+    for (const ModuleState& module : link.modules)
+        modules.push_back({module.activity(), module.awaited, module.gains});
+}
+
+void WindowUpdater::showFrame() {
+    m_window.showPackets(m_worker.takeRecords());
+    std::vector<ModuleIndex> watched = m_window.watchedModules();
+    for (const ModuleIndex module : m_commander.sequences().parts())
+        if (!std::ranges::count(watched, module))
+            watched.push_back(module);  // its arrival is awaited
+    if (watched != m_watched) {
+        m_watched = watched;
+        m_worker.watch(watched);
+    }
+    // When no more data arrives, time stops where the data ended.
+    const History& history = m_store.history();
+    const TimePoint now = m_worker.isOpen() ? monotonicNow() : history.end().value_or(TimePoint{});
+    m_flight.keep(now);
+    m_window.showHistory(history, now);
+}
+
+void WindowUpdater::showFrameSoon() {
+    if (!m_frameTimer.isActive())
+        QTimer::singleShot(0, this, &WindowUpdater::showFrame);
+}
+
+void WindowUpdater::showFigures() {
+    if (!m_worker.isOpen())
+        return m_window.showTime(monotonicNow());
+    const LinkFigures figures = m_store.pullFigures(monotonicNow());
+    m_window.showFigures(figures);
+    if (m_store.link().phase == LinkPhase::Connected)
+        emit ratesMeasured(figures);
+}
+
+}  // namespace nmc
