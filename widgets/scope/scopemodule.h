@@ -25,28 +25,35 @@ struct ScopeModule {
     [[nodiscard]] bool isIo() const { return identity.type == ModuleType::Io; }
     /// Scale of one of its A/D values.
     [[nodiscard]] AnalogScale analogOf(ScopeSignal signal) const {
-        const auto input = analogInputOf(signal);
+        const auto input = infoOf(signal).analogInput;
         return isIo() && input ? PinSettings::of(pins.analog, *input).scale : analog;
     }
     [[nodiscard]] LinearScale scaleOf(ScopeSignal signal) const {
-        if (analogInputOf(signal))
-            return {analogOf(signal).perCount, analogOf(signal).atZero};
-        if (signal == ScopeSignal::Pwm || signal == ScopeSignal::Counter || signal == ScopeSignal::CountRate)
-            return {};
-        return {scale.position(1.0), 0.0};
+        switch (infoOf(signal).unit) {
+            case SignalInfo::Unit::Position:
+            case SignalInfo::Unit::Velocity:
+            case SignalInfo::Unit::Acceleration:
+                return {scale.position(1.0), 0.0};
+            case SignalInfo::Unit::Analog:
+                return {analogOf(signal).perCount, analogOf(signal).atZero};
+            case SignalInfo::Unit::Pwm:
+            case SignalInfo::Unit::Count:
+            case SignalInfo::Unit::CountRate:
+                break;
+        }
+        return {};
     }
     /// True if its samples contain this signal and not another one in its place: a PIC-I/O has no motor, and
     /// the other modules have only one A/D input and no counter.
     [[nodiscard]] bool has(ScopeSignal signal) const {
-        return isIo() ? signal == ScopeSignal::Analog || isOfIo(signal) : !isOfIo(signal);
+        return infoOf(signal).owner != (isIo() ? SignalInfo::Owner::Motor : SignalInfo::Owner::Io);
     }
     /// True if the signal is meaningful for this module: a PIC-STEP always follows its steps, so it has no
     /// position error and no control filter, and its A/D value is not a motor current (DS-S 5.2).
     [[nodiscard]] bool reports(ScopeSignal signal) const {
-        if (!has(signal))
-            return false;
-        return identity.type != ModuleType::Stepper ||
-               (!isCalculated(signal) && signal != ScopeSignal::Analog);
+        const SignalInfo& info = infoOf(signal);
+        return has(signal) && (identity.type != ModuleType::Stepper ||
+                               (!info.calculated && info.unit != SignalInfo::Unit::Analog));
     }
     /// Travel limits to draw across the strip of a signal, in the unit in which it is shown.
     [[nodiscard]] std::vector<double> limitsOf(ScopeSignal signal) const {

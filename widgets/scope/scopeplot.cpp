@@ -60,7 +60,7 @@ void ScopePlot::setTraces(std::vector<Trace> traces) {
         m_under[i].colour = drawing.colour;
         m_under[i].colour.setAlphaF(kUnderlayOpacity);
         const QString rate = texts::readout(std::round(trace.samplesPerSecond));
-        const QString label = isCalculated(trace.signal) && trace.samplesPerSecond == 0
+        const QString label = infoOf(trace.signal).calculated && trace.samplesPerSecond == 0
                                   ? tr("%1 · unknown").arg(trace.label)
                                   : tr("%1 · %2/s").arg(trace.label, rate);
         legend.push_back({label, drawing.colour, drawing.dashed});

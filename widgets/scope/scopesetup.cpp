@@ -12,18 +12,13 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-// Words of the settings file: never translated, never changed.
-const std::array<QString, kScopeSignals> kSignalWords{
-    u"position"_s, u"command"_s, u"error"_s,   u"velocity"_s, u"analog"_s, u"acceleration"_s,
-    u"pwm"_s,      u"analog2"_s, u"analog3"_s, u"counter"_s,  u"rate"_s};
-static_assert(kScopeSignals == 11, "each has a word");
-
 const std::array<std::pair<QString, ModuleType>, 3> kBitWords{{{u"servobits"_s, ModuleType::Servo},
                                                                {u"stepbits"_s, ModuleType::Stepper},
                                                                {u"iobits"_s, ModuleType::Io}}};
 
 QString toWord(const SignalRef& signal) {
-    const QString word = kSignalWords[static_cast<std::size_t>(signal.signal)];
+    const std::string_view name = infoOf(signal.signal).word;
+    const QString word = QLatin1String(name.data(), static_cast<qsizetype>(name.size()));
     return signal.module ? u"%1.%2"_s.arg(signal.module->value() + 1).arg(word) : word;
 }
 
@@ -37,10 +32,10 @@ std::optional<SignalRef> signalFromText(const QString& text) {
         signal.module = ModuleIndex(static_cast<std::uint8_t>(number - 1));
         word = word.mid(dot + 1);
     }
-    const auto found = std::find(kSignalWords.begin(), kSignalWords.end(), word);
-    if (found == kSignalWords.end())
+    const auto found = std::ranges::find(kSignals, word.toStdString(), &SignalInfo::word);
+    if (found == kSignals.end())
         return std::nullopt;
-    signal.signal = static_cast<ScopeSignal>(found - kSignalWords.begin());
+    signal.signal = found->signal;
     return signal;
 }
 

@@ -67,7 +67,7 @@ QString signalName(ScopeSignal signal) {
 }
 
 QString signalName(ScopeSignal signal, const ScopeModule& module) {
-    const auto input = analogInputOf(signal);
+    const auto input = infoOf(signal).analogInput;
     if (!module.isIo() || !input)
         return signalName(signal);
     const std::string name = PinSettings::of(module.pins.analog, *input).name;
@@ -75,24 +75,20 @@ QString signalName(ScopeSignal signal, const ScopeModule& module) {
 }
 
 QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
-    switch (signal) {
-        case ScopeSignal::Position:
-        case ScopeSignal::Command:
-        case ScopeSignal::Error:
+    switch (infoOf(signal).unit) {
+        case SignalInfo::Unit::Position:
             return unitOf(module.scale);
-        case ScopeSignal::Velocity:
+        case SignalInfo::Unit::Velocity:
             return measuredVelocityUnitOf(module.scale);
-        case ScopeSignal::Analog:
-        case ScopeSignal::Analog2:
-        case ScopeSignal::Analog3:
-            return QString::fromStdString(module.analogOf(signal).unit);
-        case ScopeSignal::Acceleration:
+        case SignalInfo::Unit::Acceleration:
             return SignalTexts::tr("%1/s²").arg(unitOf(module.scale));
-        case ScopeSignal::Pwm:
+        case SignalInfo::Unit::Analog:
+            return QString::fromStdString(module.analogOf(signal).unit);
+        case SignalInfo::Unit::Pwm:
             return SignalTexts::tr("of 255");
-        case ScopeSignal::Counter:
+        case SignalInfo::Unit::Count:
             return SignalTexts::tr("counts");
-        case ScopeSignal::CountRate:
+        case SignalInfo::Unit::CountRate:
             return SignalTexts::tr("counts/s");
     }
     return {};

@@ -78,8 +78,8 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
 void SignalsDialog::addRows(const QString& title, std::optional<ModuleIndex> module, const ScopeModule* of) {
     auto* group = new QTreeWidgetItem(m_table, {title});
     bool used = !module;
-    for (std::size_t i = 0; i < kScopeSignals; ++i) {
-        const auto signal = static_cast<ScopeSignal>(i);
+    for (const SignalInfo& info : kSignals) {
+        const ScopeSignal signal = info.signal;
         if (of != nullptr && !of->has(signal))
             continue;
         const QString name = of != nullptr ? texts::signalName(signal, *of) : texts::signalName(signal);

@@ -148,9 +148,9 @@ void TriggerBar::addSources(const std::optional<ModuleIndex>& module, const Scop
         m_sources.push_back(source);
         m_source->addItem(module ? tr("%1: %2").arg(of.name, name) : name);
     };
-    for (std::size_t i = 0; i < kScopeSignals; ++i) {
+    for (const SignalInfo& info : kSignals) {
         // A derived signal needs the signals from which it is derived.
-        const auto signal = static_cast<ScopeSignal>(i);
+        const ScopeSignal signal = info.signal;
         if (isDerived(signal) ? of.reports(signal) : of.has(signal))
             add({module, signal}, texts::signalName(signal, of));
     }

@@ -108,7 +108,7 @@ public:
         for (const ScopeSignal signal : m_signals) {
             const auto from = valueOf(*before, signal);
             const auto to = valueOf(*after, signal);
-            const bool whole = m_io || signal == ScopeSignal::Analog;
+            const bool whole = m_io || infoOf(signal).unit == SignalInfo::Unit::Analog;
             appendCell(out, signal,
                        isDerived(signal) ? madeAt(time, signal)
                        : whole           ? from
@@ -154,7 +154,7 @@ private:
         if (!value)
             return;
         if (m_io) {
-            const auto input = analogInputOf(signal);
+            const auto input = infoOf(signal).analogInput;
             const AnalogScale scale =
                 input ? PinSettings::of(m_module.pins.analog, *input).scale : AnalogScale{1, 0, {}};
             return appendNumber(out, scale.atZero + *value * scale.perCount);

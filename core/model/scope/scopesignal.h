@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <compare>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "model/scope/scopesample.h"
 
@@ -26,77 +28,102 @@ enum class ScopeSignal : std::uint8_t {
     CountRate
 };
 
-inline constexpr std::size_t kScopeSignals = 11;
+/// What is known of a signal. Its name is in widgets/scope/scopewords.cpp, and how it is computed, if it is
+/// derived, in SignalMaker.
+struct SignalInfo {
+    /// The part of a sample that contains it.
+    enum class Place : std::uint8_t {
+        Derived,  ///< none: it is computed from several samples, only while it is displayed (DerivedSignals)
+        Position,
+        Counter,  ///< the position of a PIC-I/O's sample, with 2^31 added
+        Command,
+        Error,
+        Velocity,
+        Analog
+    };
+    /// What its values are multiples of.
+    enum class Unit : std::uint8_t {
+        Position,
+        Velocity,
+        Acceleration,
+        Analog,  ///< that of the A/D input
+        Pwm,     ///< of 255
+        Count,
+        CountRate
+    };
+    enum class Owner : std::uint8_t { Motor, Io, Both };
 
-/// True for signals calculated from the commands sent, because the chip does not report them; they are
-/// sometimes unknown.
-[[nodiscard]] constexpr bool isCalculated(ScopeSignal signal) {
-    return signal == ScopeSignal::Command || signal == ScopeSignal::Error || signal == ScopeSignal::Pwm;
+    ScopeSignal signal;
+    std::string_view word;  ///< in settings: never translated, never changed
+    Place place;
+    Unit unit;
+    Owner owner = Owner::Motor;
+    /// Calculated from the commands sent, because the chip does not report it; sometimes unknown.
+    bool calculated = false;
+    /// The index of the PIC-I/O's A/D input from 0.
+    std::optional<std::size_t> analogInput{};
+};
+
+/// One row for each signal, in their order.
+inline constexpr auto kSignals = [] {
+    using enum SignalInfo::Owner;
+    using Place = SignalInfo::Place;
+    using Unit = SignalInfo::Unit;
+    return std::array{
+        SignalInfo{ScopeSignal::Position, "position", Place::Position, Unit::Position},
+        SignalInfo{ScopeSignal::Command, "command", Place::Command, Unit::Position, Motor, true},
+        SignalInfo{ScopeSignal::Error, "error", Place::Error, Unit::Position, Motor, true},
+        SignalInfo{ScopeSignal::Velocity, "velocity", Place::Velocity, Unit::Velocity},
+        SignalInfo{ScopeSignal::Analog, "analog", Place::Analog, Unit::Analog, Both, false, 0},
+        SignalInfo{ScopeSignal::Acceleration, "acceleration", Place::Derived, Unit::Acceleration},
+        SignalInfo{ScopeSignal::Pwm, "pwm", Place::Derived, Unit::Pwm, Motor, true},
+        SignalInfo{ScopeSignal::Analog2, "analog2", Place::Error, Unit::Analog, Io, false, 1},
+        SignalInfo{ScopeSignal::Analog3, "analog3", Place::Velocity, Unit::Analog, Io, false, 2},
+        SignalInfo{ScopeSignal::Counter, "counter", Place::Counter, Unit::Count, Io},
+        SignalInfo{ScopeSignal::CountRate, "rate", Place::Derived, Unit::CountRate, Io},
+    };
+}();
+
+[[nodiscard]] constexpr const SignalInfo& infoOf(ScopeSignal signal) {
+    return kSignals[static_cast<std::size_t>(signal)];
 }
 
-/// True for signals that no sample contains: they are computed from several samples, only while they are
-/// displayed (DerivedSignals).
+static_assert([] {
+    for (std::size_t i = 0; i < kSignals.size(); ++i)
+        if (kSignals[i].signal != static_cast<ScopeSignal>(i))
+            return false;
+    return kSignals.back().signal == ScopeSignal::CountRate;
+}());
+
 [[nodiscard]] constexpr bool isDerived(ScopeSignal signal) {
-    return signal == ScopeSignal::Acceleration || signal == ScopeSignal::Pwm ||
-           signal == ScopeSignal::CountRate;
-}
-
-/// True for signals that only a PIC-I/O has; of the others it has only Analog.
-[[nodiscard]] constexpr bool isOfIo(ScopeSignal signal) {
-    return signal >= ScopeSignal::Analog2;
-}
-
-/// The index of the PIC-I/O's A/D input from 0, or nothing for another signal.
-[[nodiscard]] constexpr std::optional<std::size_t> analogInputOf(ScopeSignal signal) {
-    switch (signal) {
-        case ScopeSignal::Analog:
-            return 0;
-        case ScopeSignal::Analog2:
-            return 1;
-        case ScopeSignal::Analog3:
-            return 2;
-        case ScopeSignal::Position:
-        case ScopeSignal::Command:
-        case ScopeSignal::Error:
-        case ScopeSignal::Velocity:
-        case ScopeSignal::Acceleration:
-        case ScopeSignal::Pwm:
-        case ScopeSignal::Counter:
-        case ScopeSignal::CountRate:
-            break;
-    }
-    return std::nullopt;
+    return infoOf(signal).place == SignalInfo::Place::Derived;
 }
 
 /// The value in counts, counts/s or A/D counts; nothing if it is unknown or derived. The sample's module must
 /// have this signal.
 [[nodiscard]] inline std::optional<double> valueOf(const ScopeSample& sample, ScopeSignal signal) {
     double value = 0;
-    switch (signal) {
-        case ScopeSignal::Position:
+    switch (infoOf(signal).place) {
+        case SignalInfo::Place::Derived:
+            return std::nullopt;
+        case SignalInfo::Place::Position:
             value = sample.position;
             break;
-        case ScopeSignal::Command:
-            value = sample.command();
-            break;
-        case ScopeSignal::Error:
-        case ScopeSignal::Analog2:
-            value = static_cast<double>(sample.error);
-            break;
-        case ScopeSignal::Velocity:
-        case ScopeSignal::Analog3:
-            value = static_cast<double>(sample.velocity);
-            break;
-        case ScopeSignal::Counter:
+        case SignalInfo::Place::Counter:
             value = sample.counter();
             break;
-        case ScopeSignal::Analog:
+        case SignalInfo::Place::Command:
+            value = sample.command();
+            break;
+        case SignalInfo::Place::Error:
+            value = static_cast<double>(sample.error);
+            break;
+        case SignalInfo::Place::Velocity:
+            value = static_cast<double>(sample.velocity);
+            break;
+        case SignalInfo::Place::Analog:
             value = sample.analog;
             break;
-        case ScopeSignal::Acceleration:
-        case ScopeSignal::Pwm:
-        case ScopeSignal::CountRate:
-            return std::nullopt;
     }
     if (std::isnan(value))
         return std::nullopt;

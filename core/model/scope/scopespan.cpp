@@ -74,24 +74,20 @@ ScopeSpan::Extremes ScopeSpan::extremes(ScopeSignal signal) const {
         return {static_cast<double>(low) + offset, static_cast<double>(high) + offset,
                 (lowFirst & bitOf(place)) != 0};
     };
-    switch (signal) {
-        case ScopeSignal::Position:
+    switch (infoOf(signal).place) {
+        case SignalInfo::Place::Position:
             return made(Place::Position, positionLow, positionHigh);
-        case ScopeSignal::Counter:
+        case SignalInfo::Place::Counter:
             return made(Place::Position, positionLow, positionHigh, ScopeSample::kTopBit);
-        case ScopeSignal::Command:
+        case SignalInfo::Place::Command:
             return made(Place::Command, commandLow, commandHigh);
-        case ScopeSignal::Error:
-        case ScopeSignal::Analog2:
+        case SignalInfo::Place::Error:
             return made(Place::Error, errorLow, errorHigh);
-        case ScopeSignal::Velocity:
-        case ScopeSignal::Analog3:
+        case SignalInfo::Place::Velocity:
             return made(Place::Velocity, velocityLow, velocityHigh);
-        case ScopeSignal::Analog:
+        case SignalInfo::Place::Analog:
             return made(Place::Analog, analogLow, analogHigh);
-        case ScopeSignal::Acceleration:
-        case ScopeSignal::Pwm:
-        case ScopeSignal::CountRate:
+        case SignalInfo::Place::Derived:
             break;
     }
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

@@ -43,7 +43,7 @@ struct ScopeSpan {
     [[nodiscard]] Extremes extremes(ScopeSignal signal) const;
     /// True when a line may be drawn from the previous span to this one.
     [[nodiscard]] bool joins(const ScopeSpan& before, ScopeSignal signal) const {
-        return !gapBefore && (!isCalculated(signal) || (errorAtFirst && before.errorAtLast));
+        return !gapBefore && (!infoOf(signal).calculated || (errorAtFirst && before.errorAtLast));
     }
 };
 

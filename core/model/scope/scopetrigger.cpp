@@ -16,8 +16,11 @@ double bounded(double value, double least, double most) {
 /// Positions and counters have 32 bits on the chip and wrap.
 bool wraps(const std::variant<ScopeSignal, ScopeBit>& source) {
     const auto* signal = std::get_if<ScopeSignal>(&source);
-    return signal != nullptr && (*signal == ScopeSignal::Position || *signal == ScopeSignal::Command ||
-                                 *signal == ScopeSignal::Counter);
+    if (signal == nullptr)
+        return false;
+    const SignalInfo::Place place = infoOf(*signal).place;
+    return place == SignalInfo::Place::Position || place == SignalInfo::Place::Command ||
+           place == SignalInfo::Place::Counter;
 }
 
 }  // namespace
