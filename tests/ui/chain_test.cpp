@@ -57,17 +57,27 @@ TEST_F(ChainList, ReadsOutHowOldAPositionIs) {
     EXPECT_TRUE(at(0, Qt::AccessibleTextRole).toString().contains(u"position 7 counts, 4.1 s old"_s));
 }
 
-TEST_F(ChainList, SelectsTheFirstModuleQuietlyAndTellsTheUsersChoice) {
-    QSignalSpy selected(window.get(), &MainWindow::moduleSelected);
+TEST_F(ChainList, TheFirstModuleIsSelectedUntilTheUserSelectsAnother) {
     EXPECT_EQ(window->selectedModule(), std::nullopt);
     showServos({{}, {.position = 99}});
     EXPECT_EQ(window->selectedModule(), ModuleIndex(0));
-    EXPECT_EQ(selected.size(), 0);
     list()->setFocus();
     QTest::keyClick(list(), Qt::Key_Down);
-    ASSERT_EQ(selected.size(), 1);
     EXPECT_EQ(window->selectedModule(), ModuleIndex(1));
     EXPECT_EQ(text(u"positionLabel"_s), u"99"_s);
+}
+
+TEST_F(ChainList, AnotherChainHasTheModuleAtTheSamePlaceSelected) {
+    showServos({{}, {}, {}});
+    list()->setCurrentIndex(list()->model()->index(2, 0));
+    window->showLink({});
+    EXPECT_EQ(window->selectedModule(), std::nullopt);
+    showServos({{}, {}});
+    EXPECT_EQ(window->selectedModule(), ModuleIndex(1)) << "the last one";
+    EXPECT_EQ(list()->currentIndex().row(), 1);
+    showServos({{}, {}, {}, {}});
+    EXPECT_EQ(window->selectedModule(), ModuleIndex(2));
+    EXPECT_EQ(list()->currentIndex().row(), 2);
 }
 
 TEST_F(ChainList, ThePcCannotBeSelected) {

@@ -29,20 +29,12 @@ void ChainView::showLink(const LinkState& state, const Machine& machine,
                          const std::map<ModuleIndex, ProcedureReport>& procedures) {
     const QScopedValueRollback<bool> showing(m_showing, true);
     m_model->showLink(state, machine, procedures);
-    const int modules = m_model->moduleCount();
-    if (modules > 0 && !currentIndex().isValid())
-        setCurrentIndex(m_model->index(qMin(m_lastRow, modules - 1)));
 }
 
-std::optional<ModuleIndex> ChainView::selectedModule() const {
-    const QModelIndex current = currentIndex();
-    if (!current.isValid() || current.row() >= m_model->moduleCount())
-        return std::nullopt;
-    return ModuleIndex(static_cast<std::uint8_t>(current.row()));
-}
-
-void ChainView::choose(ModuleIndex module) {
-    setCurrentIndex(m_model->index(module.value()));
+void ChainView::showSelected(ModuleIndex module) {
+    const QScopedValueRollback<bool> showing(m_showing, true);
+    if (currentIndex().row() != module.value())
+        setCurrentIndex(m_model->index(module.value()));
 }
 
 QSize ChainView::sizeHint() const {
@@ -51,11 +43,8 @@ QSize ChainView::sizeHint() const {
 
 void ChainView::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
     QListView::currentChanged(current, previous);
-    if (current.isValid() && current.row() < m_model->moduleCount()) {
-        m_lastRow = current.row();
-        if (!m_showing)
-            emit moduleSelected(ModuleIndex(static_cast<std::uint8_t>(current.row())));
-    }
+    if (current.isValid() && current.row() < m_model->moduleCount() && !m_showing)
+        emit moduleSelected(ModuleIndex(static_cast<std::uint8_t>(current.row())));
 }
 
 void ChainView::paintEvent(QPaintEvent* event) {

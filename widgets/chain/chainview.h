@@ -3,7 +3,6 @@
 
 #include <QListView>
 #include <map>
-#include <optional>
 
 #include "model/module/linkstate.h"
 #include "model/procedure/procedure.h"
@@ -13,19 +12,17 @@ namespace nmc {
 
 class ChainModel;
 
-/// The chain as a list; selecting a row selects the module that the panel and the scope show.
+/// The chain as a list. Selecting a row requests that the panel and the scope show its module.
 class ChainView : public QListView {
     Q_OBJECT
 
 public:
     explicit ChainView(QWidget* parent = nullptr);
 
-    /// Emits nothing, not even when the first chain appears and its first module becomes the selected one.
+    /// Emits nothing.
     void showLink(const LinkState& state, const Machine& machine,
                   const std::map<ModuleIndex, ProcedureReport>& procedures);
-    [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
-    /// Selects the module, like a click on its row.
-    void choose(ModuleIndex module);
+    void showSelected(ModuleIndex module);
 
     [[nodiscard]] QSize sizeHint() const override;
 
@@ -39,7 +36,6 @@ protected:
 private:
     ChainModel* m_model;
     bool m_showing = false;
-    int m_lastRow = 0;  ///< the last row selected; kept while there is no chain
 };
 
 }  // namespace nmc

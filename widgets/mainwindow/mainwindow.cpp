@@ -159,7 +159,8 @@ void MainWindow::connectParts() {
     connect(&m_session, &Session::changed, this, &MainWindow::showModules);
     connect(&m_session, &Session::aged, this, [this] {
         m_chain->showLink(m_session.link(), m_session.machine(), m_session.procedures());
-        if (const ModuleState* module = selectedState(); module != nullptr && m_session.viewOf(*module).age)
+        if (const ModuleState* module = m_session.selected();
+            module != nullptr && m_session.viewOf(*module).age)
             showSelected();
     });
     connect(m_pendant, &Pendant::changed, this, &MainWindow::showPendant);
@@ -189,10 +190,8 @@ void MainWindow::connectParts() {
     new RepeatFilter(this);
     connect(new OtherWindows(this), &OtherWindows::opened, this, &MainWindow::endHold);
 
-    connect(m_chain, &ChainView::moduleSelected, this, [this](ModuleIndex module) {
-        showSelected();
-        emit moduleSelected(module);
-    });
+    connect(m_chain, &ChainView::moduleSelected, &m_session, &Session::select);
+    connect(&m_session, &Session::selectionChanged, this, &MainWindow::showSelected);
     connect(&m_preparing, &QTimer::timeout, this, &MainWindow::preparePage);
     connect(
         m_panel, &ModulePanel::pageChanged, this, [this] { makeRoomForMotions(0); }, Qt::QueuedConnection);
@@ -213,7 +212,7 @@ void MainWindow::connectParts() {
 
 /// Shows the pendant mode, and the axis that it moves.
 void MainWindow::showPendant() {
-    const ModuleState* module = selectedState();
+    const ModuleState* module = m_session.selected();
     auto refusal = whyInaccessible(m_session.link());
     if (!refusal || refusal == Refusal::OperatorMode)
         refusal = whyNoChain(m_session.link());
@@ -343,7 +342,8 @@ void MainWindow::preparePage() {
 }
 
 void MainWindow::showSelected() {
-    if (const ModuleState* module = selectedState()) {
+    if (const ModuleState* module = m_session.selected()) {
+        m_chain->showSelected(module->info.index);
         const PanelView view = m_session.viewOf(*module);
         m_panel->showModule(view);
         m_response->showModule(view);
@@ -366,7 +366,8 @@ void MainWindow::showSelected() {
 }
 
 std::optional<ModuleIndex> MainWindow::selectedModule() const {
-    return m_chain->selectedModule();
+    const ModuleState* module = m_session.selected();
+    return module != nullptr ? std::optional(module->info.index) : std::nullopt;
 }
 
 void MainWindow::showFigures(const LinkFigures& figures) {

@@ -176,7 +176,6 @@ signals:
     void scopeFrameWanted();
     /// The port list is about to be opened.
     void portsRequested();
-    void moduleSelected(nmc::ModuleIndex module);
     /// The user chose to stop and close; stopAllRequested() was emitted before. The owner answers with
     /// finishClose().
     void closeConfirmed();
@@ -229,7 +228,6 @@ private:
     void askBeforeStopping(const QString& name, const QString& stopText, const std::function<void()>& go);
     [[nodiscard]] Message ofThisConnection(Message message) const;
     void takeMessageAction(const Message& message, MessageAction action);
-    [[nodiscard]] const ModuleState* selectedState() const { return m_session.module(selectedModule()); }
     [[nodiscard]] QString nothingText() const;
 
     QSettings& m_settings;

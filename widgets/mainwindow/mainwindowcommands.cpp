@@ -123,7 +123,7 @@ void MainWindow::addOtherModules(std::vector<CommandPalette::Entry>& entries) {
                                tr("Press Enter to show it on the module's page. Nothing is sent."),
                                [] { return QString(); },
                                [this, index, name] {
-                                   m_chain->choose(index);
+                                   m_session.select(index);
                                    if (ModulePage* page = m_panel->page())
                                        page->showCommand(name);
                                }});

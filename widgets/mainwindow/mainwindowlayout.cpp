@@ -164,7 +164,7 @@ void MainWindow::showLayout(Layouts::Kind kind) {
 void MainWindow::stepNow() {
     if (!m_response->page().lends())
         m_response->open();
-    if (const ModuleState* module = selectedState())
+    if (const ModuleState* module = m_session.selected())
         m_response->page().showModule(m_session.viewOf(*module));
     else
         m_response->page().showNothing();

@@ -19,7 +19,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 std::optional<TuningReport> MainWindow::tuningReport() {
-    const ModuleState* module = selectedState();
+    const ModuleState* module = m_session.selected();
     if (module == nullptr || !module->isServo())
         return std::nullopt;
     const LinkState& link = m_session.link();
@@ -43,7 +43,7 @@ std::optional<TuningReport> MainWindow::tuningReport() {
 }
 
 void MainWindow::saveFrequencies(const QString& path, const QDateTime& measured) {
-    const ModuleState* module = selectedState();
+    const ModuleState* module = m_session.selected();
     if (module == nullptr)
         return;
     const LinkState& link = m_session.link();

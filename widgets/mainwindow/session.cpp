@@ -60,6 +60,16 @@ const ModuleState* Session::module(std::optional<ModuleIndex> index) const {
     return index && index->value() < m_link.modules.size() ? &m_link.modules[index->value()] : nullptr;
 }
 
+void Session::select(ModuleIndex module) {
+    if (std::exchange(m_selected, module.value()) != module.value())
+        emit selectionChanged();
+}
+
+const ModuleState* Session::selected() const {
+    const auto& modules = m_link.modules;
+    return modules.empty() ? nullptr : &modules[std::min(m_selected, modules.size() - 1)];
+}
+
 std::vector<bool> Session::liveModules() const {
     std::vector<bool> live;
     for (const ModuleState& module : m_link.modules)

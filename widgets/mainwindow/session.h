@@ -39,6 +39,11 @@ public:
     [[nodiscard]] bool isOpen() const { return m_link.phase != LinkPhase::Disconnected; }
     /// Null if there is none.
     [[nodiscard]] const ModuleState* module(std::optional<ModuleIndex> index) const;
+    /// The user has selected a module: panel, scope and simulator show it, and it is polled most.
+    void select(ModuleIndex module);
+    /// Null while there is no module. The first of a chain is selected until the user selects another; in a
+    /// later chain, the module at the same place is, or the last one.
+    [[nodiscard]] const ModuleState* selected() const;
     /// What the module's panel shows; valid until the next call that sets something.
     [[nodiscard]] PanelView viewOf(const ModuleState& module) const;
     /// How the scope reads the modules.
@@ -57,6 +62,7 @@ public:
     void stopFinished(bool allStopped);
 
 signals:
+    void selectionChanged();
     /// The connection or its phase has changed; changed() follows.
     void phaseChanged(nmc::LinkPhase before);
     void changed();
@@ -69,8 +75,9 @@ private:
     [[nodiscard]] std::vector<bool> liveModules() const;
     [[nodiscard]] bool procedureMoves(ModuleIndex module) const;
 
-    LinkState m_link;          ///< as it may be shown
-    std::vector<bool> m_live;  ///< of its modules, as last reported by a signal
+    std::size_t m_selected = 0;  ///< its place in the chain; kept while there is none
+    LinkState m_link;            ///< as it may be shown
+    std::vector<bool> m_live;    ///< of its modules, as last reported by a signal
     Machine m_machine;
     Procedures m_procedures;
     bool m_disconnectWhenStopped = false;
