@@ -12,7 +12,7 @@ void Health::add(bool wrong, int change) {
     m_bucket = std::max(m_bucket + change, 0);
     if (m_level == LinkHealth::Lost || m_bucket >= kLost)
         m_level = LinkHealth::Lost;
-    else if (m_bucket >= kDoubtful)
+    else if (m_bucket >= kMarginal)
         m_level = LinkHealth::Marginal;
     else if (m_bucket == 0)
         m_level = LinkHealth::Good;  // not already below 30: the level would fluctuate

@@ -13,7 +13,7 @@ namespace nmc::bus {
 class Health {
 public:
     static constexpr int kPerWrong = 10;
-    static constexpr int kDoubtful = 30;
+    static constexpr int kMarginal = 30;
     static constexpr int kLost = 100;
     /// Number of recent exchanges considered.
     static constexpr std::size_t kWindow = 200;

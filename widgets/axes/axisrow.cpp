@@ -124,11 +124,10 @@ std::optional<Intent> AxisRow::wantedStep(bool reverse) const {
 
 QString AxisRow::whyNotHeld(bool reverse) const {
     // Never "busy": a hold in progress must not end because it waits for the answers to its own commands.
-    if (const QString reason = m_context.reasonFor(IntentKind::Hold); !reason.isEmpty())
-        return reason;
-    const auto hold = wantedHold(reverse);
-    const auto refusal = hold ? whyNot(*hold, m_context.state()) : std::optional(Refusal::ParametersUnknown);
-    return refusal ? texts::refusal(*refusal) : QString();
+    if (const auto hold = wantedHold(reverse))
+        return m_context.reasonFor(*hold);
+    const QString reason = m_context.reasonFor(IntentKind::Hold);
+    return reason.isEmpty() ? texts::refusal(Refusal::ParametersUnknown) : reason;
 }
 
 QString AxisRow::whyNotStepped(bool reverse) const {

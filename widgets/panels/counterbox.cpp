@@ -50,7 +50,6 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
       m_rate(look::newMutedLabel({}, this)),
       m_latched(new QLabel(this)),
       m_synchInput(new Command({.name = u"synchInputButton"_s,
-                                .icon = {},
                                 .text = tr("Latch inputs"),
                                 .accessible = tr("Latch inputs and counter at the same time")},
                                this, [this] { m_context.ask(iointent::SynchInput{}); })),

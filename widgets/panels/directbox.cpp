@@ -30,7 +30,6 @@ DirectBox::DirectBox(ModuleContext& context, const Spec& spec, QWidget* parent)
       m_meaning(new QLabel(this)),
       m_bytes(look::newMutedLabel({}, this)),
       m_send(new Command({.name = named(u"Button"_s),
-                          .icon = {},
                           .text = spec.send,
                           .accessible = tr("%1 as set here").arg(spec.send),
                           .key = {}},

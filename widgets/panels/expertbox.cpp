@@ -351,7 +351,6 @@ ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
       m_context(context),
       m_reset(new Command({.name = u"resetModuleButton"_s,
-                           .icon = {},
                            .text = tr("Reset module…"),
                            .accessible = tr("Reset module to its power-up state"),
                            .key = {}},

@@ -95,7 +95,6 @@ void GainsBox::addButtons(FormGrid* grid) {
                          .accessible = tr("Try for %1 s: these gains").arg(kTrySeconds)},
                         this, [this] { tryThem(); });
     m_keep = new Command({.name = u"keepGainsButton"_s,
-                          .icon = {},
                           .text = tr("Keep gains"),
                           .accessible = tr("Keep gains: those being tried")},
                          this, [this] { context().ask(intent::KeepGains{}); });

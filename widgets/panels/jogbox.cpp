@@ -111,15 +111,10 @@ QString JogBox::outcome() const {
 }
 
 QString JogBox::reasonFor(bool reverse) const {
-    if (const QString reason = m_context.reasonFor(IntentKind::Hold); !reason.isEmpty())
-        return reason;
-    const auto hold = wanted(reverse);
-    if (!hold)
-        return m_speed->problemText();
-    const auto refusal = whyNot(*hold, m_context.state());
-    return refusal
-               ? texts::refusal(*refusal, intent::Move{runOf(*hold)}, m_context.state(), m_context.scale())
-               : QString();
+    if (const auto hold = wanted(reverse))
+        return m_context.reasonFor(*hold);
+    const QString reason = m_context.reasonFor(IntentKind::Hold);
+    return reason.isEmpty() ? m_speed->problemText() : reason;
 }
 
 std::optional<bus::HoldToMove> JogBox::wanted(bool reverse) const {

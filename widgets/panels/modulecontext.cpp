@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "model/intent/jog.h"
 #include "model/intent/rights.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
@@ -104,6 +105,11 @@ QString ModuleContext::reasonFor(const Intent& intent) const {
         return texts::refusal(Refusal::NotConnected);
     const auto steps = plan(intent, m_state);
     return steps ? QString() : texts::refusal(steps.error(), intent, m_state, scale());
+}
+
+QString ModuleContext::reasonFor(const bus::HoldToMove& hold) const {
+    const auto refusal = m_connected ? nmc::whyNot(hold, m_state) : std::optional(Refusal::NotConnected);
+    return refusal ? texts::refusal(*refusal, intent::Move{runOf(hold)}, m_state, scale()) : QString();
 }
 
 QString ModuleContext::reasonNow(IntentKind kind) const {

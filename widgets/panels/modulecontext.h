@@ -43,6 +43,8 @@ public:
     [[nodiscard]] QString reasonFor(IntentKind kind) const;
     /// Why this very motion cannot be requested, with the travel limit or speed limit that prevents it.
     [[nodiscard]] QString reasonFor(const Intent& intent) const;
+    /// Why the motor cannot be held in this motion.
+    [[nodiscard]] QString reasonFor(const bus::HoldToMove& hold) const;
     /// Why it cannot be requested now, in words. Until the module has answered the last request, everything
     /// but a stop has to wait.
     [[nodiscard]] QString reasonNow(IntentKind kind) const;

@@ -89,7 +89,6 @@ void MotionBox::buildMove(FormGrid* grid) {
     m_forecast = newMutedLine(this);
     m_forecast->setObjectName(u"forecastLabel"_s);
     m_nearest = new Command({.name = u"nearestGoalButton"_s,
-                             .icon = {},
                              .text = tr("Use nearest"),
                              .accessible = tr("Use nearest allowed position")},
                             this, [this] { takeNearest(); });

@@ -43,12 +43,10 @@ void MoveByBox::buildDistance(FormGrid* grid) {
                                     .meaning = tr("Distance per click, at the velocity of Go to.")},
                                    this);
     m_reverse = new Command({.name = m_context.named(u"moveByReverseButton"_s),
-                             .icon = {},
                              .text = tr("◂| Step"),
                              .accessible = tr("Step in reverse")},
                             this, [this] { step(true); });
     m_forward = new Command({.name = m_context.named(u"moveByForwardButton"_s),
-                             .icon = {},
                              .text = tr("Step |▸"),
                              .accessible = tr("Step forward")},
                             this, [this] { step(false); });

@@ -68,7 +68,6 @@ void StepperMotionBox::buildFields(FormGrid* grid) {
     m_forecast = newMutedLine(this);
     m_forecast->setObjectName(u"stepperForecast"_s);
     m_nearest = new Command({.name = u"stepperNearestGoalButton"_s,
-                             .icon = {},
                              .text = tr("Use nearest"),
                              .accessible = tr("Use nearest allowed position")},
                             this, [this] { takeNearest(); });
@@ -106,7 +105,6 @@ void StepperMotionBox::buildButtons(FormGrid* grid) {
              tr("The buttons only load the motion. Choose Start loaded, or start the module's group.")},
         this);
     m_startLoaded = new Command({.name = u"stepperStartLoadedButton"_s,
-                                 .icon = {},
                                  .text = tr("Start loaded"),
                                  .accessible = tr("Start loaded motion"),
                                  .key = Qt::CTRL | Qt::Key_G},

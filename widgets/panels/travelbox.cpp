@@ -57,7 +57,6 @@ void TravelBox::buildLimit(FormGrid* grid, Limit limit) {
     m_limits[limit] = field;
     m_here[limit] =
         new Command({.name = m_context.named(lowest ? u"lowestHereButton"_s : u"highestHereButton"_s),
-                     .icon = {},
                      .text = tr("Here"),
                      .accessible = lowest ? tr("Here: make the present position the lowest")
                                           : tr("Here: make the present position the highest")},
@@ -117,12 +116,10 @@ void TravelBox::keepBacklash() {
 
 void TravelBox::buildWord(FormGrid* grid) {
     m_declare = new Command({.name = m_context.named(u"declarePositionButton"_s),
-                             .icon = {},
                              .text = tr("Confirm position…"),
                              .accessible = tr("Confirm position as correct")},
                             this, [this] { askToDeclare(); });
     m_doubt = new Command({.name = m_context.named(u"doubtPositionButton"_s),
-                           .icon = {},
                            .text = tr("Position in doubt"),
                            .accessible = tr("Position in doubt: it may be wrong")},
                           this, [this] { m_context.ask(intent::DeclarePosition{false}); });

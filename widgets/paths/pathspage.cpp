@@ -68,15 +68,12 @@ QWidget* PathsPage::buildChoice() {
     auto* box = new QWidget(this);
     look::name(box, u"pathChoice"_s, tr("Choice of a path"));
     m_open = new Command({.name = u"openPathButton"_s,
-                          .icon = {},
                           .text = tr("Open path…"),
                           .accessible = tr("Open path… from a CSV file")},
                          box, [this] { chooseFile(); });
-    m_save = new Command({.name = u"savePathButton"_s,
-                          .icon = {},
-                          .text = tr("Save path…"),
-                          .accessible = tr("Save path… as a CSV file")},
-                         box, [this] { chooseTarget(); });
+    m_save = new Command(
+        {.name = u"savePathButton"_s, .text = tr("Save path…"), .accessible = tr("Save path… as a CSV file")},
+        box, [this] { chooseTarget(); });
     m_sequence = form::newChoice({u"pathSequenceBox"_s, tr("Sequence to draw a path from"), {}}, box);
     m_sequence->setMinimumContentsLength(10);
     m_rate = form::newChoice({u"pathRateBox"_s, tr("Rate of the path to draw"), {}}, box);

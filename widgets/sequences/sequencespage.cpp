@@ -146,11 +146,8 @@ QWidget* SequencesPage::buildSequences() {
     m_sequence->setMinimumContentsLength(6);
     m_sequenceName = form::newText({u"sequenceNameField"_s, tr("Name of the sequence"), 60}, box);
     m_newSequence = new Command(
-        {.name = u"newSequenceButton"_s,
-         .icon = {},
-         .text = tr("New sequence"),
-         .accessible = tr("New sequence")},
-        box, [this] {
+        {.name = u"newSequenceButton"_s, .text = tr("New sequence"), .accessible = tr("New sequence")}, box,
+        [this] {
             const std::string name = freeName(m_program.sequences, tr("Sequence").toStdString());
             edit(tr("New sequence"), [&](Program& program) { program.sequences.push_back({name, {}}); });
             m_sequence->setCurrentText(QString::fromStdString(name));

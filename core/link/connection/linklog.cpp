@@ -59,7 +59,7 @@ std::string word(bus::LinkHealth health) {
         case bus::LinkHealth::Good:
             return "good";
         case bus::LinkHealth::Marginal:
-            return "doubtful";
+            return "marginal";
         case bus::LinkHealth::Lost:
             return "lost";
     }
