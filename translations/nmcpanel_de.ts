@@ -16,10 +16,6 @@
         <translation>Kein Modul hat geantwortet.</translation>
     </message>
     <message>
-        <source>%1 of %2 modules answered.</source>
-        <translation>%1 von %2 Modulen haben geantwortet.</translation>
-    </message>
-    <message>
         <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
         <translation>%1 von %2 Modulen haben geantwortet, und das ferne Ende der Kette ist nicht darunter.</translation>
     </message>
@@ -100,10 +96,6 @@
         <translation>keine Gruppe</translation>
     </message>
     <message>
-        <source>Group %1</source>
-        <translation>Gruppe %1</translation>
-    </message>
-    <message>
         <source>This chain is new: it has %1.</source>
         <translation>Diese Kette ist neu: Sie hat %1.</translation>
     </message>
@@ -172,6 +164,765 @@
     </message>
 </context>
 <context>
+    <name>Common</name>
+    <message>
+        <source>%1 of %2 modules answered.</source>
+        <translation>%1 von %2 Modulen haben geantwortet.</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Points and sequences</source>
+        <translation>Punkte und Abläufe</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Travel and speed limits</source>
+        <translation>Weg- und Geschwindigkeitsgrenzen</translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation>Spiel</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Limit stop</source>
+        <translation>Endschalter-Stopp</translation>
+    </message>
+    <message>
+        <source>Acceleration time</source>
+        <translation>Beschleunigungszeit</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Reglerwerte</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Anleitung</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Home all</source>
+        <translation>Alle referenzieren</translation>
+    </message>
+    <message>
+        <source>limit 1</source>
+        <translation>Endschalter 1</translation>
+    </message>
+    <message>
+        <source>limit 2</source>
+        <translation>Endschalter 2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>STOP ALL</source>
+        <translation>ALLES STOPP</translation>
+    </message>
+    <message>
+        <source>Motor off</source>
+        <translation>Motor aus</translation>
+    </message>
+    <message>
+        <source>Connect fully</source>
+        <translation>Voll verbinden</translation>
+    </message>
+    <message>
+        <source>steps/s</source>
+        <translation>Schritte/s</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>Umdrehungen</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>%1/s²</source>
+        <translation>%1/s²</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>E-stop input</source>
+        <translation>E-Stop-Eingang</translation>
+    </message>
+    <message>
+        <source>The motor holds its position.</source>
+        <translation>Der Motor hält seine Position.</translation>
+    </message>
+    <message>
+        <source>The motor follows the points of a path.</source>
+        <translation>Der Motor folgt den Punkten einer Bahn.</translation>
+    </message>
+    <message>
+        <source>Simulator</source>
+        <translation>Simulator</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>No module</source>
+        <translation>Kein Modul</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>◂ Hold</source>
+        <translation>◂ Tippen</translation>
+    </message>
+    <message>
+        <source>Hold ▸</source>
+        <translation>Tippen ▸</translation>
+    </message>
+    <message>
+        <source>◂| Step</source>
+        <translation>◂| Schritt</translation>
+    </message>
+    <message>
+        <source>Step |▸</source>
+        <translation>Schritt |▸</translation>
+    </message>
+    <message>
+        <source>Moves forward while held, then stops.</source>
+        <translation>Fährt vorwärts, solange gedrückt, und stoppt dann.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse while held, then stops.</source>
+        <translation>Fährt rückwärts, solange gedrückt, und stoppt dann.</translation>
+    </message>
+    <message>
+        <source>Chain</source>
+        <translation>Kette</translation>
+    </message>
+    <message>
+        <source>&amp;Scan again</source>
+        <translation>Erneut &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Resets every module and assigns new addresses. Asks first.</source>
+        <translation>Setzt jedes Modul zurück und vergibt die Adressen neu. Fragt vorher nach.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>Open machine</source>
+        <translation>Maschine öffnen</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>ended at %1</source>
+        <translation>endete um %1</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Alle Arten</translation>
+    </message>
+    <message>
+        <source>All modules</source>
+        <translation>Alle Module</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Max jog speed</source>
+        <translation>Max. Tippgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The value at an A/D reading of 0.</source>
+        <translation>Der Wert bei einem A/D-Wert von 0.</translation>
+    </message>
+    <message>
+        <source>The module received a garbled command and did not carry it out.</source>
+        <translation>Das Modul hat einen gestörten Befehl empfangen und nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>Limit switch 1.</source>
+        <translation>Endschaltereingang 1.</translation>
+    </message>
+    <message>
+        <source>Limit switch 2.</source>
+        <translation>Endschaltereingang 2.</translation>
+    </message>
+    <message>
+        <source>Waiting for the home position.</source>
+        <translation>Wartet auf die Referenz.</translation>
+    </message>
+    <message>
+        <source>Save as home</source>
+        <translation>Als Referenz speichern</translation>
+    </message>
+    <message>
+        <source>Save as home: the present position</source>
+        <translation>Als Referenz speichern: Die jetzige Position als Referenz speichern</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Details</translation>
+    </message>
+    <message>
+        <source>Status byte</source>
+        <translation>Statusbyte</translation>
+    </message>
+    <message>
+        <source>Home register</source>
+        <translation>Referenzregister</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>Rohdaten</translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation>Status %1</translation>
+    </message>
+    <message>
+        <source>Saves the present position as home. The motor does not move.</source>
+        <translation>Speichert die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Fast path</source>
+        <translation>Schnelle Bahn</translation>
+    </message>
+    <message>
+        <source>Amplifier</source>
+        <translation>Verstärker</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>PWM</source>
+        <translation>PWM</translation>
+    </message>
+    <message>
+        <source>PWM value</source>
+        <translation>PWM-Wert</translation>
+    </message>
+    <message>
+        <source>Abruptly</source>
+        <translation>Sofort</translation>
+    </message>
+    <message>
+        <source>Smoothly</source>
+        <translation>Sanft</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>Index</translation>
+    </message>
+    <message>
+        <source>Current limit</source>
+        <translation>Stromgrenze</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>Start&amp;ing values</source>
+        <translation>Sta&amp;rtwerte</translation>
+    </message>
+    <message>
+        <source>Starting values: fill in</source>
+        <translation>Startwerte eintragen</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Ausgänge</translation>
+    </message>
+    <message>
+        <source>State of the selected module</source>
+        <translation>Zustand des gewählten Moduls</translation>
+    </message>
+    <message>
+        <source>%1, address %2</source>
+        <translation>%1, Adresse %2</translation>
+    </message>
+    <message>
+        <source>Pages of the module</source>
+        <translation>Seiten des Moduls</translation>
+    </message>
+    <message>
+        <source>A/D and PWM</source>
+        <translation>A/D und PWM</translation>
+    </message>
+    <message>
+        <source>A/D input</source>
+        <translation>A/D-Eingang</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Name von %1</translation>
+    </message>
+    <message>
+        <source>Off at stop</source>
+        <translation>Aus bei Stopp</translation>
+    </message>
+    <message>
+        <source>%1 of 255</source>
+        <translation>%1 von 255</translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation>? unbekannt</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Pins</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>High</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>Low</translation>
+    </message>
+    <message>
+        <source>Switches this output at once.</source>
+        <translation>Schaltet diesen Ausgang sofort.</translation>
+    </message>
+    <message>
+        <source>A search for home is running.</source>
+        <translation>Eine Referenzfahrt läuft.</translation>
+    </message>
+    <message>
+        <source>Home switch</source>
+        <translation>Referenzschalter</translation>
+    </message>
+    <message>
+        <source>Limit 1</source>
+        <translation>Endschalter 1</translation>
+    </message>
+    <message>
+        <source>Limit 2</source>
+        <translation>Endschalter 2</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>Motor power</source>
+        <translation>Motorversorgung</translation>
+    </message>
+    <message>
+        <source>A/D</source>
+        <translation>A/D</translation>
+    </message>
+    <message>
+        <source>Goal position</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>The goal position</source>
+        <translation>Die Zielposition</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Use nearest</source>
+        <translation>Nächstes nehmen</translation>
+    </message>
+    <message>
+        <source>Use nearest allowed position</source>
+        <translation>Nächstes nehmen: Die nächste erlaubte Position als Ziel eintragen</translation>
+    </message>
+    <message>
+        <source>Zero here: set the present position to 0</source>
+        <translation>Hier nullen: Die jetzige Position zu null machen</translation>
+    </message>
+    <message>
+        <source>Go home</source>
+        <translation>Zur Referenz</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Laden</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>A&amp;nfahren</translation>
+    </message>
+    <message>
+        <source>Go to the position</source>
+        <translation>Die Position anfahren</translation>
+    </message>
+    <message>
+        <source>Run &amp;reverse</source>
+        <translation>Rüc&amp;kwärts</translation>
+    </message>
+    <message>
+        <source>Run reverse until stopped</source>
+        <translation>Rückwärts: Dauerlauf rückwärts bis zum Stopp</translation>
+    </message>
+    <message>
+        <source>R&amp;un forward</source>
+        <translation>Vorw&amp;ärts</translation>
+    </message>
+    <message>
+        <source>Run forward until stopped</source>
+        <translation>Dauerlauf vorwärts bis zum Stopp</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>%1 nehmen</translation>
+    </message>
+    <message>
+        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
+        <translation>Trägt die nächste erlaubte Position als Ziel ein. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Moves to the position, then holds.</source>
+        <translation>Fährt zur Position und hält dort.</translation>
+    </message>
+    <message>
+        <source>Runs forward until stopped.</source>
+        <translation>Läuft vorwärts bis zum Stopp.</translation>
+    </message>
+    <message>
+        <source>Runs in reverse until stopped.</source>
+        <translation>Läuft rückwärts bis zum Stopp.</translation>
+    </message>
+    <message>
+        <source>Motor current</source>
+        <translation>Motorstrom</translation>
+    </message>
+    <message>
+        <source>Motor off: this module</source>
+        <translation>Motor aus: dieses Modul</translation>
+    </message>
+    <message>
+        <source>A/D %1</source>
+        <translation>A/D %1</translation>
+    </message>
+    <message>
+        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
+        <translation>Schaltet Servo und Verstärker aus: Der Motor ist frei drehbar, und eine Last kann absinken.</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Experte</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>A/D (temperature)</source>
+        <translation>A/D (Temperatur)</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>Nothing to redo.</source>
+        <translation>Es gibt nichts wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>Highest velocity</source>
+        <translation>Höchste Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>CSV exportieren…</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Square wave</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Method: how the command jumps</source>
+        <translation>Art, wie die Sollposition springt</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Rise %1</source>
+        <translation>Anstieg %1</translation>
+    </message>
+    <message>
+        <source>Overshoot %1</source>
+        <translation>Überschwingen %1</translation>
+    </message>
+    <message>
+        <source>Steady-state error %1</source>
+        <translation>Bleibende Abweichung %1</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>Sprungantwort</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1 Hz)</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Modul</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Cursor readings</source>
+        <translation>Cursorwerte</translation>
+    </message>
+    <message>
+        <source>Cursor 1</source>
+        <translation>Cursor 1</translation>
+    </message>
+    <message>
+        <source>Cursor 2</source>
+        <translation>Cursor 2</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>&amp;Bild (PNG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as an image.</source>
+        <translation>Das sichtbare Diagramm als Bild.</translation>
+    </message>
+    <message>
+        <source>&amp;Vector picture (SVG)…</source>
+        <translation>&amp;Vektorbild (SVG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as lines that stay sharp at any size.</source>
+        <translation>Das sichtbare Diagramm in Linien, die in jeder Größe scharf bleiben.</translation>
+    </message>
+    <message>
+        <source>P&amp;age (PDF)…</source>
+        <translation>&amp;Seite (PDF)…</translation>
+    </message>
+    <message>
+        <source>The visible plot on a page for printing or a report.</source>
+        <translation>Das sichtbare Diagramm auf einer Seite zum Drucken oder für einen Bericht.</translation>
+    </message>
+    <message>
+        <source>P&amp;rint…</source>
+        <translation>&amp;Drucken…</translation>
+    </message>
+    <message>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>Druckt das sichtbare Diagramm auf einem Drucker dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>SIMULATOR, no real motor moved</source>
+        <translation>SIMULATOR, kein echter Motor bewegt</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>NMC Panel %1</source>
+        <translation>NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>Overlay: %1</source>
+        <translation>Unterlegt: %1</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>Oszilloskop</translation>
+    </message>
+    <message>
+        <source>of 255</source>
+        <translation>von 255</translation>
+    </message>
+    <message>
+        <source>Opens the port and looks for modules. Nothing moves.</source>
+        <translation>Öffnet den Port und sucht Module. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>goes to all modules</source>
+        <translation>geht an alle Module</translation>
+    </message>
+    <message>
+        <source>Operator mode</source>
+        <translation>Bedienermodus</translation>
+    </message>
+    <message>
+        <source>Asks for the PIN.</source>
+        <translation>Fragt nach der PIN.</translation>
+    </message>
+</context>
+<context>
     <name>FirstSteps</name>
     <message>
         <source>Fill in gains</source>
@@ -184,10 +935,6 @@
     <message>
         <source>Enable servo</source>
         <translation>Servo einschalten</translation>
-    </message>
-    <message>
-        <source>Jog</source>
-        <translation>Tippen</translation>
     </message>
     <message>
         <source>Take the starting values, or type your own. Nothing is sent yet.</source>
@@ -227,10 +974,6 @@
     <message>
         <source>Output limit</source>
         <translation>Ausgangsgrenze</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>Stromgrenze</translation>
     </message>
     <message>
         <source>Position error limit</source>
@@ -289,20 +1032,12 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>off</source>
-        <translation>aus</translation>
-    </message>
-    <message>
         <source>A/D above</source>
         <translation>A/D über</translation>
     </message>
     <message>
         <source>A/D below</source>
         <translation>A/D unter</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
     </message>
     <message>
         <source>no current limit</source>
@@ -413,10 +1148,6 @@
         <translation>Über NMC Panel</translation>
     </message>
     <message>
-        <source>NMC Panel %1</source>
-        <translation>NMC Panel %1</translation>
-    </message>
-    <message>
         <source>A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.
 
 Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.</source>
@@ -469,14 +1200,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>&amp;Über NMC Panel</translation>
     </message>
     <message>
-        <source>Chain</source>
-        <translation>Kette</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>Modul</translation>
-    </message>
-    <message>
         <source>&amp;Find a command…</source>
         <translation>Befehl &amp;finden…</translation>
     </message>
@@ -527,10 +1250,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         </translation>
     </message>
     <message>
-        <source>ended at %1</source>
-        <translation>endete um %1</translation>
-    </message>
-    <message>
         <source>Ended: %1</source>
         <translation>Endete: %1</translation>
     </message>
@@ -548,10 +1267,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Time constant %1</source>
         <translation>Zeitkonstante %1</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
     </message>
     <message>
         <source>Friction %1</source>
@@ -649,32 +1364,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>Report</name>
     <message>
-        <source>Gains</source>
-        <translation>Reglerwerte</translation>
-    </message>
-    <message>
-        <source>Step response</source>
-        <translation>Sprungantwort</translation>
-    </message>
-    <message>
         <source>%1 counts, %2</source>
         <translation>%1 Inkremente, %2</translation>
     </message>
     <message>
-        <source>Rise %1</source>
-        <translation>Anstieg %1</translation>
-    </message>
-    <message>
-        <source>Overshoot %1</source>
-        <translation>Überschwingen %1</translation>
-    </message>
-    <message>
         <source>Settling to ±%1 %: %2</source>
         <translation>Einschwingen auf ±%1 %: %2</translation>
-    </message>
-    <message>
-        <source>Steady-state error %1</source>
-        <translation>Bleibende Abweichung %1</translation>
     </message>
     <message>
         <source>Tuning of %1</source>
@@ -687,10 +1382,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Motor</source>
         <translation>Motor</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>Frequenzgang</translation>
     </message>
 </context>
 <context>
@@ -724,14 +1415,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Servo hält sofort das Ziel, ohne Profil. Nicht mit Version 1.</translation>
     </message>
     <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
     </message>
@@ -755,16 +1438,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>Scope</name>
     <message>
-        <source>NMC Panel %1</source>
-        <translation>NMC Panel %1</translation>
-    </message>
-    <message>
         <source>%1, by %2</source>
         <translation>%1, von %2</translation>
-    </message>
-    <message>
-        <source>SIMULATOR, no real motor moved</source>
-        <translation>SIMULATOR, kein echter Motor bewegt</translation>
     </message>
     <message>
         <source>From %1; 0 s is %2</source>
@@ -815,10 +1490,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Alles zeigen</translation>
     </message>
     <message>
-        <source>position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
         <source>command, calculated</source>
         <translation>Sollposition, berechnet</translation>
     </message>
@@ -831,14 +1502,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>A/D</source>
-        <translation>A/D</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -849,14 +1512,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>PWM, calculated</source>
         <translation>PWM, berechnet</translation>
-    </message>
-    <message>
-        <source>%1/s²</source>
-        <translation>%1/s²</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>von 255</translation>
     </message>
     <message>
         <source>A/D 2</source>
@@ -873,10 +1528,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>count rate</source>
         <translation>Zählrate</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>counts</source>
@@ -926,10 +1577,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Endschalter</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>E-Stop-Eingang</translation>
-    </message>
-    <message>
         <source>On limit or E-stop</source>
         <translation>Bei Endschalter oder E-Stop</translation>
     </message>
@@ -968,10 +1615,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>A/D now %1</source>
         <translation>A/D jetzt %1</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>aus</translation>
     </message>
     <message>
         <source>off; %1</source>
@@ -1177,10 +1820,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Port %1, %2 Bd</source>
         <translation>Port %1, %2 Bd</translation>
-    </message>
-    <message>
-        <source>%1 of %2 modules answered.</source>
-        <translation>%1 von %2 Modulen haben geantwortet.</translation>
     </message>
     <message>
         <source>module %1</source>
@@ -1394,10 +2033,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Servo aus</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Positionsfehler</translation>
-    </message>
-    <message>
         <source>Power was lost</source>
         <translation>Versorgung fehlte</translation>
     </message>
@@ -1522,10 +2157,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Statusmeldungen werden vorbereitet</translation>
     </message>
     <message>
-        <source>Simulator</source>
-        <translation>Simulator</translation>
-    </message>
-    <message>
         <source>Simulator (%1)</source>
         <translation>Simulator (%1)</translation>
     </message>
@@ -1587,10 +2218,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Answer to: %1</source>
         <translation>Antwort auf: %1</translation>
-    </message>
-    <message>
-        <source>steps</source>
-        <translation>Schritte</translation>
     </message>
     <message>
         <source>Two modules on %1 have the same address, so the modules cannot be used.</source>
@@ -1937,10 +2564,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>flush</source>
         <translation>Leeren</translation>
-    </message>
-    <message>
-        <source>Group %1</source>
-        <translation>Gruppe %1</translation>
     </message>
     <message>
         <source>Address %1</source>
@@ -2307,10 +2930,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Eine frühere Sitzung endete, bevor gespeichert wurde. Das Wiederherstellen sendet nichts.</translation>
     </message>
     <message>
-        <source>Restore</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
         <source>Discard: the changes are lost</source>
         <translation>Verwerfen: die Änderungen gehen verloren</translation>
     </message>
@@ -2339,24 +2958,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Maschine</translation>
     </message>
     <message>
-        <source>Baud rate</source>
-        <translation>Baudrate</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Gruppen</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>Name</translation>
     </message>
     <message>
         <source>Unit</source>
         <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Bewegung</translation>
     </message>
     <message>
         <source>Homing</source>
@@ -2375,16 +2982,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Beschleunigungszeit</translation>
     </message>
     <message>
-        <source>Gains</source>
-        <translation>Reglerwerte</translation>
-    </message>
-    <message>
         <source>Limit pins</source>
         <translation>Endschalter-Pins</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parameter</translation>
     </message>
     <message>
         <source>Baud rate, Bd</source>
@@ -2802,10 +3401,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Am Endschalter gestoppt</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>E-Stop-Eingang</translation>
-    </message>
-    <message>
         <source>Too hot</source>
         <translation>Zu heiß</translation>
     </message>
@@ -2820,10 +3415,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The module switched its motor off when motor power failed. It stays off.</source>
         <translation>Das Modul hat seinen Motor abgeschaltet, als die Motorversorgung ausfiel. Er bleibt aus.</translation>
-    </message>
-    <message>
-        <source>The motor holds its position.</source>
-        <translation>Der Motor hält seine Position.</translation>
     </message>
     <message>
         <source>The motor is free to turn. This is normal: the amplifier is switched off.</source>
@@ -3114,10 +3705,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die letzten 2 s zeigen</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Stop of all motors</source>
         <translation>Stopp aller Motoren</translation>
     </message>
@@ -3350,10 +3937,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Diese Meldung bleibt, bis der Motor im Stillstand gesehen wurde.</translation>
     </message>
     <message>
-        <source>Connect fully</source>
-        <translation>Voll verbinden</translation>
-    </message>
-    <message>
         <source>Look first (read-only)</source>
         <translation>Erst ansehen (nur lesen)</translation>
     </message>
@@ -3407,10 +3990,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Another host on this line started it, or a load drives it. The panel does not stop it unless you do; the other host may start it again.</source>
         <translation>Ein anderer Rechner auf dieser Leitung hat es gestartet, oder eine Last treibt es an. Das Programm stoppt es nicht, solange Sie es nicht stoppen; der andere Rechner kann es wieder starten.</translation>
-    </message>
-    <message>
-        <source>STOP ALL</source>
-        <translation>ALLES STOPP</translation>
     </message>
     <message>
         <source>Home is unknown: search for it, or save it.</source>
@@ -3737,10 +4316,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 ist nicht in der Kette.</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Point &quot;%2&quot; was taught before home of %1 was known, so it may have shifted. Teach it again.</source>
         <translation>Punkt „%2“ wurde geteacht, bevor die Referenz von %1 bekannt war; er kann sich verschoben haben. Den Punkt neu teachen.</translation>
     </message>
@@ -3829,10 +4404,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Fahrt zu „%1“</translation>
     </message>
     <message>
-        <source>Home all</source>
-        <translation>Alle referenzieren</translation>
-    </message>
-    <message>
         <source>Sequence &quot;%1&quot;</source>
         <translation>Ablauf „%1“</translation>
     </message>
@@ -3871,14 +4442,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>call</source>
         <translation>aufrufen</translation>
-    </message>
-    <message>
-        <source>limit 1</source>
-        <translation>Endschalter 1</translation>
-    </message>
-    <message>
-        <source>limit 2</source>
-        <translation>Endschalter 2</translation>
     </message>
     <message>
         <source>home switch</source>
@@ -3979,18 +4542,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>the lowest position is not below the highest.</source>
         <translation>die tiefste Position des Fahrwegs liegt nicht unter der höchsten.</translation>
-    </message>
-    <message>
-        <source>Travel and speed limits</source>
-        <translation>Weg- und Geschwindigkeitsgrenzen</translation>
-    </message>
-    <message>
-        <source>Backlash</source>
-        <translation>Spiel</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>Endschalter-Stopp</translation>
     </message>
     <message>
         <source>Lowest position, from home</source>
@@ -4119,10 +4670,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them.</source>
         <translation>Sein Servo ist mit diesen Reglerwerten nicht stabil. Kp und Ki senken oder Kd erhöhen und anwenden.</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Motor aus</translation>
     </message>
     <message>
         <source>Restore previous gains</source>
@@ -4283,10 +4830,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>On a path</source>
         <translation>Auf einer Bahn</translation>
-    </message>
-    <message>
-        <source>The motor follows the points of a path.</source>
-        <translation>Der Motor folgt den Punkten einer Bahn.</translation>
     </message>
     <message>
         <source>The path cannot be followed from here.</source>
@@ -4695,10 +5238,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>Endschalter 2 ist aktiv: Der Motor kann sich nur von ihm weg bewegen.</translation>
     </message>
-    <message>
-        <source>How</source>
-        <translation>Anleitung</translation>
-    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4786,28 +5325,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>Units</name>
     <message>
-        <source>steps/s</source>
-        <translation>Schritte/s</translation>
-    </message>
-    <message>
         <source>steps/s²</source>
         <translation>Schritte/s²</translation>
     </message>
     <message>
-        <source>turns</source>
-        <translation>Umdrehungen</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
-    </message>
-    <message>
-        <source>%1/s</source>
-        <translation>%1/s</translation>
-    </message>
-    <message>
-        <source>%1/s²</source>
-        <translation>%1/s²</translation>
     </message>
     <message>
         <source>counts/s</source>
@@ -4865,14 +5388,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>nmc::AmplifierBox</name>
     <message>
-        <source>on</source>
-        <translation>ein</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>aus</translation>
-    </message>
-    <message>
         <source>3-phase commutation</source>
         <translation>3-Phasen-Kommutierung</translation>
     </message>
@@ -4895,10 +5410,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection.</source>
         <translation>Der Motor folgt Taktimpulsen an den Endschalter-Pins statt Befehlen. Die Endschalter schützen dann nicht.</translation>
-    </message>
-    <message>
-        <source>Fast path</source>
-        <translation>Schnelle Bahn</translation>
     </message>
     <message>
         <source>Path points at 60 and 120 Hz instead of 30 and 60 Hz.</source>
@@ -4959,10 +5470,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Erase saved configuration of the module</source>
         <translation>Gespeichertes löschen: die Konfiguration des Moduls</translation>
-    </message>
-    <message>
-        <source>Amplifier</source>
-        <translation>Verstärker</translation>
     </message>
     <message>
         <source>Limit inputs</source>
@@ -5035,10 +5542,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Erases the module&apos;s saved configuration and restarts it.</source>
         <translation>Lässt das Modul vergessen, was es gespeichert hat, und startet es neu.</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Apply amplifier settings</source>
@@ -5136,10 +5639,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Alle einschalten: alle Motoren</translation>
     </message>
     <message>
-        <source>Home all</source>
-        <translation>Alle referenzieren</translation>
-    </message>
-    <message>
         <source>Home all axes, one after the other</source>
         <translation>Die Referenz aller Achsen nacheinander suchen</translation>
     </message>
@@ -5156,14 +5655,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Für keine Achse ist eine Referenzfahrt eingerichtet. Auf der Seite Referenzfahrt jeder Achse einrichten.</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>No module</source>
-        <translation>Kein Modul</translation>
-    </message>
-    <message>
         <source>All motors are already enabled.</source>
         <translation>Alle Motoren sind bereits eingeschaltet.</translation>
     </message>
@@ -5178,10 +5669,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 </context>
 <context>
     <name>nmc::AxisBox</name>
-    <message>
-        <source>Axis</source>
-        <translation>Achse</translation>
-    </message>
     <message>
         <source>Name of the axis</source>
         <translation>Name der Achse</translation>
@@ -5205,10 +5692,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>native counts</source>
         <translation>Inkremente</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <translation>Umdrehungen</translation>
     </message>
     <message>
         <source>degrees</source>
@@ -5251,10 +5734,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zeichen</translation>
     </message>
     <message>
-        <source>Max jog speed</source>
-        <translation>Max. Tippgeschwindigkeit</translation>
-    </message>
-    <message>
         <source>Jog is never faster than this.</source>
         <translation>Tippen ist nie schneller als dieser Wert.</translation>
     </message>
@@ -5273,10 +5752,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>A/D at &amp;0</source>
         <translation>A/D bei &amp;0</translation>
-    </message>
-    <message>
-        <source>The value at an A/D reading of 0.</source>
-        <translation>Der Wert bei einem A/D-Wert von 0.</translation>
     </message>
     <message>
         <source>Unit of the A/D value</source>
@@ -5318,10 +5793,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>nmc::AxisRow</name>
     <message>
-        <source>Axis</source>
-        <translation>Achse</translation>
-    </message>
-    <message>
         <source>State of %1</source>
         <translation>Zustand von %1</translation>
     </message>
@@ -5330,32 +5801,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Position von %1</translation>
     </message>
     <message>
-        <source>◂ Hold</source>
-        <translation>◂ Tippen</translation>
-    </message>
-    <message>
         <source>Hold to move %1 in reverse</source>
         <translation>Tippen: %1 rückwärts fahren, solange gedrückt</translation>
-    </message>
-    <message>
-        <source>Hold ▸</source>
-        <translation>Tippen ▸</translation>
     </message>
     <message>
         <source>Hold to move %1 forward</source>
         <translation>Tippen: %1 vorwärts fahren, solange gedrückt</translation>
     </message>
     <message>
-        <source>◂| Step</source>
-        <translation>◂| Schritt</translation>
-    </message>
-    <message>
         <source>Step %1 in reverse</source>
         <translation>Schritt: %1 einen Schritt rückwärts fahren</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>Schritt |▸</translation>
     </message>
     <message>
         <source>Step %1 forward</source>
@@ -5372,14 +5827,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>This step is less than one count of this axis, or beyond its range. Choose another step.</source>
         <translation>Dieser Schritt ist kleiner als ein Inkrement dieser Achse oder liegt außerhalb ihres Bereichs. Einen anderen Schritt wählen.</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>Fährt vorwärts, solange gedrückt, und stoppt dann.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>Fährt rückwärts, solange gedrückt, und stoppt dann.</translation>
     </message>
     <message>
         <source>Moves forward by the step above, then holds.</source>
@@ -5471,16 +5918,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Position, wie das Modul sie zählt.</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Positionsfehler</translation>
-    </message>
-    <message>
         <source>True, not calculated.</source>
         <translation>Wahr, nicht berechnet.</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Of the shaft.</source>
@@ -5491,32 +5930,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Schrittrate</translation>
     </message>
     <message>
-        <source>steps/s</source>
-        <translation>Schritte/s</translation>
-    </message>
-    <message>
         <source>Negative in reverse.</source>
         <translation>Rückwärts negativ.</translation>
     </message>
     <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>von 255</translation>
-    </message>
-    <message>
         <source>The sign is the direction.</source>
         <translation>Das Vorzeichen ist die Richtung.</translation>
-    </message>
-    <message>
-        <source>Motor current</source>
-        <translation>Motorstrom</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
     </message>
     <message>
         <source>255 is full current.</source>
@@ -5541,10 +5960,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 </context>
 <context>
     <name>nmc::BodePlot</name>
-    <message>
-        <source>Frequency response</source>
-        <translation>Frequenzgang</translation>
-    </message>
     <message>
         <source>No measurement yet. The motor follows sine waves from slow to fast, which shows the response of the loop.</source>
         <translation>Noch keine Messung. Der Motor folgt Sinusschwingungen von langsam bis schnell; das zeigt das Verhalten des Regelkreises.</translation>
@@ -5588,24 +6003,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>nmc::ChainDialog</name>
     <message>
-        <source>Chain</source>
-        <translation>Kette</translation>
-    </message>
-    <message>
         <source>Doctor, groups and baud rate</source>
         <translation>Diagnose, Gruppen und Rate</translation>
     </message>
     <message>
         <source>Doctor</source>
         <translation>Diagnose</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Gruppen</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Baudrate</translation>
     </message>
 </context>
 <context>
@@ -5635,10 +6038,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Stellt die ganze Kette auf eine andere Rate um.</translation>
     </message>
     <message>
-        <source>&amp;Scan again</source>
-        <translation>Erneut &amp;suchen</translation>
-    </message>
-    <message>
         <source>Scans the chain again; nothing is reset.</source>
         <translation>Sucht die Kette neu; nichts wird zurückgesetzt.</translation>
     </message>
@@ -5646,20 +6045,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>&amp;Restart the network: positions and gains are lost…</source>
         <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren…</translation>
     </message>
-    <message>
-        <source>Resets every module and assigns new addresses. Asks first.</source>
-        <translation>Setzt jedes Modul zurück und vergibt die Adressen neu. Fragt vorher nach.</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ChainModel</name>
     <message>
         <source>PC</source>
         <translation>PC</translation>
-    </message>
-    <message>
-        <source>%1/s</source>
-        <translation>%1/s</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -5735,14 +6126,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Eingeben, was zu tun ist, zum Beispiel: Zur Referenz</translation>
     </message>
     <message>
-        <source>Commands</source>
-        <translation>Befehle</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Befehl</translation>
-    </message>
-    <message>
         <source>Where</source>
         <translation>Wo</translation>
     </message>
@@ -5776,10 +6159,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Port</source>
         <translation>Port</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Baudrate</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -5822,20 +6201,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zuerst trennen.</translation>
     </message>
     <message>
-        <source>Opens the port and looks for modules. Nothing moves.</source>
-        <translation>Öffnet den Port und sucht Module. Nichts bewegt sich.</translation>
-    </message>
-    <message>
         <source>No port is open.</source>
         <translation>Es ist kein Port offen.</translation>
     </message>
     <message>
         <source>Closes the port.</source>
         <translation>Schließt den Port.</translation>
-    </message>
-    <message>
-        <source>goes to all modules</source>
-        <translation>geht an alle Module</translation>
     </message>
     <message>
         <source>Connect read-&amp;only</source>
@@ -5916,10 +6287,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Quelle des Zählers</translation>
     </message>
     <message>
-        <source>off</source>
-        <translation>aus</translation>
-    </message>
-    <message>
         <source>timer, 5 MHz</source>
         <translation>Zeitgeber, 5 MHz</translation>
     </message>
@@ -5970,10 +6337,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Add up the outputs: IO1 is 1, IO2 is 2, IO3 is 4, up to IO12, which is 2048.</source>
         <translation>Die Werte der Ausgänge addieren: IO1 ist 1, IO2 ist 2, IO3 ist 4, bis IO12, das 2048 ist.</translation>
-    </message>
-    <message>
-        <source>Outputs</source>
-        <translation>Ausgänge</translation>
     </message>
     <message>
         <source>%1 to store</source>
@@ -6086,17 +6449,9 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>  of these: %1</source>
         <translation>  davon: %1</translation>
     </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
 </context>
 <context>
     <name>nmc::CursorPanel</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>Cursorwerte</translation>
-    </message>
     <message>
         <source>Shows or hides the cursor readings.</source>
         <translation>Zeigt oder verbirgt die Cursorwerte.</translation>
@@ -6108,34 +6463,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 </context>
 <context>
     <name>nmc::CursorTable</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>Cursorwerte</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Signal</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>Cursor 1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>Cursor 2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Differenz</translation>
-    </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>Zeit</translation>
-    </message>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
@@ -6160,20 +6487,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Frequency</source>
         <translation>Frequenz</translation>
     </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
-    </message>
 </context>
 <context>
     <name>nmc::DetailsBox</name>
     <message>
         <source>The move has ended; in velocity mode the goal velocity is reached.</source>
         <translation>Die Fahrt ist beendet; im Geschwindigkeitsbetrieb ist die Zielgeschwindigkeit erreicht.</translation>
-    </message>
-    <message>
-        <source>The module received a garbled command and did not carry it out.</source>
-        <translation>Das Modul hat einen gestörten Befehl empfangen und nicht ausgeführt.</translation>
     </message>
     <message>
         <source>The current limit was reached. Stays set until you clear the sticky bits.</source>
@@ -6186,18 +6505,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The position error exceeded its limit, or the servo is off. Stays set until you clear the sticky bits.</source>
         <translation>Der Positionsfehler überschritt seine Grenze, oder der Servo ist aus. Bleibt gesetzt, bis die Sticky-Bits gelöscht werden.</translation>
-    </message>
-    <message>
-        <source>Limit switch 1.</source>
-        <translation>Endschaltereingang 1.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2.</source>
-        <translation>Endschaltereingang 2.</translation>
-    </message>
-    <message>
-        <source>Waiting for the home position.</source>
-        <translation>Wartet auf die Referenz.</translation>
     </message>
     <message>
         <source>The complement of the encoder&apos;s index.</source>
@@ -6228,16 +6535,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Stick&amp;y-Bits löschen</translation>
     </message>
     <message>
-        <source>Details</source>
-        <translation>Details</translation>
-    </message>
-    <message>
         <source>Clear sticky bits of the status</source>
         <translation>Sticky-Bits löschen: Die Sticky-Statusbits löschen</translation>
-    </message>
-    <message>
-        <source>Status byte</source>
-        <translation>Statusbyte</translation>
     </message>
     <message>
         <source>Auxiliary byte</source>
@@ -6252,40 +6551,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Geschwindigkeit laut Chip</translation>
     </message>
     <message>
-        <source>Raw</source>
-        <translation>Rohdaten</translation>
-    </message>
-    <message>
-        <source>status %1</source>
-        <translation>Status %1</translation>
-    </message>
-    <message>
         <source>, auxiliary %1</source>
         <translation>, Hilfsbyte %1</translation>
     </message>
     <message>
         <source>Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing.</source>
         <translation>Löscht overcurrent, pos_error, pos_wrap und servo_overrun. Startet nichts.</translation>
-    </message>
-    <message>
-        <source>Save as home</source>
-        <translation>Als Referenz speichern</translation>
-    </message>
-    <message>
-        <source>Save as home: the present position</source>
-        <translation>Als Referenz speichern: Die jetzige Position als Referenz speichern</translation>
-    </message>
-    <message>
-        <source>Saves the present position as home. The motor does not move.</source>
-        <translation>Speichert die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
-    </message>
-    <message>
-        <source>Home register</source>
-        <translation>Referenzregister</translation>
-    </message>
-    <message>
-        <source>The motor follows the points of a path.</source>
-        <translation>Der Motor folgt den Punkten einer Bahn.</translation>
     </message>
     <message>
         <source>Position error reported by the chip</source>
@@ -6317,10 +6588,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Changes from the machine file</source>
         <translation>Änderungen aus der Maschinendatei</translation>
-    </message>
-    <message>
-        <source>Open machine</source>
-        <translation>Maschine öffnen</translation>
     </message>
     <message>
         <source>Differences between the file and the panel</source>
@@ -6361,10 +6628,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Apply</source>
         <translation>Anwenden</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Keeps everything as it is.</source>
@@ -6435,10 +6698,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Direction check…</source>
         <translation>Richtungsprüfung…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Direction of motor and encoder</source>
@@ -6524,10 +6783,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Adresse</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
         <source>Expected</source>
         <translation>Erwartet</translation>
     </message>
@@ -6538,10 +6793,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>State</source>
         <translation>Zustand</translation>
-    </message>
-    <message>
-        <source>&amp;Scan again</source>
-        <translation>Erneut &amp;suchen</translation>
     </message>
     <message>
         <source>Scan again: look for modules</source>
@@ -6568,10 +6819,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sucht die Kette nur mit Statusabfragen neu: Nichts wird zurückgesetzt, nichts bewegt sich.</translation>
     </message>
     <message>
-        <source>Resets every module and assigns new addresses. Asks first.</source>
-        <translation>Setzt jedes Modul zurück und vergibt die Adressen neu. Fragt vorher nach.</translation>
-    </message>
-    <message>
         <source>The chain already matches.</source>
         <translation>Die Kette stimmt bereits.</translation>
     </message>
@@ -6593,10 +6840,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Stop smoothly</source>
         <translation>Sanft stoppen</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Motor aus</translation>
     </message>
     <message>
         <source>The chip stops watching for home.</source>
@@ -6627,14 +6870,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Trapez</translation>
     </message>
     <message>
-        <source>Velocity</source>
-        <translation>Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
         <source>Position (counts)</source>
         <translation>Position (Inkremente)</translation>
     </message>
@@ -6645,10 +6880,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Acceleration (counts/tick² × 65536)</source>
         <translation>Beschleunigung (Ink./Takt² × 65536)</translation>
-    </message>
-    <message>
-        <source>PWM value</source>
-        <translation>PWM-Wert</translation>
     </message>
     <message>
         <source>Reverse (velocity and PWM)</source>
@@ -6669,14 +6900,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Amplifier only</source>
         <translation>Nur Verstärker</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>Sofort</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>Sanft</translation>
     </message>
     <message>
         <source>At a position</source>
@@ -6727,18 +6950,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wechsel Endsch. 2</translation>
     </message>
     <message>
-        <source>Index</source>
-        <translation>Index</translation>
-    </message>
-    <message>
-        <source>Position error</source>
-        <translation>Positionsfehler</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>Stromgrenze</translation>
-    </message>
-    <message>
         <source>Then</source>
         <translation>Dann</translation>
     </message>
@@ -6749,10 +6960,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Position (steps)</source>
         <translation>Position (Schritte)</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Acceleration time (0.25 ms)</source>
@@ -6851,10 +7058,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1 zurücksetzen? Sein Motor geht aus, und es verliert Position, Einstellungen und Gruppe. Die anderen Module bleiben unverändert.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Reset the module</source>
         <translation>Modul zurücksetzen</translation>
     </message>
@@ -6898,10 +7101,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>The position becomes this value. Nothing moves.</source>
         <translation>Die Position wird dieser Wert. Nichts bewegt sich.</translation>
     </message>
-    <message>
-        <source>How</source>
-        <translation>Anleitung</translation>
-    </message>
 </context>
 <context>
     <name>nmc::FirstSteps</name>
@@ -6928,10 +7127,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 </context>
 <context>
     <name>nmc::FrequencyPage</name>
-    <message>
-        <source>Frequency response</source>
-        <translation>Frequenzgang</translation>
-    </message>
     <message>
         <source>Measure</source>
         <translation>Messen</translation>
@@ -6981,10 +7176,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Was der Frequenzgang ergibt</translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation>CSV exportieren…</translation>
-    </message>
-    <message>
         <source>Export CSV of the frequency response</source>
         <translation>CSV exportieren: Frequenzgang exportieren</translation>
     </message>
@@ -7001,10 +7192,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Speichert Frequenz, Betrag und Phase des offenen und des geschlossenen Regelkreises.</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
         <source>Export the frequency response</source>
         <translation>Frequenzgang exportieren</translation>
     </message>
@@ -7016,24 +7203,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>A&amp;lle anwenden</translation>
     </message>
     <message>
-        <source>Start&amp;ing values</source>
-        <translation>Sta&amp;rtwerte</translation>
-    </message>
-    <message>
-        <source>Gains</source>
-        <translation>Reglerwerte</translation>
-    </message>
-    <message>
         <source>Apply gains: all</source>
         <translation>Alle anwenden: Alle Reglerwerte anwenden</translation>
     </message>
     <message>
         <source>Revert the gains to those last sent</source>
         <translation>Reglerwerte auf die gesendeten zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Starting values: fill in</source>
-        <translation>Startwerte eintragen</translation>
     </message>
     <message>
         <source>Fills in values to start tuning with. Sends nothing.</source>
@@ -7171,10 +7346,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Modul ohne Bedienelemente</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>No status yet.</source>
         <translation>Noch kein Status.</translation>
     </message>
@@ -7205,10 +7376,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 </context>
 <context>
     <name>nmc::GroupsPage</name>
-    <message>
-        <source>Groups</source>
-        <translation>Gruppen</translation>
-    </message>
     <message>
         <source>No modules yet: connect first.</source>
         <translation>Noch keine Module: zuerst verbinden.</translation>
@@ -7266,10 +7433,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Fahrt geladen</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>No groups yet. Add modules to a group first.</source>
         <translation>Noch keine Gruppen. Zuerst Module in eine Gruppe setzen.</translation>
     </message>
@@ -7284,10 +7447,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Name of the group</source>
         <translation>Name der Gruppe</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
     </message>
     <message>
         <source>The name of this group. Saved with the machine; nothing is sent.</source>
@@ -7436,10 +7595,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Suche abbrechen</translation>
     </message>
     <message>
-        <source>Homing</source>
-        <translation>Referenzfahrt</translation>
-    </message>
-    <message>
         <source>Home: search for it</source>
         <translation>Referenz suchen: Die Referenz suchen</translation>
     </message>
@@ -7454,10 +7609,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Search settings</source>
         <translation>Einstellungen der Suche</translation>
-    </message>
-    <message>
-        <source>A search for home is running.</source>
-        <translation>Eine Referenzfahrt läuft.</translation>
     </message>
     <message>
         <source>Moves the motor to search for home, as set above.</source>
@@ -7491,10 +7642,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Referenz liegt dort, wo sich dieser Schalter ändert. Ist er zu Beginn aktiv, fährt der Motor zuerst in die andere Richtung von ihm weg.</translation>
     </message>
     <message>
-        <source>Home switch</source>
-        <translation>Referenzschalter</translation>
-    </message>
-    <message>
         <source>Limit 1 (forward)</source>
         <translation>Endschalter 1 (vorwärts)</translation>
     </message>
@@ -7507,32 +7654,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Referenz liegt bei</translation>
     </message>
     <message>
-        <source>Limit 1</source>
-        <translation>Endschalter 1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>Endschalter 2</translation>
-    </message>
-    <message>
-        <source>Index</source>
-        <translation>Index</translation>
-    </message>
-    <message>
         <source>Home is at the encoder&apos;s index, which comes once per turn.</source>
         <translation>Die Referenz liegt am Index des Encoders, der einmal je Umdrehung kommt.</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Positionsfehler</translation>
-    </message>
-    <message>
         <source>Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared first. The servo is switched on again only to continue to the index or to home.</source>
         <translation>Die Referenz liegt an einem festen Anschlag: Der Motor fährt dagegen, bis die Positionsfehlergrenze den Servo abschaltet. Vorher werden die Sticky-Bits gelöscht. Der Servo wird nur zur Weiterfahrt zum Index oder zur Referenz wieder eingeschaltet.</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>Stromgrenze</translation>
     </message>
     <message>
         <source>Home is at a hard stop: the motor runs against it until the current limit is reached. On its own, it takes effect only at full speed; combined with other conditions, from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
@@ -7567,10 +7694,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Richtung</translation>
     </message>
     <message>
-        <source>Velocity</source>
-        <translation>Geschwindigkeit</translation>
-    </message>
-    <message>
         <source>Maximum velocity for searching, backing off and going to home.</source>
         <translation>Höchste Geschwindigkeit beim Suchen, Freifahren und Anfahren der Referenz.</translation>
     </message>
@@ -7581,10 +7704,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Velocity of the second search, for the index. Slower is more exact.</source>
         <translation>Wie schnell die zweite Suche nach dem Index ist; langsamer ist genauer.</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>Beschleunigung</translation>
     </message>
     <message>
         <source>Also used for smooth stops.</source>
@@ -7599,10 +7718,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Eine Suche oder ein Freifahren, das so weit gegangen ist, wird gestoppt und ist fehlgeschlagen.</translation>
     </message>
     <message>
-        <source>Time limit</source>
-        <translation>Zeitgrenze</translation>
-    </message>
-    <message>
         <source>Time limit of a search</source>
         <translation>Zeitgrenze einer Suche</translation>
     </message>
@@ -7613,18 +7728,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>%1 of the search for home</source>
         <translation>%1 der Referenzfahrt</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>Sofort</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>Sanft</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Motor aus</translation>
     </message>
     <message>
         <source>Abruptly: stop at home</source>
@@ -7657,10 +7760,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Set position to 0</source>
         <translation>Position auf 0 setzen</translation>
-    </message>
-    <message>
-        <source>A search for home is running.</source>
-        <translation>Eine Referenzfahrt läuft.</translation>
     </message>
     <message>
         <source>The first search already finds the index.</source>
@@ -7718,16 +7817,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Endschalter und E/A</translation>
     </message>
     <message>
-        <source>Index</source>
-        <translation>Index</translation>
-    </message>
-    <message>
         <source>The encoder&apos;s index pulse, once per turn with most encoders.</source>
         <translation>Der Indexpuls des Encoders, bei den meisten Encodern einmal je Umdrehung.</translation>
-    </message>
-    <message>
-        <source>Motor power</source>
-        <translation>Motorversorgung</translation>
     </message>
     <message>
         <source>Without motor power the servo switches off, and stays off when power returns.</source>
@@ -7736,10 +7827,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The A/D input; with most amplifiers, the motor current. Set its scale on the Axis page.</source>
         <translation>Der A/D-Eingang, bei den meisten Verstärkern der Motorstrom. Seine Skala wird auf der Seite Achse eingestellt.</translation>
-    </message>
-    <message>
-        <source>A/D</source>
-        <translation>A/D</translation>
     </message>
     <message>
         <source>Amplifier enabled (&amp;AMP_EN)</source>
@@ -7766,24 +7853,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Endschalter %1: Eingang oder Ausgang</translation>
     </message>
     <message>
-        <source>input</source>
-        <translation>Eingang</translation>
-    </message>
-    <message>
         <source>output, low</source>
         <translation>Ausgang, Low</translation>
     </message>
     <message>
         <source>output, high</source>
         <translation>Ausgang, High</translation>
-    </message>
-    <message>
-        <source>high</source>
-        <translation>High</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>Low</translation>
     </message>
     <message>
         <source>Makes the pin an input, or an output with this level. Sent at once.</source>
@@ -7810,10 +7885,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Schaltet nur die Freigabeleitung des Verstärkers; der Servo bleibt, wie er ist. Ist sie aus, bekommt der Motor keinen Strom, was auch immer der Servo tut.</translation>
     </message>
     <message>
-        <source>Fast path</source>
-        <translation>Schnelle Bahn</translation>
-    </message>
-    <message>
         <source>The Amplifier page sets what the module does when a limit closes.</source>
         <translation>Was das Modul tut, wenn ein Endschalter schließt, steht auf der Seite Verstärker.</translation>
     </message>
@@ -7825,20 +7896,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::IoHead</name>
     <message>
-        <source>State of the selected module</source>
-        <translation>Zustand des gewählten Moduls</translation>
-    </message>
-    <message>
         <source>Name of this module</source>
         <translation>Name dieses Moduls</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>%1, address %2</source>
-        <translation>%1, Adresse %2</translation>
     </message>
 </context>
 <context>
@@ -7848,32 +7907,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>E/A-Modul</translation>
     </message>
     <message>
-        <source>Pages of the module</source>
-        <translation>Seiten des Moduls</translation>
-    </message>
-    <message>
-        <source>A/D and PWM</source>
-        <translation>A/D und PWM</translation>
-    </message>
-    <message>
         <source>Counter</source>
         <translation>Zähler</translation>
     </message>
 </context>
 <context>
     <name>nmc::IoValuesBox</name>
-    <message>
-        <source>A/D and PWM</source>
-        <translation>A/D und PWM</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>A/D-Eingang</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
     <message>
         <source>Reads</source>
         <translation>Liest</translation>
@@ -7885,14 +7924,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>At 0</source>
         <translation>Bei 0</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Name of %1</source>
-        <translation>Name von %1</translation>
     </message>
     <message>
         <source>Value of %1</source>
@@ -7911,10 +7942,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1 bei 0</translation>
     </message>
     <message>
-        <source>The value at an A/D reading of 0.</source>
-        <translation>Der Wert bei einem A/D-Wert von 0.</translation>
-    </message>
-    <message>
         <source>Unit of %1</source>
         <translation>Einheit von %1</translation>
     </message>
@@ -7929,10 +7956,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>0 to 255</source>
         <translation>0 bis 255</translation>
-    </message>
-    <message>
-        <source>Off at stop</source>
-        <translation>Aus bei Stopp</translation>
     </message>
     <message>
         <source>Last value sent to %1</source>
@@ -7950,48 +7973,20 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>STOP ALL switches this output off. If cleared, the output stays as it is.</source>
         <translation>ALLES STOPP schaltet diesen Ausgang aus. Ohne Haken bleibt er, wie er ist.</translation>
     </message>
-    <message>
-        <source>%1 of 255</source>
-        <translation>%1 von 255</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? unbekannt</translation>
-    </message>
 </context>
 <context>
     <name>nmc::JogBox</name>
     <message>
-        <source>Jog</source>
-        <translation>Tippen</translation>
-    </message>
-    <message>
         <source>Jog speed</source>
         <translation>Tippgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>◂ Hold</source>
-        <translation>◂ Tippen</translation>
     </message>
     <message>
         <source>Hold to move in reverse</source>
         <translation>Tippen: Rückwärts fahren, solange gedrückt</translation>
     </message>
     <message>
-        <source>Hold ▸</source>
-        <translation>Tippen ▸</translation>
-    </message>
-    <message>
         <source>Hold to move forward</source>
         <translation>Tippen: Vorwärts fahren, solange gedrückt</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>Fährt vorwärts, solange gedrückt, und stoppt dann.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>Fährt rückwärts, solange gedrückt, und stoppt dann.</translation>
     </message>
     <message>
         <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value at each connection; set the max jog speed on the Axis page.</source>
@@ -8036,26 +8031,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::LimitStopBox</name>
     <message>
-        <source>limit 1</source>
-        <translation>Endschalter 1</translation>
-    </message>
-    <message>
-        <source>limit 2</source>
-        <translation>Endschalter 2</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>Endschalter-Stopp</translation>
-    </message>
-    <message>
-        <source>Limit 1</source>
-        <translation>Endschalter 1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>Endschalter 2</translation>
-    </message>
-    <message>
         <source>Arm limit stop</source>
         <translation>Stopp scharf schalten</translation>
     </message>
@@ -8078,18 +8053,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>State of the limit stop</source>
         <translation>Zustand des Endschalter-Stopps</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>Sofort</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>Sanft</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Motor aus</translation>
     </message>
     <message>
         <source>Abruptly: stop at the limit</source>
@@ -8184,10 +8147,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>%1 oder %2</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Positionsfehler</translation>
-    </message>
-    <message>
         <source>Current</source>
         <translation>Strom</translation>
     </message>
@@ -8226,10 +8185,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>Der Endschalter-Stopp wird für jede Bewegung scharf geschaltet. Zuerst dieses Häkchen entfernen.</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Anleitung</translation>
     </message>
 </context>
 <context>
@@ -8283,14 +8238,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Loop tests</source>
         <translation>Regelkreis</translation>
-    </message>
-    <message>
-        <source>Square wave</source>
-        <translation>Rechteck</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>Frequenzgang</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -8360,14 +8307,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Maschinendateien (*.%1)</translation>
     </message>
     <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Open machine</source>
-        <translation>Maschine öffnen</translation>
-    </message>
-    <message>
         <source>Save machine</source>
         <translation>Maschine speichern</translation>
     </message>
@@ -8431,24 +8370,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Module</translation>
     </message>
     <message>
-        <source>Scope</source>
-        <translation>Oszilloskop</translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation>Meldungen</translation>
-    </message>
-    <message>
         <source>NMC Panel - Simulator</source>
         <translation>NMC Panel - Simulator</translation>
     </message>
     <message>
         <source>NMC Panel - %1</source>
         <translation>NMC Panel - %1</translation>
-    </message>
-    <message>
-        <source>No module</source>
-        <translation>Kein Modul</translation>
     </message>
     <message>
         <source>&amp;Stop and disconnect</source>
@@ -8483,10 +8410,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>NUR LESEN — nur Statusabfragen werden gesendet. ALLES STOPP wirkt.</translation>
     </message>
     <message>
-        <source>Connect fully</source>
-        <translation>Voll verbinden</translation>
-    </message>
-    <message>
         <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
         <translation>Verbindet neu mit demselben Port; Befehle sind dann erlaubt. Nichts bewegt sich.</translation>
     </message>
@@ -8511,20 +8434,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Eingabetaste zeigt ihn auf der Seite seines Moduls. Es wird nichts gesendet.</translation>
     </message>
     <message>
-        <source>Operator mode</source>
-        <translation>Bedienermodus</translation>
-    </message>
-    <message>
         <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
         <translation>BEDIENERMODUS — nur erlaubte Aktionen sind möglich. ALLES STOPP wirkt immer.</translation>
     </message>
     <message>
         <source>Leave…</source>
         <translation>Verlassen…</translation>
-    </message>
-    <message>
-        <source>Asks for the PIN.</source>
-        <translation>Fragt nach der PIN.</translation>
     </message>
     <message>
         <source>End pendant mode</source>
@@ -8545,10 +8460,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>PENDANT — %1. %2</source>
         <translation>HANDGERÄT — %1. %2</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>Modul</translation>
     </message>
     <message>
         <source>Pendant</source>
@@ -8577,10 +8488,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Save the tuning report</source>
         <translation>Bericht speichern</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>HTML (*.html)</source>
@@ -8641,10 +8548,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::MessageList</name>
     <message>
-        <source>Messages</source>
-        <translation>Meldungen</translation>
-    </message>
-    <message>
         <source>No messages. Problems are listed here, with the time when they ended.</source>
         <translation>Keine Meldungen. Probleme erscheinen hier, auch wenn sie enden.</translation>
     </message>
@@ -8668,10 +8571,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Welche Art von Meldungen gezeigt wird.</translation>
     </message>
     <message>
-        <source>All kinds</source>
-        <translation>Alle Arten</translation>
-    </message>
-    <message>
         <source>Notes</source>
         <translation>Hinweise</translation>
     </message>
@@ -8682,10 +8581,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Filters the messages by module.</source>
         <translation>Von welchem Modul Meldungen gezeigt werden.</translation>
-    </message>
-    <message>
-        <source>All modules</source>
-        <translation>Alle Module</translation>
     </message>
     <message>
         <source>Active only</source>
@@ -8731,10 +8626,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Export messages</source>
         <translation>Meldungen exportieren</translation>
     </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Text (*.txt)</translation>
-    </message>
 </context>
 <context>
     <name>nmc::MessageRow</name>
@@ -8744,10 +8635,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
             <numerusform>%n-mal</numerusform>
             <numerusform>%n-mal</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>ended at %1</source>
-        <translation>endete um %1</translation>
     </message>
 </context>
 <context>
@@ -8892,10 +8779,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Mit Haken geschlossen.</translation>
     </message>
     <message>
-        <source>Motor power</source>
-        <translation>Motorversorgung</translation>
-    </message>
-    <message>
         <source>The motor&apos;s supply, not the module&apos;s.</source>
         <translation>Die Versorgung des Motors, nicht die des Moduls.</translation>
     </message>
@@ -8908,28 +8791,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Endschalter 2, rückwärts</translation>
     </message>
     <message>
-        <source>Home switch</source>
-        <translation>Referenzschalter</translation>
-    </message>
-    <message>
-        <source>E-stop input</source>
-        <translation>E-Stop-Eingang</translation>
-    </message>
-    <message>
         <source>Input 1</source>
         <translation>Eingang 1</translation>
     </message>
     <message>
         <source>Input 2</source>
         <translation>Eingang 2</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>A/D-Eingang</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>von 255</translation>
     </message>
     <message>
         <source>The A/D reading of the temperature sensor.</source>
@@ -9064,16 +8931,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Der Referenzschalter ist ab dieser Position vorwärts geschlossen. Ohne Haken wird er von Hand gestellt.</translation>
     </message>
     <message>
-        <source>Pins</source>
-        <translation>Pins</translation>
-    </message>
-    <message>
         <source>%1: level</source>
         <translation>%1: Pegel</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>255 is 5 V.</source>
@@ -9134,10 +8993,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Bewegungen des gewählten Moduls</translation>
     </message>
     <message>
-        <source>Motion</source>
-        <translation>Bewegung</translation>
-    </message>
-    <message>
         <source>The pages of this module.</source>
         <translation>Die Seiten dieses Moduls.</translation>
     </message>
@@ -9152,26 +9007,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::MotionBox</name>
     <message>
-        <source>Motion</source>
-        <translation>Bewegung</translation>
-    </message>
-    <message>
-        <source>Goal position</source>
-        <translation>Zielposition</translation>
-    </message>
-    <message>
-        <source>The goal position</source>
-        <translation>Die Zielposition</translation>
-    </message>
-    <message>
-        <source>&amp;Go</source>
-        <translation>A&amp;nfahren</translation>
-    </message>
-    <message>
-        <source>Go to the position</source>
-        <translation>Die Position anfahren</translation>
-    </message>
-    <message>
         <source>Ve&amp;locity</source>
         <translation>&amp;Geschwindigkeit</translation>
     </message>
@@ -9184,40 +9019,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Beschleunigung</translation>
     </message>
     <message>
-        <source>Acceleration</source>
-        <translation>Beschleunigung</translation>
-    </message>
-    <message>
         <source>Velocity of running</source>
         <translation>Geschwindigkeit des Dauerlaufs</translation>
-    </message>
-    <message>
-        <source>Run &amp;reverse</source>
-        <translation>Rüc&amp;kwärts</translation>
-    </message>
-    <message>
-        <source>Run reverse until stopped</source>
-        <translation>Rückwärts: Dauerlauf rückwärts bis zum Stopp</translation>
-    </message>
-    <message>
-        <source>R&amp;un forward</source>
-        <translation>Vorw&amp;ärts</translation>
-    </message>
-    <message>
-        <source>Run forward until stopped</source>
-        <translation>Dauerlauf vorwärts bis zum Stopp</translation>
-    </message>
-    <message>
-        <source>Moves to the position, then holds.</source>
-        <translation>Fährt zur Position und hält dort.</translation>
-    </message>
-    <message>
-        <source>Runs forward until stopped.</source>
-        <translation>Läuft vorwärts bis zum Stopp.</translation>
-    </message>
-    <message>
-        <source>Runs in reverse until stopped.</source>
-        <translation>Läuft rückwärts bis zum Stopp.</translation>
     </message>
     <message>
         <source>Used by every motion here, and by a smooth stop.</source>
@@ -9232,10 +9035,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Position oder Strecke</translation>
     </message>
     <message>
-        <source>position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
         <source>distance</source>
         <translation>Strecke</translation>
     </message>
@@ -9246,18 +9045,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>&amp;Zero here</source>
         <translation>Hier n&amp;ullen</translation>
-    </message>
-    <message>
-        <source>Zero here: set the present position to 0</source>
-        <translation>Hier nullen: Die jetzige Position zu null machen</translation>
-    </message>
-    <message>
-        <source>Go home</source>
-        <translation>Zur Referenz</translation>
-    </message>
-    <message>
-        <source>Load</source>
-        <translation>Laden</translation>
     </message>
     <message>
         <source>Load the move, start it later</source>
@@ -9320,22 +9107,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Fährt zur Referenz.</translation>
     </message>
     <message>
-        <source>Use nearest</source>
-        <translation>Nächstes nehmen</translation>
-    </message>
-    <message>
-        <source>Use nearest allowed position</source>
-        <translation>Nächstes nehmen: Die nächste erlaubte Position als Ziel eintragen</translation>
-    </message>
-    <message>
-        <source>Use %1</source>
-        <translation>%1 nehmen</translation>
-    </message>
-    <message>
-        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
-        <translation>Trägt die nächste erlaubte Position als Ziel ein. Nichts bewegt sich.</translation>
-    </message>
-    <message>
         <source>Runs forward until stopped, or to its highest position.</source>
         <translation>Läuft vorwärts bis zum Stopp oder bis zur höchsten Position.</translation>
     </message>
@@ -9363,16 +9134,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Strecke eines Schritts</translation>
     </message>
     <message>
-        <source>◂| Step</source>
-        <translation>◂| Schritt</translation>
-    </message>
-    <message>
         <source>Step in reverse</source>
         <translation>Schritt: Ein Schritt rückwärts</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>Schritt |▸</translation>
     </message>
     <message>
         <source>Step forward</source>
@@ -9417,10 +9180,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>times, pause</source>
         <translation>mal, Pause</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
     </message>
     <message>
         <source>Repeat</source>
@@ -9484,10 +9243,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 </context>
 <context>
     <name>nmc::OperatorDialog</name>
-    <message>
-        <source>Operator mode</source>
-        <translation>Bedienermodus</translation>
-    </message>
     <message>
         <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is not a security feature: anyone with access to this computer&apos;s files can bypass it.</source>
         <translation>Wählen Sie, was der Bediener tun darf. ALLES STOPP, Esc, die Stopps jedes Motors und Trennen gehen immer. Der Bedienermodus verhindert Versehen; er ist keine Zugangssicherung: Wer Zugriff auf die Dateien dieses Rechners hat, kann ihn umgehen.</translation>
@@ -9572,10 +9327,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Be&amp;dienermodus…</translation>
     </message>
     <message>
-        <source>Asks for the PIN.</source>
-        <translation>Fragt nach der PIN.</translation>
-    </message>
-    <message>
         <source>Limits the panel to the actions that you select, until someone enters the PIN.</source>
         <translation>Beschränkt das Programm auf die gewählten Aktionen, bis jemand die PIN eingibt.</translation>
     </message>
@@ -9593,10 +9344,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Purpose</source>
         <translation>Zweck</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Befehl</translation>
     </message>
     <message>
         <source>Meaning</source>
@@ -9626,10 +9373,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zeigt nur die Pakete eines Moduls (Strg+M).</translation>
     </message>
     <message>
-        <source>All modules</source>
-        <translation>Alle Module</translation>
-    </message>
-    <message>
         <source>Filter packets by kind</source>
         <translation>Pakete nach Art filtern</translation>
     </message>
@@ -9638,16 +9381,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Zeigt nur Pakete einer Art (Strg+T).</translation>
     </message>
     <message>
-        <source>All kinds</source>
-        <translation>Alle Arten</translation>
-    </message>
-    <message>
         <source>Polls</source>
         <translation>Abfragen</translation>
-    </message>
-    <message>
-        <source>Commands</source>
-        <translation>Befehle</translation>
     </message>
     <message>
         <source>Stops</source>
@@ -9660,10 +9395,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Errors only</source>
         <translation>Nur Fehler</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
     </message>
     <message>
         <source>Stops recording; packets shown stay (%1).</source>
@@ -9684,10 +9415,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Copies the selected rows as text, or all rows if none is selected (%1).</source>
         <translation>Kopiert die gewählten Zeilen als Text, oder alle, wenn keine gewählt ist (%1).</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Speichern unter…</translation>
     </message>
     <message>
         <source>Saves all recorded packets as text, or as a log that can be replayed (%1).</source>
@@ -9712,10 +9439,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Save packets</source>
         <translation>Pakete speichern</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Text (*.txt)</translation>
     </message>
     <message>
         <source>Replayable log (*%1)</source>
@@ -9780,20 +9503,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Motor aus</translation>
     </message>
     <message>
-        <source>Motor off: this module</source>
-        <translation>Motor aus: dieses Modul</translation>
-    </message>
-    <message>
-        <source>State of the selected module</source>
-        <translation>Zustand des gewählten Moduls</translation>
-    </message>
-    <message>
         <source>Position unknown</source>
         <translation>Position unbekannt</translation>
-    </message>
-    <message>
-        <source>%1, address %2</source>
-        <translation>%1, Adresse %2</translation>
     </message>
     <message>
         <source>The servo is already on.</source>
@@ -9810,10 +9521,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Stops at once, then holds.</source>
         <translation>Stoppt sofort, hält dann die Position.</translation>
-    </message>
-    <message>
-        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>Schaltet Servo und Verstärker aus: Der Motor ist frei drehbar, und eine Last kann absinken.</translation>
     </message>
     <message>
         <source>&amp;Enable amplifier</source>
@@ -9856,28 +9563,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Geschwindigkeit, aus Positionen über 0,2 s gemessen.</translation>
     </message>
     <message>
-        <source>Motor current</source>
-        <translation>Motorstrom</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>A/D-Eingang</translation>
-    </message>
-    <message>
-        <source>Limit switch 1.</source>
-        <translation>Endschaltereingang 1.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2.</source>
-        <translation>Endschaltereingang 2.</translation>
-    </message>
-    <message>
         <source>Motor power as sensed by the module.</source>
         <translation>Motorversorgung, wie das Modul sie erkennt.</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>Endschalter-Stopp</translation>
     </message>
     <message>
         <source>Limit %1 –</source>
@@ -9910,10 +9597,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Current %1</source>
         <translation>Strom %1</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>● Limit stop armed</source>
@@ -9963,10 +9646,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Positionen der Bahn über der Zeit</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
     </message>
@@ -10008,10 +9687,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Rate of the path to draw</source>
         <translation>Rate der zu zeichnenden Bahn</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
     </message>
     <message>
         <source>Draw path</source>
@@ -10126,24 +9801,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Stoppt alle Achsen der Bahn. Sie halten, wo sie stehen bleiben.</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>A path file has a column for each axis. Axes here: %1.</source>
         <translation>Eine Bahndatei hat eine Spalte für jede Achse. Achsen hier: %1.</translation>
     </message>
     <message>
         <source>Open a path</source>
         <translation>Bahn öffnen</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save the path</source>
@@ -10188,10 +9851,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Alle Pins zu Eingängen machen</translation>
     </message>
     <message>
-        <source>Pins</source>
-        <translation>Pins</translation>
-    </message>
-    <message>
         <source>Pin</source>
         <translation>Pin</translation>
     </message>
@@ -10208,44 +9867,20 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ausgang</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
         <source>Ask first</source>
         <translation>Erst fragen</translation>
-    </message>
-    <message>
-        <source>Off at stop</source>
-        <translation>Aus bei Stopp</translation>
-    </message>
-    <message>
-        <source>input</source>
-        <translation>Eingang</translation>
     </message>
     <message>
         <source>output</source>
         <translation>Ausgang</translation>
     </message>
     <message>
-        <source>? unknown</source>
-        <translation>? unbekannt</translation>
-    </message>
-    <message>
         <source>Direction of %1</source>
         <translation>Richtung von %1</translation>
     </message>
     <message>
-        <source>high</source>
-        <translation>High</translation>
-    </message>
-    <message>
         <source>high: output %1</source>
         <translation>High: Ausgang %1</translation>
-    </message>
-    <message>
-        <source>Name of %1</source>
-        <translation>Name von %1</translation>
     </message>
     <message>
         <source>Ask first before %1 changes</source>
@@ -10262,10 +9897,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>STOP ALL takes this output low. If cleared, the output stays as it is.</source>
         <translation>ALLES STOPP nimmt diesen Ausgang auf Low. Ohne Haken bleibt er, wie er ist.</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Switch %1 on?</source>
@@ -10312,20 +9943,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Low, gesetzt: High</translation>
     </message>
     <message>
-        <source>low</source>
-        <translation>Low</translation>
-    </message>
-    <message>
         <source>This pin is an input.</source>
         <translation>Dieser Pin ist ein Eingang.</translation>
     </message>
     <message>
         <source>Pin directions unknown.</source>
         <translation>Die Richtungen sind unbekannt.</translation>
-    </message>
-    <message>
-        <source>Switches this output at once.</source>
-        <translation>Schaltet diesen Ausgang sofort.</translation>
     </message>
 </context>
 <context>
@@ -10378,10 +10001,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>P&amp;rinter</source>
         <translation>D&amp;rucker</translation>
     </message>
@@ -10402,10 +10021,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Seite speichern</translation>
     </message>
     <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
         <source>page</source>
         <translation>Seite</translation>
     </message>
@@ -10419,18 +10034,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Drive forward</source>
         <translation>Vorwärts treiben</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Motor aus</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>PWM value</source>
-        <translation>PWM-Wert</translation>
     </message>
     <message>
         <source>The PWM value</source>
@@ -10449,10 +10052,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Vorwärts treiben: Den Motor mit diesem PWM-Wert vorwärts treiben</translation>
     </message>
     <message>
-        <source>Motor off: this module</source>
-        <translation>Motor aus: dieses Modul</translation>
-    </message>
-    <message>
         <source>PWM drives the motor directly, without the servo. No position, position error or output limit protects it, and it runs until you switch it off.</source>
         <translation>PWM treibt den Motor direkt an, ohne den Servo. Keine Positions-, Positionsfehler- oder Ausgangsgrenze schützt ihn, und er läuft, bis er abgeschaltet wird.</translation>
     </message>
@@ -10468,20 +10067,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Drives the motor forward until you switch it off.</source>
         <translation>Treibt den Motor vorwärts an, bis er abgeschaltet wird.</translation>
     </message>
-    <message>
-        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>Schaltet Servo und Verstärker aus: Der Motor ist frei drehbar, und eine Last kann absinken.</translation>
-    </message>
 </context>
 <context>
     <name>nmc::RatePage</name>
     <message>
         <source>&amp;Change baud rate</source>
         <translation>Baud&amp;rate ändern</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Baudrate</translation>
     </message>
     <message>
         <source>New baud rate of the chain</source>
@@ -10571,10 +10162,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Speichern unter…</translation>
     </message>
     <message>
-        <source>Save as…</source>
-        <translation>Speichern unter…</translation>
-    </message>
-    <message>
         <source>&amp;Close</source>
         <translation>S&amp;chließen</translation>
     </message>
@@ -10585,10 +10172,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Save the report</source>
         <translation>Bericht speichern</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Text (*.txt)</translation>
     </message>
 </context>
 <context>
@@ -10610,16 +10193,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wie weit die Sollposition springt; unter 0 rückwärts. Kleine Sprünge zeigen, wie der Servo abgestimmt ist, große, was der Verstärker kann.</translation>
     </message>
     <message>
-        <source>Method: how the command jumps</source>
-        <translation>Art, wie die Sollposition springt</translation>
-    </message>
-    <message>
         <source>The record</source>
         <translation>Die Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
     </message>
     <message>
         <source>How long to record after the step. Then the motor is commanded to hold.</source>
@@ -10640,10 +10215,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Distance</source>
         <translation>Strecke</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Art</translation>
     </message>
     <message>
         <source>Record</source>
@@ -10697,20 +10268,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::ResponsePage</name>
     <message>
-        <source>Step response</source>
-        <translation>Sprungantwort</translation>
-    </message>
-    <message>
         <source>Use these gains</source>
         <translation>Werte übernehmen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Export CSV…</source>
-        <translation>CSV exportieren…</translation>
     </message>
     <message>
         <source>Select a run in the list first.</source>
@@ -10741,10 +10300,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sprungantworten exportieren</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
         <source>Step</source>
         <translation>Sprung</translation>
     </message>
@@ -10771,10 +10326,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Shows the other runs of this module, older runs paler.</source>
         <translation>Zeichnet auch die anderen Läufe dieses Moduls, ältere blasser.</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>No run was removed.</source>
@@ -10835,22 +10386,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>position from the start (%1)</source>
         <translation>Position vom Start aus (%1)</translation>
     </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>
@@ -10859,24 +10394,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Was die gezeigten Läufe ergeben</translation>
     </message>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Lauf</translation>
     </message>
     <message>
         <source>Rise, 10 to 90 %</source>
         <translation>Anstieg, 10 bis 90 %</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Überschwingen</translation>
     </message>
     <message>
         <source>Steady-state error</source>
@@ -10911,10 +10434,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Mittlere Zeit zwischen zwei Positionen der Aufzeichnung. Von ihr hängt die Genauigkeit der Ergebnisse ab.</translation>
     </message>
     <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>Settling to the goal</source>
         <translation>Einschwingen aufs Ziel</translation>
     </message>
@@ -10938,28 +10457,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Bisherige Sprungantworten</translation>
     </message>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Lauf</translation>
     </message>
     <message>
-        <source>Module</source>
-        <translation>Modul</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Überschwingen</translation>
     </message>
     <message>
         <source>Settling</source>
@@ -10986,10 +10489,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sprungantworten, die neueste zuerst. Zwei Häkchen setzen, um die Kurven zu vergleichen. Die letzten %1 werden mit der Maschine gespeichert; am längsten bleiben die mit einem Namen oder einer Notiz.</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Notiz</translation>
     </message>
@@ -11001,32 +10500,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Note on the run. Double-click or press F2 to edit.</source>
         <translation>Was man von dem Lauf wissen sollte. Doppelklicken oder F2 drücken.</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ResponseView</name>
     <message>
-        <source>Cursor readings</source>
-        <translation>Cursorwerte</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Lauf</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>Cursor 1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>Cursor 2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Differenz</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -11037,44 +10516,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Passt die Ansicht an die Bewegung und alle Positionen an (A, im Diagramm).</translation>
     </message>
     <message>
-        <source>Cursors</source>
-        <translation>Cursor</translation>
-    </message>
-    <message>
         <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
         <translation>Zwei Cursor zum Messen: ziehen Sie sie (C, im Diagramm).</translation>
     </message>
     <message>
         <source>Picture</source>
         <translation>Bild</translation>
-    </message>
-    <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>&amp;Bild (PNG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>Das sichtbare Diagramm als Bild.</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>&amp;Vektorbild (SVG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>Das sichtbare Diagramm in Linien, die in jeder Größe scharf bleiben.</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>&amp;Seite (PDF)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>Das sichtbare Diagramm auf einer Seite zum Drucken oder für einen Bericht.</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
         <source>Copies the visible plot to the clipboard.</source>
@@ -11109,28 +10556,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Bild der Sprungantwort</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1-Dateien (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>step</source>
         <translation>Sprung</translation>
-    </message>
-    <message>
-        <source>P&amp;rint…</source>
-        <translation>&amp;Drucken…</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
-        <translation>Druckt das sichtbare Diagramm auf einem Drucker dieses Rechners.</translation>
-    </message>
-    <message>
-        <source>SIMULATOR, no real motor moved</source>
-        <translation>SIMULATOR, kein echter Motor bewegt</translation>
     </message>
 </context>
 <context>
@@ -11246,31 +10673,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>A/D %1 unter</translation>
     </message>
     <message>
-        <source>%1 of 255</source>
-        <translation>%1 von 255</translation>
-    </message>
-    <message>
         <source>Within</source>
         <translation>Binnen</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Anleitung</translation>
     </message>
 </context>
 <context>
     <name>nmc::ScopeBar</name>
     <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
         <source>Freezes the display (Ctrl+P). Recording of samples continues.</source>
         <translation>Hält das Bild an (Strg+P). Messwerte werden weiter erfasst.</translation>
-    </message>
-    <message>
-        <source>Cursors</source>
-        <translation>Cursor</translation>
     </message>
     <message>
         <source>Shows two cursors to measure with: drag them (C).</source>
@@ -11313,10 +10724,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wählt die Signale der Streifen (S).</translation>
     </message>
     <message>
-        <source>Trigger</source>
-        <translation>Trigger</translation>
-    </message>
-    <message>
         <source>Waits for a signal or a status bit, and holds the picture around it (T).</source>
         <translation>Wartet auf ein Signal oder ein Statusbit und hält fest, was darum herum war (T).</translation>
     </message>
@@ -11344,26 +10751,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Messwerte (CSV)…</translation>
     </message>
     <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>&amp;Bild (PNG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>Das sichtbare Diagramm als Bild.</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>&amp;Vektorbild (SVG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>Das sichtbare Diagramm in Linien, die in jeder Größe scharf bleiben.</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>Bild &amp;kopieren</translation>
-    </message>
-    <message>
         <source>Copies the visible plot to the clipboard, with its samples if there are only a few.</source>
         <translation>Kopiert das sichtbare Diagramm in die Zwischenablage; mit seinen Messwerten, wenn es wenige sind.</translation>
     </message>
@@ -11372,32 +10759,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Aus dem Oszilloskop exportieren</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1-Dateien (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>scope</source>
         <translation>oszilloskop</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>&amp;Seite (PDF)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>Das sichtbare Diagramm auf einer Seite zum Drucken oder für einen Bericht.</translation>
-    </message>
-    <message>
-        <source>P&amp;rint…</source>
-        <translation>&amp;Drucken…</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
-        <translation>Druckt das sichtbare Diagramm auf einem Drucker dieses Rechners.</translation>
     </message>
     <message>
         <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
@@ -11429,10 +10792,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Opening</source>
         <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Cancels opening; the scope stays as it is.</source>
@@ -11475,10 +10834,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Aufzeichnungen (*.%1)</translation>
     </message>
     <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Open recording</source>
         <translation>Aufzeichnung öffnen</translation>
     </message>
@@ -11489,10 +10844,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Overlay</source>
         <translation>Unterlegt</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Removes the recording from the plots. Its file is kept.</source>
@@ -11522,17 +10873,9 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Overlay a recording</source>
         <translation>Aufzeichnung unterlegen</translation>
     </message>
-    <message>
-        <source>Overlay: %1</source>
-        <translation>Unterlegt: %1</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ScopePanel</name>
-    <message>
-        <source>Scope</source>
-        <translation>Oszilloskop</translation>
-    </message>
     <message>
         <source>Exports the visible samples or a picture.</source>
         <translation>Holt das Sichtbare aus dem Oszilloskop: Messwerte oder ein Bild.</translation>
@@ -11544,10 +10887,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>%1 (simulator)</source>
         <translation>%1 (Simulator)</translation>
-    </message>
-    <message>
-        <source>Overlay: %1</source>
-        <translation>Unterlegt: %1</translation>
     </message>
 </context>
 <context>
@@ -11576,14 +10915,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Streifen %1 des Oszilloskops</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>Ziehen ändert die Höhe der Streifen. Ein Doppelklick macht sie gleich hoch.</translation>
     </message>
@@ -11594,10 +10925,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 </context>
 <context>
     <name>nmc::SequencesPage</name>
-    <message>
-        <source>Points and sequences</source>
-        <translation>Punkte und Abläufe</translation>
-    </message>
     <message>
         <source>Rename point</source>
         <translation>Punkt umbenennen</translation>
@@ -11739,16 +11066,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die gewählte Zeile nach unten</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
         <source>Undo the last change to points and sequences</source>
         <translation>Die letzte Änderung an Punkten und Abläufen rückgängig machen</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Redo the last undone change to points and sequences</source>
@@ -11781,10 +11100,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Run from row: start at the selected row</source>
         <translation>Den Ablauf ab der gewählten Zeile starten</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
     </message>
     <message>
         <source>Pause the sequence after its row</source>
@@ -11821,10 +11136,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Select at least one axis.</source>
         <translation>Mindestens eine Achse wählen.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Stores the present positions of the selected axes under this name, replacing any point of that name. Nothing moves.</source>
@@ -11891,16 +11202,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Verschiebt diese Zeile nach unten.</translation>
     </message>
     <message>
-        <source>Nothing to undo.</source>
-        <translation>Es gibt nichts rückgängig zu machen.</translation>
-    </message>
-    <message>
         <source>Undo: %1</source>
         <translation>Macht rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>Es gibt nichts wiederherzustellen.</translation>
     </message>
     <message>
         <source>Redo: %1</source>
@@ -11962,40 +11265,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Servomodul</translation>
     </message>
     <message>
-        <source>Gains</source>
-        <translation>Reglerwerte</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Details</translation>
-    </message>
-    <message>
-        <source>Pages of the module</source>
-        <translation>Seiten des Moduls</translation>
-    </message>
-    <message>
         <source>Limits &amp;&amp; I/O</source>
         <translation>Endschalter &amp;&amp; E/A</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>Referenzfahrt</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Achse</translation>
-    </message>
-    <message>
-        <source>Expert</source>
-        <translation>Experte</translation>
-    </message>
-    <message>
-        <source>Amplifier</source>
-        <translation>Verstärker</translation>
     </message>
 </context>
 <context>
@@ -12007,10 +11278,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Signals and their strips</source>
         <translation>Signale und die Streifen, in denen sie stehen</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Signal</translation>
     </message>
     <message>
         <source>Strip %1</source>
@@ -12052,23 +11319,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::SimulatorBench</name>
     <message>
-        <source>Simulator</source>
-        <translation>Simulator</translation>
-    </message>
-    <message>
         <source>Simulated module</source>
         <translation>Simuliertes Modul</translation>
     </message>
     <message>
         <source>Follows the module list, and includes modules that the panel did not find.</source>
         <translation>Folgt der Modulliste. Enthält auch Module, die das Programm nicht findet.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::SimulatorDock</name>
-    <message>
-        <source>Simulator</source>
-        <translation>Simulator</translation>
     </message>
 </context>
 <context>
@@ -12096,10 +11352,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 </context>
 <context>
     <name>nmc::SquareWavePage</name>
-    <message>
-        <source>Square wave</source>
-        <translation>Rechteck</translation>
-    </message>
     <message>
         <source>Start test</source>
         <translation>Test starten</translation>
@@ -12129,10 +11381,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Periode</translation>
     </message>
     <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
         <source>Periods</source>
         <translation>Perioden</translation>
     </message>
@@ -12149,14 +11397,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Wie weit der Motor über jede Seite hinausgehen darf. Darüber hinaus stoppt die Prüfung, und der Motor hält.</translation>
     </message>
     <message>
-        <source>Method: how the command jumps</source>
-        <translation>Art, wie die Sollposition springt</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Art</translation>
-    </message>
-    <message>
         <source>Results of the edges</source>
         <translation>Was die Flanken ergeben</translation>
     </message>
@@ -12169,20 +11409,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Als Lauf behalten: den Median der Flanken</translation>
     </message>
     <message>
-        <source>Rise %1</source>
-        <translation>Anstieg %1</translation>
-    </message>
-    <message>
-        <source>Overshoot %1</source>
-        <translation>Überschwingen %1</translation>
-    </message>
-    <message>
         <source>Settling %1</source>
         <translation>Einschwingen %1</translation>
-    </message>
-    <message>
-        <source>Steady-state error %1</source>
-        <translation>Bleibende Abweichung %1</translation>
     </message>
     <message>
         <source>No edge recorded yet.</source>
@@ -12204,20 +11432,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
         <source>Revert</source>
         <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? unbekannt</translation>
     </message>
     <message>
         <source>✓ sent</source>
@@ -12228,16 +11444,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>● nicht gesendet</translation>
     </message>
     <message>
-        <source>Nothing to undo.</source>
-        <translation>Es gibt nichts rückgängig zu machen.</translation>
-    </message>
-    <message>
         <source>Undoes the last edit in these fields. Sends nothing.</source>
         <translation>Macht die letzte Änderung in diesen Feldern rückgängig. Sendet nichts.</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>Es gibt nichts wiederherzustellen.</translation>
     </message>
     <message>
         <source>Redoes the edit that was undone. Sends nothing.</source>
@@ -12261,10 +11469,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Needs no hardware. Three simulated modules to try everything on; no real motor moves.</source>
         <translation>Braucht keine Hardware. Drei simulierte Module zum Ausprobieren; kein echter Motor bewegt sich.</translation>
-    </message>
-    <message>
-        <source>Opens the port and looks for modules. Nothing moves.</source>
-        <translation>Öffnet den Port und sucht Module. Nichts bewegt sich.</translation>
     </message>
     <message>
         <source>Connects to the built-in simulator.</source>
@@ -12307,25 +11511,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StatusTable</name>
-    <message>
-        <source>on</source>
-        <translation>ein</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>aus</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperDetailsBox</name>
     <message>
         <source>The module is sending step pulses.</source>
         <translation>Schrittimpulse kommen.</translation>
-    </message>
-    <message>
-        <source>The module received a garbled command and did not carry it out.</source>
-        <translation>Das Modul hat einen gestörten Befehl empfangen und nicht ausgeführt.</translation>
     </message>
     <message>
         <source>The driver is enabled (AMP_EN is high).</source>
@@ -12346,10 +11535,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
         <translation>Fährt mit Rampe zu einer Position: Trapezprofil.</translation>
-    </message>
-    <message>
-        <source>Waiting for the home position.</source>
-        <translation>Wartet auf die Referenz.</translation>
     </message>
     <message>
         <source>High stops the motor, unless it is ignored.</source>
@@ -12392,26 +11577,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Hie&amp;r nullen</translation>
     </message>
     <message>
-        <source>Save as home</source>
-        <translation>Als Referenz speichern</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Details</translation>
-    </message>
-    <message>
-        <source>Zero here: set the present position to 0</source>
-        <translation>Hier nullen: Die jetzige Position zu null machen</translation>
-    </message>
-    <message>
-        <source>Save as home: the present position</source>
-        <translation>Als Referenz speichern: Die jetzige Position als Referenz speichern</translation>
-    </message>
-    <message>
-        <source>Status byte</source>
-        <translation>Statusbyte</translation>
-    </message>
-    <message>
         <source>Inputs byte</source>
         <translation>Eingangsbyte</translation>
     </message>
@@ -12424,32 +11589,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Timerwert</translation>
     </message>
     <message>
-        <source>A/D (temperature)</source>
-        <translation>A/D (Temperatur)</translation>
-    </message>
-    <message>
-        <source>Raw</source>
-        <translation>Rohdaten</translation>
-    </message>
-    <message>
         <source>%1 = %2</source>
         <translation>%1 = %2</translation>
     </message>
     <message>
-        <source>status %1</source>
-        <translation>Status %1</translation>
-    </message>
-    <message>
         <source>, inputs %1</source>
         <translation>, Eingänge %1</translation>
-    </message>
-    <message>
-        <source>Saves the present position as home. The motor does not move.</source>
-        <translation>Speichert die jetzige Position als Referenz. Der Motor bewegt sich nicht.</translation>
-    </message>
-    <message>
-        <source>Home register</source>
-        <translation>Referenzregister</translation>
     </message>
     <message>
         <source>High blocks counting up, unless it is ignored.</source>
@@ -12471,10 +11616,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Eingänge und Ausgänge</translation>
     </message>
     <message>
-        <source>Outputs</source>
-        <translation>Ausgänge</translation>
-    </message>
-    <message>
         <source>OUT%1</source>
         <translation>OUT%1</translation>
     </message>
@@ -12487,20 +11628,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Eingänge</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>E-Stop-Eingang</translation>
-    </message>
-    <message>
-        <source>Home switch</source>
-        <translation>Referenzschalter</translation>
-    </message>
-    <message>
         <source>Name of input %1</source>
         <translation>Name von Eingang %1</translation>
-    </message>
-    <message>
-        <source>A/D (temperature)</source>
-        <translation>A/D (Temperatur)</translation>
     </message>
     <message>
         <source>ignored</source>
@@ -12519,24 +11648,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>sperrt rückwärts</translation>
     </message>
     <message>
-        <source>high</source>
-        <translation>High</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>Low</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? unbekannt</translation>
-    </message>
-    <message>
         <source>● %1, not sent</source>
         <translation>● %1, nicht gesendet</translation>
-    </message>
-    <message>
-        <source>Switches this output at once.</source>
-        <translation>Schaltet diesen Ausgang sofort.</translation>
     </message>
     <message>
         <source>Selects the level. Choose Set all outputs to send all five.</source>
@@ -12553,14 +11666,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Outputs unknown: they cannot be read back. Select all five levels, then set them.</source>
         <translation>Ausgänge unbekannt: Sie lassen sich nicht auslesen. Alle fünf Pegel wählen, dann setzen.</translation>
-    </message>
-    <message>
-        <source>Limit 1</source>
-        <translation>Endschalter 1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>Endschalter 2</translation>
     </message>
 </context>
 <context>
@@ -12605,28 +11710,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::StepperMotionBox</name>
     <message>
-        <source>Motion</source>
-        <translation>Bewegung</translation>
-    </message>
-    <message>
-        <source>Goal position</source>
-        <translation>Zielposition</translation>
-    </message>
-    <message>
-        <source>The goal position</source>
-        <translation>Die Zielposition</translation>
-    </message>
-    <message>
         <source>b&amp;y this distance</source>
         <translation>&amp;um diese Strecke</translation>
     </message>
     <message>
         <source>By this distance from the present position</source>
         <translation>Um diese Strecke ab der jetzigen Position</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>The speed</source>
@@ -12639,30 +11728,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Trave&amp;l speed</source>
         <translation>Fahr&amp;geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>&amp;Go</source>
-        <translation>A&amp;nfahren</translation>
-    </message>
-    <message>
-        <source>Go to the position</source>
-        <translation>Die Position anfahren</translation>
-    </message>
-    <message>
-        <source>Run &amp;reverse</source>
-        <translation>Rüc&amp;kwärts</translation>
-    </message>
-    <message>
-        <source>Run reverse until stopped</source>
-        <translation>Rückwärts: Dauerlauf rückwärts bis zum Stopp</translation>
-    </message>
-    <message>
-        <source>R&amp;un forward</source>
-        <translation>Vorw&amp;ärts</translation>
-    </message>
-    <message>
-        <source>Run forward until stopped</source>
-        <translation>Dauerlauf vorwärts bis zum Stopp</translation>
     </message>
     <message>
         <source>Load o&amp;nly</source>
@@ -12701,28 +11766,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Lädt die Bewegung, ohne sie zu starten.</translation>
     </message>
     <message>
-        <source>Load</source>
-        <translation>Laden</translation>
-    </message>
-    <message>
-        <source>Moves to the position, then holds.</source>
-        <translation>Fährt zur Position und hält dort.</translation>
-    </message>
-    <message>
         <source>Load &amp;reverse</source>
         <translation>Rüc&amp;kwärts laden</translation>
     </message>
     <message>
-        <source>Runs in reverse until stopped.</source>
-        <translation>Läuft rückwärts bis zum Stopp.</translation>
-    </message>
-    <message>
         <source>Load forward</source>
         <translation>Vorwärts laden</translation>
-    </message>
-    <message>
-        <source>Runs forward until stopped.</source>
-        <translation>Läuft vorwärts bis zum Stopp.</translation>
     </message>
     <message>
         <source>Starts the loaded motion.</source>
@@ -12753,26 +11802,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Stoppt sanft, wartet, bis der Motor steht, dann: %1</translation>
     </message>
     <message>
-        <source>Use nearest</source>
-        <translation>Nächstes nehmen</translation>
-    </message>
-    <message>
-        <source>Use nearest allowed position</source>
-        <translation>Nächstes nehmen: Die nächste erlaubte Position als Ziel eintragen</translation>
-    </message>
-    <message>
-        <source>Use %1</source>
-        <translation>%1 nehmen</translation>
-    </message>
-    <message>
-        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
-        <translation>Trägt die nächste erlaubte Position als Ziel ein. Nichts bewegt sich.</translation>
-    </message>
-    <message>
-        <source>Go home</source>
-        <translation>Zur Referenz</translation>
-    </message>
-    <message>
         <source>Moves to home with a ramp, at the travel speed.</source>
         <translation>Fährt mit Rampe zur Referenz, mit der Fahrgeschwindigkeit.</translation>
     </message>
@@ -12784,32 +11813,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Schrittmotormodul</translation>
     </message>
     <message>
-        <source>Pages of the module</source>
-        <translation>Seiten des Moduls</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
         <source>I/O</source>
         <translation>E/A</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>Referenzfahrt</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Achse</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Details</translation>
-    </message>
-    <message>
-        <source>Expert</source>
-        <translation>Experte</translation>
     </message>
 </context>
 <context>
@@ -12823,20 +11828,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>der Motor wird auch abgeschaltet</translation>
     </message>
     <message>
-        <source>Start&amp;ing values</source>
-        <translation>Sta&amp;rtwerte</translation>
-    </message>
-    <message>
         <source>&amp;Apply parameters</source>
         <translation>Alle ü&amp;bernehmen</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parameter</translation>
-    </message>
-    <message>
-        <source>Starting values: fill in</source>
-        <translation>Startwerte eintragen</translation>
     </message>
     <message>
         <source>Revert the parameters to those last sent</source>
@@ -12894,20 +11887,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::StepperRampBox</name>
     <message>
-        <source>Acceleration time</source>
-        <translation>Beschleunigungszeit</translation>
-    </message>
-    <message>
         <source>The acceleration time</source>
         <translation>Die Beschleunigungszeit</translation>
     </message>
     <message>
         <source>How long a ramp stays at each speed, in units of 0.25 ms; smaller is steeper. Sent with the next motion that has a ramp, and used by smooth stops after it.</source>
         <translation>Wie lange eine Rampe bei jeder Geschwindigkeit bleibt, in 0,25 ms: je kleiner, desto steiler. Wird mit der nächsten Bewegung mit Rampe gesendet und gilt für einen sanften Stopp danach.</translation>
-    </message>
-    <message>
-        <source>Max jog speed</source>
-        <translation>Max. Tippgeschwindigkeit</translation>
     </message>
     <message>
         <source>Jog is never faster than this. Set a speed that you can react to.</source>
@@ -12946,14 +11931,6 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <source>Esc</source>
         <translation>Esc</translation>
     </message>
-    <message>
-        <source>STOP ALL</source>
-        <translation>ALLES STOPP</translation>
-    </message>
-    <message>
-        <source>goes to all modules</source>
-        <translation>geht an alle Module</translation>
-    </message>
 </context>
 <context>
     <name>nmc::TestForm</name>
@@ -12973,17 +11950,9 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <source>The test is not running.</source>
         <translation>Die Prüfung läuft nicht.</translation>
     </message>
-    <message>
-        <source>The motor holds its position.</source>
-        <translation>Der Motor hält seine Position.</translation>
-    </message>
 </context>
 <context>
     <name>nmc::TravelBox</name>
-    <message>
-        <source>Travel and speed limits</source>
-        <translation>Weg- und Geschwindigkeitsgrenzen</translation>
-    </message>
     <message>
         <source>State of the travel limits</source>
         <translation>Zustand der Fahrweggrenzen</translation>
@@ -13013,16 +11982,8 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Hier: die jetzige Position als höchste setzen</translation>
     </message>
     <message>
-        <source>Highest velocity</source>
-        <translation>Höchste Geschwindigkeit</translation>
-    </message>
-    <message>
         <source>Limits moves, runs, steps, jog and homing. Empty: the module&apos;s maximum.</source>
         <translation>Begrenzt Fahrten, Dauerlauf, Schritte, Tippen und Referenzfahrt. Leer: der Höchstwert des Moduls.</translation>
-    </message>
-    <message>
-        <source>Backlash</source>
-        <translation>Spiel</translation>
     </message>
     <message>
         <source>Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none.</source>
@@ -13144,10 +12105,6 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Scharf schalten</translation>
     </message>
     <message>
-        <source>Trigger</source>
-        <translation>Trigger</translation>
-    </message>
-    <message>
         <source>State of the trigger</source>
         <translation>Zustand des Triggers</translation>
     </message>
@@ -13166,10 +12123,6 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>%</source>
         <translation>%</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>rises to</source>
@@ -13314,20 +12267,12 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Die Einheit, die sich ergibt</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Use this unit</source>
         <translation>Diese Einheit übernehmen</translation>
     </message>
     <message>
         <source>Enter a number above 0 in each field.</source>
         <translation>In jedes Feld eine Zahl über 0 eingeben.</translation>
-    </message>
-    <message>
-        <source>steps</source>
-        <translation>Schritte</translation>
     </message>
     <message>
         <source>counts</source>

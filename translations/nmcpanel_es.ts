@@ -16,10 +16,6 @@
         <translation>No respondió ningún módulo.</translation>
     </message>
     <message>
-        <source>%1 of %2 modules answered.</source>
-        <translation>Respondieron %1 de %2 módulos.</translation>
-    </message>
-    <message>
         <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
         <translation>Respondieron %1 de %2 módulos; falta el extremo lejano de la cadena.</translation>
     </message>
@@ -100,10 +96,6 @@
         <translation>sin grupo</translation>
     </message>
     <message>
-        <source>Group %1</source>
-        <translation>Grupo %1</translation>
-    </message>
-    <message>
         <source>This chain is new: it has %1.</source>
         <translation>Esta cadena es nueva: tiene %1.</translation>
     </message>
@@ -172,6 +164,765 @@
     </message>
 </context>
 <context>
+    <name>Common</name>
+    <message>
+        <source>%1 of %2 modules answered.</source>
+        <translation>Respondieron %1 de %2 módulos.</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Grupo %1</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Restaurar</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudios</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>Points and sequences</source>
+        <translation>Puntos y secuencias</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Travel and speed limits</source>
+        <translation>Límites de recorrido y velocidad</translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation>Holgura</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>Referenciado</translation>
+    </message>
+    <message>
+        <source>Limit stop</source>
+        <translation>Parada por límite</translation>
+    </message>
+    <message>
+        <source>Acceleration time</source>
+        <translation>Tiempo de aceleración</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Ganancias</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parámetros</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Cómo</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Home all</source>
+        <translation>Referenciar todo</translation>
+    </message>
+    <message>
+        <source>limit 1</source>
+        <translation>final de carrera 1</translation>
+    </message>
+    <message>
+        <source>limit 2</source>
+        <translation>final de carrera 2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>STOP ALL</source>
+        <translation>PARAR TODO</translation>
+    </message>
+    <message>
+        <source>Motor off</source>
+        <translation>Apagar motor</translation>
+    </message>
+    <message>
+        <source>Connect fully</source>
+        <translation>Conexión completa</translation>
+    </message>
+    <message>
+        <source>steps/s</source>
+        <translation>pasos/s</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>vueltas</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>%1/s²</source>
+        <translation>%1/s²</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Error de posición</translation>
+    </message>
+    <message>
+        <source>E-stop input</source>
+        <translation>Entrada E-Stop</translation>
+    </message>
+    <message>
+        <source>The motor holds its position.</source>
+        <translation>El motor mantiene su posición.</translation>
+    </message>
+    <message>
+        <source>The motor follows the points of a path.</source>
+        <translation>El motor sigue los puntos de una trayectoria.</translation>
+    </message>
+    <message>
+        <source>Simulator</source>
+        <translation>Simulador</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>pasos</translation>
+    </message>
+    <message>
+        <source>No module</source>
+        <translation>Ningún módulo</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
+    </message>
+    <message>
+        <source>◂ Hold</source>
+        <translation>◂ Jog</translation>
+    </message>
+    <message>
+        <source>Hold ▸</source>
+        <translation>Jog ▸</translation>
+    </message>
+    <message>
+        <source>◂| Step</source>
+        <translation>◂| Paso</translation>
+    </message>
+    <message>
+        <source>Step |▸</source>
+        <translation>Paso |▸</translation>
+    </message>
+    <message>
+        <source>Moves forward while held, then stops.</source>
+        <translation>Se mueve hacia adelante mientras se mantiene pulsado y después se detiene.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse while held, then stops.</source>
+        <translation>Se mueve hacia atrás mientras se mantiene pulsado y después se detiene.</translation>
+    </message>
+    <message>
+        <source>Chain</source>
+        <translation>Cadena</translation>
+    </message>
+    <message>
+        <source>&amp;Scan again</source>
+        <translation>Volver a bu&amp;scar</translation>
+    </message>
+    <message>
+        <source>Resets every module and assigns new addresses. Asks first.</source>
+        <translation>Reinicia todos los módulos y asigna nuevas direcciones. Pregunta antes.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Guardar como…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Texto (*.txt)</translation>
+    </message>
+    <message>
+        <source>Open machine</source>
+        <translation>Abrir máquina</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>ended at %1</source>
+        <translation>terminó: %1</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Mensajes</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Todos los tipos</translation>
+    </message>
+    <message>
+        <source>All modules</source>
+        <translation>Todos los módulos</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Comando</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Comandos</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Max jog speed</source>
+        <translation>Vel. de jog máx.</translation>
+    </message>
+    <message>
+        <source>The value at an A/D reading of 0.</source>
+        <translation>El valor con una lectura A/D de 0.</translation>
+    </message>
+    <message>
+        <source>The module received a garbled command and did not carry it out.</source>
+        <translation>El módulo recibió un comando corrupto y no lo ejecutó.</translation>
+    </message>
+    <message>
+        <source>Limit switch 1.</source>
+        <translation>Final de carrera 1.</translation>
+    </message>
+    <message>
+        <source>Limit switch 2.</source>
+        <translation>Final de carrera 2.</translation>
+    </message>
+    <message>
+        <source>Waiting for the home position.</source>
+        <translation>Esperando la posición de referencia.</translation>
+    </message>
+    <message>
+        <source>Save as home</source>
+        <translation>Guardar como referencia</translation>
+    </message>
+    <message>
+        <source>Save as home: the present position</source>
+        <translation>Guardar como referencia: la posición actual</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detalles</translation>
+    </message>
+    <message>
+        <source>Status byte</source>
+        <translation>Byte de estado</translation>
+    </message>
+    <message>
+        <source>Home register</source>
+        <translation>Registro de referencia</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>En bruto</translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation>estado %1</translation>
+    </message>
+    <message>
+        <source>Saves the present position as home. The motor does not move.</source>
+        <translation>Guarda la posición actual como referencia. El motor no se mueve.</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activo</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>inactivo</translation>
+    </message>
+    <message>
+        <source>Fast path</source>
+        <translation>Trayectoria rápida</translation>
+    </message>
+    <message>
+        <source>Amplifier</source>
+        <translation>Amplificador</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>PWM</source>
+        <translation>PWM</translation>
+    </message>
+    <message>
+        <source>PWM value</source>
+        <translation>Valor de PWM</translation>
+    </message>
+    <message>
+        <source>Abruptly</source>
+        <translation>Bruscamente</translation>
+    </message>
+    <message>
+        <source>Smoothly</source>
+        <translation>Suavemente</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>Índice</translation>
+    </message>
+    <message>
+        <source>Current limit</source>
+        <translation>Límite de corriente</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Jog</translation>
+    </message>
+    <message>
+        <source>Start&amp;ing values</source>
+        <translation>Valores i&amp;niciales</translation>
+    </message>
+    <message>
+        <source>Starting values: fill in</source>
+        <translation>Valores iniciales: rellenar</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Salidas</translation>
+    </message>
+    <message>
+        <source>State of the selected module</source>
+        <translation>Estado del módulo seleccionado</translation>
+    </message>
+    <message>
+        <source>%1, address %2</source>
+        <translation>%1, dirección %2</translation>
+    </message>
+    <message>
+        <source>Pages of the module</source>
+        <translation>Páginas del módulo</translation>
+    </message>
+    <message>
+        <source>A/D and PWM</source>
+        <translation>A/D y PWM</translation>
+    </message>
+    <message>
+        <source>A/D input</source>
+        <translation>Entrada A/D</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Nombre de %1</translation>
+    </message>
+    <message>
+        <source>Off at stop</source>
+        <translation>Apagar al parar</translation>
+    </message>
+    <message>
+        <source>%1 of 255</source>
+        <translation>%1 de 255</translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation>? desconocido</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Pines</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>entrada</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>alto</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>bajo</translation>
+    </message>
+    <message>
+        <source>Switches this output at once.</source>
+        <translation>Conmuta esta salida de inmediato.</translation>
+    </message>
+    <message>
+        <source>A search for home is running.</source>
+        <translation>Hay una búsqueda de referencia en curso.</translation>
+    </message>
+    <message>
+        <source>Home switch</source>
+        <translation>Interruptor de referencia</translation>
+    </message>
+    <message>
+        <source>Limit 1</source>
+        <translation>Final 1</translation>
+    </message>
+    <message>
+        <source>Limit 2</source>
+        <translation>Final 2</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Aceleración</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Límite de tiempo</translation>
+    </message>
+    <message>
+        <source>Motor power</source>
+        <translation>Alimentación del motor</translation>
+    </message>
+    <message>
+        <source>A/D</source>
+        <translation>A/D</translation>
+    </message>
+    <message>
+        <source>Goal position</source>
+        <translation>Posición de destino</translation>
+    </message>
+    <message>
+        <source>The goal position</source>
+        <translation>La posición de destino</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posición</translation>
+    </message>
+    <message>
+        <source>Use nearest</source>
+        <translation>Usar más próxima</translation>
+    </message>
+    <message>
+        <source>Use nearest allowed position</source>
+        <translation>Usar más próxima de las posiciones permitidas</translation>
+    </message>
+    <message>
+        <source>Zero here: set the present position to 0</source>
+        <translation>Cero aquí: poner la posición actual a 0</translation>
+    </message>
+    <message>
+        <source>Go home</source>
+        <translation>Ir a referencia</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Cargar</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>Despla&amp;zar</translation>
+    </message>
+    <message>
+        <source>Go to the position</source>
+        <translation>Desplazar a la posición</translation>
+    </message>
+    <message>
+        <source>Run &amp;reverse</source>
+        <translation>At&amp;rás</translation>
+    </message>
+    <message>
+        <source>Run reverse until stopped</source>
+        <translation>Atrás: marcha hasta la orden de parada</translation>
+    </message>
+    <message>
+        <source>R&amp;un forward</source>
+        <translation>Ad&amp;elante</translation>
+    </message>
+    <message>
+        <source>Run forward until stopped</source>
+        <translation>Adelante: marcha hasta la orden de parada</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Usar %1</translation>
+    </message>
+    <message>
+        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
+        <translation>Pone como destino la posición permitida más próxima. Nada se mueve.</translation>
+    </message>
+    <message>
+        <source>Moves to the position, then holds.</source>
+        <translation>Va a la posición y después la mantiene.</translation>
+    </message>
+    <message>
+        <source>Runs forward until stopped.</source>
+        <translation>Gira hacia adelante hasta que se le ordene parar.</translation>
+    </message>
+    <message>
+        <source>Runs in reverse until stopped.</source>
+        <translation>Gira hacia atrás hasta que se le ordene parar.</translation>
+    </message>
+    <message>
+        <source>Motor current</source>
+        <translation>Corriente del motor</translation>
+    </message>
+    <message>
+        <source>Motor off: this module</source>
+        <translation>Apagar motor: este módulo</translation>
+    </message>
+    <message>
+        <source>A/D %1</source>
+        <translation>A/D %1</translation>
+    </message>
+    <message>
+        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
+        <translation>Apaga el servo y el amplificador: el motor puede girar libremente y una carga puede caer.</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Experto</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>A/D (temperature)</source>
+        <translation>A/D (temperatura)</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Nothing to undo.</source>
+        <translation>Nada que deshacer.</translation>
+    </message>
+    <message>
+        <source>Nothing to redo.</source>
+        <translation>Nada que rehacer.</translation>
+    </message>
+    <message>
+        <source>Highest velocity</source>
+        <translation>Velocidad máxima</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Respuesta en frecuencia</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>Exportar CSV…</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Square wave</source>
+        <translation>Onda cuadrada</translation>
+    </message>
+    <message>
+        <source>Method: how the command jumps</source>
+        <translation>Forma: cómo salta la consigna</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Rise %1</source>
+        <translation>Subida %1</translation>
+    </message>
+    <message>
+        <source>Overshoot %1</source>
+        <translation>Sobreimpulso %1</translation>
+    </message>
+    <message>
+        <source>Steady-state error %1</source>
+        <translation>Error estacionario %1</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>Respuesta al escalón</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1 Hz)</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiempo</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Sobreimpulso</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Módulo</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Cursor readings</source>
+        <translation>Lecturas de los cursores</translation>
+    </message>
+    <message>
+        <source>Cursor 1</source>
+        <translation>Cursor 1</translation>
+    </message>
+    <message>
+        <source>Cursor 2</source>
+        <translation>Cursor 2</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Diferencia</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursores</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>I&amp;magen (PNG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as an image.</source>
+        <translation>La gráfica visible como imagen.</translation>
+    </message>
+    <message>
+        <source>&amp;Vector picture (SVG)…</source>
+        <translation>Imagen &amp;vectorial (SVG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as lines that stay sharp at any size.</source>
+        <translation>La gráfica visible en líneas nítidas a cualquier tamaño.</translation>
+    </message>
+    <message>
+        <source>P&amp;age (PDF)…</source>
+        <translation>Págin&amp;a (PDF)…</translation>
+    </message>
+    <message>
+        <source>The visible plot on a page for printing or a report.</source>
+        <translation>La gráfica visible en una página para imprimir o para un informe.</translation>
+    </message>
+    <message>
+        <source>P&amp;rint…</source>
+        <translation>Imp&amp;rimir…</translation>
+    </message>
+    <message>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>Imprime la gráfica visible en una de las impresoras de este equipo.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>&amp;Copiar imagen</translation>
+    </message>
+    <message>
+        <source>SIMULATOR, no real motor moved</source>
+        <translation>SIMULADOR, no se movió ningún motor real</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Archivos %1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Señal</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Disparo</translation>
+    </message>
+    <message>
+        <source>NMC Panel %1</source>
+        <translation>NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>Overlay: %1</source>
+        <translation>Superposición: %1</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>Osciloscopio</translation>
+    </message>
+    <message>
+        <source>of 255</source>
+        <translation>de 255</translation>
+    </message>
+    <message>
+        <source>Opens the port and looks for modules. Nothing moves.</source>
+        <translation>Abre el puerto y busca módulos. Nada se mueve.</translation>
+    </message>
+    <message>
+        <source>goes to all modules</source>
+        <translation>va a todos los módulos</translation>
+    </message>
+    <message>
+        <source>Operator mode</source>
+        <translation>Modo operador</translation>
+    </message>
+    <message>
+        <source>Asks for the PIN.</source>
+        <translation>Pide el PIN.</translation>
+    </message>
+</context>
+<context>
     <name>FirstSteps</name>
     <message>
         <source>Fill in gains</source>
@@ -184,10 +935,6 @@
     <message>
         <source>Enable servo</source>
         <translation>Habilitar servo</translation>
-    </message>
-    <message>
-        <source>Jog</source>
-        <translation>Jog</translation>
     </message>
     <message>
         <source>Take the starting values, or type your own. Nothing is sent yet.</source>
@@ -227,10 +974,6 @@
     <message>
         <source>Output limit</source>
         <translation>Límite de salida</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>Límite de corriente</translation>
     </message>
     <message>
         <source>Position error limit</source>
@@ -289,20 +1032,12 @@
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>off</source>
-        <translation>inactivo</translation>
-    </message>
-    <message>
         <source>A/D above</source>
         <translation>A/D mayor</translation>
     </message>
     <message>
         <source>A/D below</source>
         <translation>A/D menor</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
     </message>
     <message>
         <source>no current limit</source>
@@ -413,10 +1148,6 @@
         <translation>Acerca de NMC Panel</translation>
     </message>
     <message>
-        <source>NMC Panel %1</source>
-        <translation>NMC Panel %1</translation>
-    </message>
-    <message>
         <source>A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.
 
 Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.</source>
@@ -469,14 +1200,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>&amp;Acerca de NMC Panel</translation>
     </message>
     <message>
-        <source>Chain</source>
-        <translation>Cadena</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>Módulo</translation>
-    </message>
-    <message>
         <source>&amp;Find a command…</source>
         <translation>&amp;Buscar un comando…</translation>
     </message>
@@ -527,10 +1250,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         </translation>
     </message>
     <message>
-        <source>ended at %1</source>
-        <translation>terminó: %1</translation>
-    </message>
-    <message>
         <source>Ended: %1</source>
         <translation>Terminó: %1</translation>
     </message>
@@ -548,10 +1267,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Time constant %1</source>
         <translation>Constante de tiempo %1</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
     </message>
     <message>
         <source>Friction %1</source>
@@ -649,32 +1364,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
 <context>
     <name>Report</name>
     <message>
-        <source>Gains</source>
-        <translation>Ganancias</translation>
-    </message>
-    <message>
-        <source>Step response</source>
-        <translation>Respuesta al escalón</translation>
-    </message>
-    <message>
         <source>%1 counts, %2</source>
         <translation>%1 cuentas, %2</translation>
     </message>
     <message>
-        <source>Rise %1</source>
-        <translation>Subida %1</translation>
-    </message>
-    <message>
-        <source>Overshoot %1</source>
-        <translation>Sobreimpulso %1</translation>
-    </message>
-    <message>
         <source>Settling to ±%1 %: %2</source>
         <translation>Establecimiento en ±%1 %: %2</translation>
-    </message>
-    <message>
-        <source>Steady-state error %1</source>
-        <translation>Error estacionario %1</translation>
     </message>
     <message>
         <source>Tuning of %1</source>
@@ -687,10 +1382,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Motor</source>
         <translation>Motor</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>Respuesta en frecuencia</translation>
     </message>
 </context>
 <context>
@@ -724,14 +1415,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El servo mantiene el destino de inmediato, sin perfil. No disponible en la versión 1.</translation>
     </message>
     <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
         <source>unknown</source>
         <translation>desconocido</translation>
     </message>
@@ -755,16 +1438,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
 <context>
     <name>Scope</name>
     <message>
-        <source>NMC Panel %1</source>
-        <translation>NMC Panel %1</translation>
-    </message>
-    <message>
         <source>%1, by %2</source>
         <translation>%1, de %2</translation>
-    </message>
-    <message>
-        <source>SIMULATOR, no real motor moved</source>
-        <translation>SIMULADOR, no se movió ningún motor real</translation>
     </message>
     <message>
         <source>From %1; 0 s is %2</source>
@@ -815,10 +1490,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Mostrar todo</translation>
     </message>
     <message>
-        <source>position</source>
-        <translation>posición</translation>
-    </message>
-    <message>
         <source>command, calculated</source>
         <translation>consigna, calculada</translation>
     </message>
@@ -831,14 +1502,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>velocidad</translation>
     </message>
     <message>
-        <source>A/D</source>
-        <translation>A/D</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -849,14 +1512,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>PWM, calculated</source>
         <translation>PWM, calculado</translation>
-    </message>
-    <message>
-        <source>%1/s²</source>
-        <translation>%1/s²</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>de 255</translation>
     </message>
     <message>
         <source>A/D 2</source>
@@ -873,10 +1528,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>count rate</source>
         <translation>tasa de recuento</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>counts</source>
@@ -926,10 +1577,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Finales de carrera</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>Entrada E-Stop</translation>
-    </message>
-    <message>
         <source>On limit or E-stop</source>
         <translation>Con final de carrera o E-Stop</translation>
     </message>
@@ -968,10 +1615,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>A/D now %1</source>
         <translation>A/D actual: %1</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>inactivo</translation>
     </message>
     <message>
         <source>off; %1</source>
@@ -1177,10 +1820,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Port %1, %2 Bd</source>
         <translation>Puerto %1, %2 Bd</translation>
-    </message>
-    <message>
-        <source>%1 of %2 modules answered.</source>
-        <translation>Respondieron %1 de %2 módulos.</translation>
     </message>
     <message>
         <source>module %1</source>
@@ -1394,10 +2033,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Servo apagado</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Error de posición</translation>
-    </message>
-    <message>
         <source>Power was lost</source>
         <translation>Se perdió la alimentación</translation>
     </message>
@@ -1522,10 +2157,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>configurando los informes de estado</translation>
     </message>
     <message>
-        <source>Simulator</source>
-        <translation>Simulador</translation>
-    </message>
-    <message>
         <source>Simulator (%1)</source>
         <translation>Simulador (%1)</translation>
     </message>
@@ -1587,10 +2218,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Answer to: %1</source>
         <translation>Respuesta a: %1</translation>
-    </message>
-    <message>
-        <source>steps</source>
-        <translation>pasos</translation>
     </message>
     <message>
         <source>Two modules on %1 have the same address, so the modules cannot be used.</source>
@@ -1937,10 +2564,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>flush</source>
         <translation>vaciado</translation>
-    </message>
-    <message>
-        <source>Group %1</source>
-        <translation>Grupo %1</translation>
     </message>
     <message>
         <source>Address %1</source>
@@ -2307,10 +2930,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Una sesión anterior terminó antes de guardarlos. Restaurarlos no envía nada.</translation>
     </message>
     <message>
-        <source>Restore</source>
-        <translation>Restaurar</translation>
-    </message>
-    <message>
         <source>Discard: the changes are lost</source>
         <translation>Descartar: los cambios se pierden</translation>
     </message>
@@ -2339,24 +2958,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Máquina</translation>
     </message>
     <message>
-        <source>Baud rate</source>
-        <translation>Baudios</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Grupos</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>Nombre</translation>
     </message>
     <message>
         <source>Unit</source>
         <translation>Unidad</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Movimiento</translation>
     </message>
     <message>
         <source>Homing</source>
@@ -2375,16 +2982,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Tiempo de aceleración</translation>
     </message>
     <message>
-        <source>Gains</source>
-        <translation>Ganancias</translation>
-    </message>
-    <message>
         <source>Limit pins</source>
         <translation>Pines de final de carrera</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parámetros</translation>
     </message>
     <message>
         <source>Baud rate, Bd</source>
@@ -2802,10 +3401,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Parado por límite</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>Entrada E-Stop</translation>
-    </message>
-    <message>
         <source>Too hot</source>
         <translation>Sobrecalentado</translation>
     </message>
@@ -2820,10 +3415,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>The module switched its motor off when motor power failed. It stays off.</source>
         <translation>El módulo apagó su motor cuando falló la alimentación del motor. Sigue apagado.</translation>
-    </message>
-    <message>
-        <source>The motor holds its position.</source>
-        <translation>El motor mantiene su posición.</translation>
     </message>
     <message>
         <source>The motor is free to turn. This is normal: the amplifier is switched off.</source>
@@ -3114,10 +3705,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Mostrar los últimos 2 s</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Stop of all motors</source>
         <translation>Parada de todos los motores</translation>
     </message>
@@ -3350,10 +3937,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Este mensaje permanece hasta que se vea el motor parado.</translation>
     </message>
     <message>
-        <source>Connect fully</source>
-        <translation>Conexión completa</translation>
-    </message>
-    <message>
         <source>Look first (read-only)</source>
         <translation>Observar antes (solo lectura)</translation>
     </message>
@@ -3407,10 +3990,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Another host on this line started it, or a load drives it. The panel does not stop it unless you do; the other host may start it again.</source>
         <translation>Lo puso en marcha otro equipo de esta línea, o lo arrastra una carga. El panel no lo detiene si usted no lo ordena; el otro equipo puede volver a ponerlo en marcha.</translation>
-    </message>
-    <message>
-        <source>STOP ALL</source>
-        <translation>PARAR TODO</translation>
     </message>
     <message>
         <source>Home is unknown: search for it, or save it.</source>
@@ -3737,10 +4316,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1 no está en la cadena.</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Point &quot;%2&quot; was taught before home of %1 was known, so it may have shifted. Teach it again.</source>
         <translation>El punto “%2” se memorizó antes de conocer la referencia de %1, por lo que puede haberse desplazado. Memorícelo de nuevo.</translation>
     </message>
@@ -3829,10 +4404,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Movimiento a “%1”</translation>
     </message>
     <message>
-        <source>Home all</source>
-        <translation>Referenciar todo</translation>
-    </message>
-    <message>
         <source>Sequence &quot;%1&quot;</source>
         <translation>Secuencia “%1”</translation>
     </message>
@@ -3871,14 +4442,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>call</source>
         <translation>llamar</translation>
-    </message>
-    <message>
-        <source>limit 1</source>
-        <translation>final de carrera 1</translation>
-    </message>
-    <message>
-        <source>limit 2</source>
-        <translation>final de carrera 2</translation>
     </message>
     <message>
         <source>home switch</source>
@@ -3979,18 +4542,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>the lowest position is not below the highest.</source>
         <translation>la posición mínima no está por debajo de la máxima.</translation>
-    </message>
-    <message>
-        <source>Travel and speed limits</source>
-        <translation>Límites de recorrido y velocidad</translation>
-    </message>
-    <message>
-        <source>Backlash</source>
-        <translation>Holgura</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>Parada por límite</translation>
     </message>
     <message>
         <source>Lowest position, from home</source>
@@ -4119,10 +4670,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them.</source>
         <translation>Su servo no es estable con estas ganancias. Reduzca Kp y Ki o aumente Kd, y aplíquelas.</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Apagar motor</translation>
     </message>
     <message>
         <source>Restore previous gains</source>
@@ -4283,10 +4830,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>On a path</source>
         <translation>En una trayectoria</translation>
-    </message>
-    <message>
-        <source>The motor follows the points of a path.</source>
-        <translation>El motor sigue los puntos de una trayectoria.</translation>
     </message>
     <message>
         <source>The path cannot be followed from here.</source>
@@ -4695,10 +5238,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>El final de carrera 2 está activo: el motor solo puede alejarse de él.</translation>
     </message>
-    <message>
-        <source>How</source>
-        <translation>Cómo</translation>
-    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4786,28 +5325,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
 <context>
     <name>Units</name>
     <message>
-        <source>steps/s</source>
-        <translation>pasos/s</translation>
-    </message>
-    <message>
         <source>steps/s²</source>
         <translation>pasos/s²</translation>
     </message>
     <message>
-        <source>turns</source>
-        <translation>vueltas</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
-    </message>
-    <message>
-        <source>%1/s</source>
-        <translation>%1/s</translation>
-    </message>
-    <message>
-        <source>%1/s²</source>
-        <translation>%1/s²</translation>
     </message>
     <message>
         <source>counts/s</source>
@@ -4865,14 +5388,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
 <context>
     <name>nmc::AmplifierBox</name>
     <message>
-        <source>on</source>
-        <translation>activo</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>inactivo</translation>
-    </message>
-    <message>
         <source>3-phase commutation</source>
         <translation>Conmutación trifásica</translation>
     </message>
@@ -4895,10 +5410,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection.</source>
         <translation>El motor sigue los pulsos de paso de los pines de final de carrera en lugar de los comandos. Los finales de carrera no protegen entonces nada.</translation>
-    </message>
-    <message>
-        <source>Fast path</source>
-        <translation>Trayectoria rápida</translation>
     </message>
     <message>
         <source>Path points at 60 and 120 Hz instead of 30 and 60 Hz.</source>
@@ -4959,10 +5470,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Erase saved configuration of the module</source>
         <translation>Borrar lo guardado: la configuración del módulo</translation>
-    </message>
-    <message>
-        <source>Amplifier</source>
-        <translation>Amplificador</translation>
     </message>
     <message>
         <source>Limit inputs</source>
@@ -5035,10 +5542,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Erases the module&apos;s saved configuration and restarts it.</source>
         <translation>Hace que el módulo olvide lo que guardó y lo reinicia.</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Apply amplifier settings</source>
@@ -5136,10 +5639,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Habilitar todos los motores</translation>
     </message>
     <message>
-        <source>Home all</source>
-        <translation>Referenciar todo</translation>
-    </message>
-    <message>
         <source>Home all axes, one after the other</source>
         <translation>Referenciar todos los ejes, uno tras otro</translation>
     </message>
@@ -5156,14 +5655,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El referenciado no está configurado para ningún eje. Configúrelo en cada página Referenciado.</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>No module</source>
-        <translation>Ningún módulo</translation>
-    </message>
-    <message>
         <source>All motors are already enabled.</source>
         <translation>Todos los motores ya están habilitados.</translation>
     </message>
@@ -5178,10 +5669,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
 </context>
 <context>
     <name>nmc::AxisBox</name>
-    <message>
-        <source>Axis</source>
-        <translation>Eje</translation>
-    </message>
     <message>
         <source>Name of the axis</source>
         <translation>Nombre del eje</translation>
@@ -5205,10 +5692,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>native counts</source>
         <translation>cuentas nativas</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <translation>vueltas</translation>
     </message>
     <message>
         <source>degrees</source>
@@ -5251,10 +5734,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Símbolo</translation>
     </message>
     <message>
-        <source>Max jog speed</source>
-        <translation>Vel. de jog máx.</translation>
-    </message>
-    <message>
         <source>Jog is never faster than this.</source>
         <translation>El jog nunca es más rápido que esto.</translation>
     </message>
@@ -5273,10 +5752,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>A/D at &amp;0</source>
         <translation>A/D en &amp;0</translation>
-    </message>
-    <message>
-        <source>The value at an A/D reading of 0.</source>
-        <translation>El valor con una lectura A/D de 0.</translation>
     </message>
     <message>
         <source>Unit of the A/D value</source>
@@ -5318,10 +5793,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
 <context>
     <name>nmc::AxisRow</name>
     <message>
-        <source>Axis</source>
-        <translation>Eje</translation>
-    </message>
-    <message>
         <source>State of %1</source>
         <translation>Estado de %1</translation>
     </message>
@@ -5330,32 +5801,16 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Posición de %1</translation>
     </message>
     <message>
-        <source>◂ Hold</source>
-        <translation>◂ Jog</translation>
-    </message>
-    <message>
         <source>Hold to move %1 in reverse</source>
         <translation>Jog: mantener pulsado para mover %1 hacia atrás</translation>
-    </message>
-    <message>
-        <source>Hold ▸</source>
-        <translation>Jog ▸</translation>
     </message>
     <message>
         <source>Hold to move %1 forward</source>
         <translation>Jog: mantener pulsado para mover %1 hacia adelante</translation>
     </message>
     <message>
-        <source>◂| Step</source>
-        <translation>◂| Paso</translation>
-    </message>
-    <message>
         <source>Step %1 in reverse</source>
         <translation>Paso de %1 hacia atrás</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>Paso |▸</translation>
     </message>
     <message>
         <source>Step %1 forward</source>
@@ -5372,14 +5827,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>This step is less than one count of this axis, or beyond its range. Choose another step.</source>
         <translation>Este paso es menor que una cuenta de este eje o supera su rango. Elija otro paso.</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>Se mueve hacia adelante mientras se mantiene pulsado y después se detiene.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>Se mueve hacia atrás mientras se mantiene pulsado y después se detiene.</translation>
     </message>
     <message>
         <source>Moves forward by the step above, then holds.</source>
@@ -5471,16 +5918,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>La posición tal como la cuenta el módulo.</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Error de posición</translation>
-    </message>
-    <message>
         <source>True, not calculated.</source>
         <translation>Real, no calculado.</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Velocidad</translation>
     </message>
     <message>
         <source>Of the shaft.</source>
@@ -5491,32 +5930,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Frecuencia de pasos</translation>
     </message>
     <message>
-        <source>steps/s</source>
-        <translation>pasos/s</translation>
-    </message>
-    <message>
         <source>Negative in reverse.</source>
         <translation>Negativa hacia atrás.</translation>
     </message>
     <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>de 255</translation>
-    </message>
-    <message>
         <source>The sign is the direction.</source>
         <translation>El signo es el sentido.</translation>
-    </message>
-    <message>
-        <source>Motor current</source>
-        <translation>Corriente del motor</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
     </message>
     <message>
         <source>255 is full current.</source>
@@ -5541,10 +5960,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
 </context>
 <context>
     <name>nmc::BodePlot</name>
-    <message>
-        <source>Frequency response</source>
-        <translation>Respuesta en frecuencia</translation>
-    </message>
     <message>
         <source>No measurement yet. The motor follows sine waves from slow to fast, which shows the response of the loop.</source>
         <translation>Aún no hay ninguna medición. El motor sigue ondas senoidales de lentas a rápidas, lo que muestra la respuesta del lazo.</translation>
@@ -5588,24 +6003,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
 <context>
     <name>nmc::ChainDialog</name>
     <message>
-        <source>Chain</source>
-        <translation>Cadena</translation>
-    </message>
-    <message>
         <source>Doctor, groups and baud rate</source>
         <translation>Diagnóstico, grupos y baudios</translation>
     </message>
     <message>
         <source>Doctor</source>
         <translation>Diagnóstico</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Grupos</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Baudios</translation>
     </message>
 </context>
 <context>
@@ -5635,10 +6038,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Cambia la velocidad en baudios de toda la cadena.</translation>
     </message>
     <message>
-        <source>&amp;Scan again</source>
-        <translation>Volver a bu&amp;scar</translation>
-    </message>
-    <message>
         <source>Scans the chain again; nothing is reset.</source>
         <translation>Vuelve a buscar los módulos de la cadena; no se reinicia nada.</translation>
     </message>
@@ -5646,20 +6045,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>&amp;Restart the network: positions and gains are lost…</source>
         <translation>&amp;Reiniciar la red: se pierden posiciones y ganancias…</translation>
     </message>
-    <message>
-        <source>Resets every module and assigns new addresses. Asks first.</source>
-        <translation>Reinicia todos los módulos y asigna nuevas direcciones. Pregunta antes.</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ChainModel</name>
     <message>
         <source>PC</source>
         <translation>PC</translation>
-    </message>
-    <message>
-        <source>%1/s</source>
-        <translation>%1/s</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -5735,14 +6126,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Escriba qué hacer, por ejemplo: ir a referencia</translation>
     </message>
     <message>
-        <source>Commands</source>
-        <translation>Comandos</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Comando</translation>
-    </message>
-    <message>
         <source>Where</source>
         <translation>Dónde</translation>
     </message>
@@ -5776,10 +6159,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Port</source>
         <translation>Puerto</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Baudios</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -5822,20 +6201,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Desconecte primero.</translation>
     </message>
     <message>
-        <source>Opens the port and looks for modules. Nothing moves.</source>
-        <translation>Abre el puerto y busca módulos. Nada se mueve.</translation>
-    </message>
-    <message>
         <source>No port is open.</source>
         <translation>No hay ningún puerto abierto.</translation>
     </message>
     <message>
         <source>Closes the port.</source>
         <translation>Cierra el puerto.</translation>
-    </message>
-    <message>
-        <source>goes to all modules</source>
-        <translation>va a todos los módulos</translation>
     </message>
     <message>
         <source>Connect read-&amp;only</source>
@@ -5916,10 +6287,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Fuente del contador</translation>
     </message>
     <message>
-        <source>off</source>
-        <translation>inactivo</translation>
-    </message>
-    <message>
         <source>timer, 5 MHz</source>
         <translation>temporizador, 5 MHz</translation>
     </message>
@@ -5970,10 +6337,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Add up the outputs: IO1 is 1, IO2 is 2, IO3 is 4, up to IO12, which is 2048.</source>
         <translation>Sume las salidas: IO1 es 1, IO2 es 2, IO3 es 4, hasta IO12, que es 2048.</translation>
-    </message>
-    <message>
-        <source>Outputs</source>
-        <translation>Salidas</translation>
     </message>
     <message>
         <source>%1 to store</source>
@@ -6086,17 +6449,9 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>  of these: %1</source>
         <translation>  de ellas: %1</translation>
     </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
 </context>
 <context>
     <name>nmc::CursorPanel</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>Lecturas de los cursores</translation>
-    </message>
     <message>
         <source>Shows or hides the cursor readings.</source>
         <translation>Muestra u oculta las lecturas de los cursores.</translation>
@@ -6108,34 +6463,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 </context>
 <context>
     <name>nmc::CursorTable</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>Lecturas de los cursores</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Señal</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>Cursor 1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>Cursor 2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Diferencia</translation>
-    </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>tiempo</translation>
-    </message>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
@@ -6160,20 +6487,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Frequency</source>
         <translation>Frecuencia</translation>
     </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
-    </message>
 </context>
 <context>
     <name>nmc::DetailsBox</name>
     <message>
         <source>The move has ended; in velocity mode the goal velocity is reached.</source>
         <translation>El movimiento ha terminado; en modo de velocidad se ha alcanzado la velocidad objetivo.</translation>
-    </message>
-    <message>
-        <source>The module received a garbled command and did not carry it out.</source>
-        <translation>El módulo recibió un comando corrupto y no lo ejecutó.</translation>
     </message>
     <message>
         <source>The current limit was reached. Stays set until you clear the sticky bits.</source>
@@ -6186,18 +6505,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>The position error exceeded its limit, or the servo is off. Stays set until you clear the sticky bits.</source>
         <translation>El error de posición superó su límite, o el servo está apagado. Queda activo hasta que borre los bits enclavados.</translation>
-    </message>
-    <message>
-        <source>Limit switch 1.</source>
-        <translation>Final de carrera 1.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2.</source>
-        <translation>Final de carrera 2.</translation>
-    </message>
-    <message>
-        <source>Waiting for the home position.</source>
-        <translation>Esperando la posición de referencia.</translation>
     </message>
     <message>
         <source>The complement of the encoder&apos;s index.</source>
@@ -6228,16 +6535,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Borrar bit&amp;s enclavados</translation>
     </message>
     <message>
-        <source>Details</source>
-        <translation>Detalles</translation>
-    </message>
-    <message>
         <source>Clear sticky bits of the status</source>
         <translation>Borrar bits enclavados del estado</translation>
-    </message>
-    <message>
-        <source>Status byte</source>
-        <translation>Byte de estado</translation>
     </message>
     <message>
         <source>Auxiliary byte</source>
@@ -6252,40 +6551,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Velocidad comunicada por el chip</translation>
     </message>
     <message>
-        <source>Raw</source>
-        <translation>En bruto</translation>
-    </message>
-    <message>
-        <source>status %1</source>
-        <translation>estado %1</translation>
-    </message>
-    <message>
         <source>, auxiliary %1</source>
         <translation>, auxiliar %1</translation>
     </message>
     <message>
         <source>Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing.</source>
         <translation>Borra overcurrent, pos_error, pos_wrap y servo_overrun. No inicia nada.</translation>
-    </message>
-    <message>
-        <source>Save as home</source>
-        <translation>Guardar como referencia</translation>
-    </message>
-    <message>
-        <source>Save as home: the present position</source>
-        <translation>Guardar como referencia: la posición actual</translation>
-    </message>
-    <message>
-        <source>Saves the present position as home. The motor does not move.</source>
-        <translation>Guarda la posición actual como referencia. El motor no se mueve.</translation>
-    </message>
-    <message>
-        <source>Home register</source>
-        <translation>Registro de referencia</translation>
-    </message>
-    <message>
-        <source>The motor follows the points of a path.</source>
-        <translation>El motor sigue los puntos de una trayectoria.</translation>
     </message>
     <message>
         <source>Position error reported by the chip</source>
@@ -6317,10 +6588,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Changes from the machine file</source>
         <translation>Cambios del archivo de máquina</translation>
-    </message>
-    <message>
-        <source>Open machine</source>
-        <translation>Abrir máquina</translation>
     </message>
     <message>
         <source>Differences between the file and the panel</source>
@@ -6361,10 +6628,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Apply</source>
         <translation>Aplicar</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Keeps everything as it is.</source>
@@ -6435,10 +6698,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Direction check…</source>
         <translation>Prueba de sentido…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Direction of motor and encoder</source>
@@ -6524,10 +6783,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Dirección</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
         <source>Expected</source>
         <translation>Esperado</translation>
     </message>
@@ -6538,10 +6793,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>State</source>
         <translation>Estado</translation>
-    </message>
-    <message>
-        <source>&amp;Scan again</source>
-        <translation>Volver a bu&amp;scar</translation>
     </message>
     <message>
         <source>Scan again: look for modules</source>
@@ -6568,10 +6819,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Vuelve a buscar los módulos de la cadena solo con consultas de estado: no se reinicia nada, nada se mueve.</translation>
     </message>
     <message>
-        <source>Resets every module and assigns new addresses. Asks first.</source>
-        <translation>Reinicia todos los módulos y asigna nuevas direcciones. Pregunta antes.</translation>
-    </message>
-    <message>
         <source>The chain already matches.</source>
         <translation>La cadena ya coincide.</translation>
     </message>
@@ -6593,10 +6840,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Stop smoothly</source>
         <translation>Parar suavemente</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Apagar motor</translation>
     </message>
     <message>
         <source>The chip stops watching for home.</source>
@@ -6627,14 +6870,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Trapezoidal</translation>
     </message>
     <message>
-        <source>Velocity</source>
-        <translation>Velocidad</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
         <source>Position (counts)</source>
         <translation>Posición (cuentas)</translation>
     </message>
@@ -6645,10 +6880,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Acceleration (counts/tick² × 65536)</source>
         <translation>Aceleración (cuentas/ciclo² × 65536)</translation>
-    </message>
-    <message>
-        <source>PWM value</source>
-        <translation>Valor de PWM</translation>
     </message>
     <message>
         <source>Reverse (velocity and PWM)</source>
@@ -6669,14 +6900,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Amplifier only</source>
         <translation>Solo amplificador</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>Bruscamente</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>Suavemente</translation>
     </message>
     <message>
         <source>At a position</source>
@@ -6727,18 +6950,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Cambio del final 2</translation>
     </message>
     <message>
-        <source>Index</source>
-        <translation>Índice</translation>
-    </message>
-    <message>
-        <source>Position error</source>
-        <translation>Error de posición</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>Límite de corriente</translation>
-    </message>
-    <message>
         <source>Then</source>
         <translation>Después</translation>
     </message>
@@ -6749,10 +6960,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Position (steps)</source>
         <translation>Posición (pasos)</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Velocidad</translation>
     </message>
     <message>
         <source>Acceleration time (0.25 ms)</source>
@@ -6851,10 +7058,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>¿Reiniciar %1? Su motor se apaga, y pierde su posición, sus ajustes y su grupo. Los demás módulos no cambian.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
         <source>Reset the module</source>
         <translation>Reiniciar el módulo</translation>
     </message>
@@ -6898,10 +7101,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>The position becomes this value. Nothing moves.</source>
         <translation>La posición pasa a ser este valor. Nada se mueve.</translation>
     </message>
-    <message>
-        <source>How</source>
-        <translation>Cómo</translation>
-    </message>
 </context>
 <context>
     <name>nmc::FirstSteps</name>
@@ -6928,10 +7127,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 </context>
 <context>
     <name>nmc::FrequencyPage</name>
-    <message>
-        <source>Frequency response</source>
-        <translation>Respuesta en frecuencia</translation>
-    </message>
     <message>
         <source>Measure</source>
         <translation>Medir</translation>
@@ -6981,10 +7176,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Resultados de la respuesta en frecuencia</translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation>Exportar CSV…</translation>
-    </message>
-    <message>
         <source>Export CSV of the frequency response</source>
         <translation>Exportar CSV de la respuesta en frecuencia</translation>
     </message>
@@ -7001,10 +7192,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Guarda frecuencia, magnitud y fase del lazo abierto y del cerrado.</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
         <source>Export the frequency response</source>
         <translation>Exportar la respuesta en frecuencia</translation>
     </message>
@@ -7016,24 +7203,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Aplicar &amp;ganancias</translation>
     </message>
     <message>
-        <source>Start&amp;ing values</source>
-        <translation>Valores i&amp;niciales</translation>
-    </message>
-    <message>
-        <source>Gains</source>
-        <translation>Ganancias</translation>
-    </message>
-    <message>
         <source>Apply gains: all</source>
         <translation>Aplicar ganancias: todas</translation>
     </message>
     <message>
         <source>Revert the gains to those last sent</source>
         <translation>Revertir las ganancias a las últimas enviadas</translation>
-    </message>
-    <message>
-        <source>Starting values: fill in</source>
-        <translation>Valores iniciales: rellenar</translation>
     </message>
     <message>
         <source>Fills in values to start tuning with. Sends nothing.</source>
@@ -7171,10 +7346,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Módulo sin controles</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>No status yet.</source>
         <translation>Aún sin estado.</translation>
     </message>
@@ -7205,10 +7376,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 </context>
 <context>
     <name>nmc::GroupsPage</name>
-    <message>
-        <source>Groups</source>
-        <translation>Grupos</translation>
-    </message>
     <message>
         <source>No modules yet: connect first.</source>
         <translation>Aún no hay módulos: conecte primero.</translation>
@@ -7266,10 +7433,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>movimiento cargado</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>No groups yet. Add modules to a group first.</source>
         <translation>Aún no hay grupos. Añada primero módulos a un grupo.</translation>
     </message>
@@ -7284,10 +7447,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Name of the group</source>
         <translation>Nombre del grupo</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
     </message>
     <message>
         <source>The name of this group. Saved with the machine; nothing is sent.</source>
@@ -7436,10 +7595,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Cancelar búsqueda</translation>
     </message>
     <message>
-        <source>Homing</source>
-        <translation>Referenciado</translation>
-    </message>
-    <message>
         <source>Home: search for it</source>
         <translation>Buscar referencia del módulo</translation>
     </message>
@@ -7454,10 +7609,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Search settings</source>
         <translation>Ajustes de la búsqueda</translation>
-    </message>
-    <message>
-        <source>A search for home is running.</source>
-        <translation>Hay una búsqueda de referencia en curso.</translation>
     </message>
     <message>
         <source>Moves the motor to search for home, as set above.</source>
@@ -7491,10 +7642,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>La referencia está donde cambia este interruptor. Si está activo al empezar, el motor se retira primero en el otro sentido.</translation>
     </message>
     <message>
-        <source>Home switch</source>
-        <translation>Interruptor de referencia</translation>
-    </message>
-    <message>
         <source>Limit 1 (forward)</source>
         <translation>Final 1 (adelante)</translation>
     </message>
@@ -7507,32 +7654,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Referencia en</translation>
     </message>
     <message>
-        <source>Limit 1</source>
-        <translation>Final 1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>Final 2</translation>
-    </message>
-    <message>
-        <source>Index</source>
-        <translation>Índice</translation>
-    </message>
-    <message>
         <source>Home is at the encoder&apos;s index, which comes once per turn.</source>
         <translation>La referencia está en el índice del encoder, que aparece una vez por vuelta.</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Error de posición</translation>
-    </message>
-    <message>
         <source>Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared first. The servo is switched on again only to continue to the index or to home.</source>
         <translation>La referencia está en un tope mecánico: el motor avanza contra él hasta que el límite de error de posición apaga el servo. Antes se borran los bits enclavados. El servo solo se vuelve a encender para continuar al índice o a la referencia.</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>Límite de corriente</translation>
     </message>
     <message>
         <source>Home is at a hard stop: the motor runs against it until the current limit is reached. On its own, it takes effect only at full speed; combined with other conditions, from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
@@ -7567,10 +7694,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Sentido</translation>
     </message>
     <message>
-        <source>Velocity</source>
-        <translation>Velocidad</translation>
-    </message>
-    <message>
         <source>Maximum velocity for searching, backing off and going to home.</source>
         <translation>Velocidad máxima para buscar, retirarse e ir a la referencia.</translation>
     </message>
@@ -7581,10 +7704,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Velocity of the second search, for the index. Slower is more exact.</source>
         <translation>Velocidad de la segunda búsqueda, la del índice. Cuanto más lenta, más exacta.</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>Aceleración</translation>
     </message>
     <message>
         <source>Also used for smooth stops.</source>
@@ -7599,10 +7718,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Una búsqueda, o una retirada, se detiene y falla tras esta distancia.</translation>
     </message>
     <message>
-        <source>Time limit</source>
-        <translation>Límite de tiempo</translation>
-    </message>
-    <message>
         <source>Time limit of a search</source>
         <translation>Límite de tiempo de una búsqueda</translation>
     </message>
@@ -7613,18 +7728,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>%1 of the search for home</source>
         <translation>%1 de la búsqueda de referencia</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>Bruscamente</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>Suavemente</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Apagar motor</translation>
     </message>
     <message>
         <source>Abruptly: stop at home</source>
@@ -7657,10 +7760,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Set position to 0</source>
         <translation>Poner posición a 0</translation>
-    </message>
-    <message>
-        <source>A search for home is running.</source>
-        <translation>Hay una búsqueda de referencia en curso.</translation>
     </message>
     <message>
         <source>The first search already finds the index.</source>
@@ -7718,16 +7817,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Finales de carrera y E/S</translation>
     </message>
     <message>
-        <source>Index</source>
-        <translation>Índice</translation>
-    </message>
-    <message>
         <source>The encoder&apos;s index pulse, once per turn with most encoders.</source>
         <translation>El pulso de índice del encoder, una vez por vuelta en la mayoría de los encoders.</translation>
-    </message>
-    <message>
-        <source>Motor power</source>
-        <translation>Alimentación del motor</translation>
     </message>
     <message>
         <source>Without motor power the servo switches off, and stays off when power returns.</source>
@@ -7736,10 +7827,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>The A/D input; with most amplifiers, the motor current. Set its scale on the Axis page.</source>
         <translation>La entrada A/D; con la mayoría de los amplificadores, la corriente del motor. Ajuste su escala en la página Eje.</translation>
-    </message>
-    <message>
-        <source>A/D</source>
-        <translation>A/D</translation>
     </message>
     <message>
         <source>Amplifier enabled (&amp;AMP_EN)</source>
@@ -7766,24 +7853,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Final %1: entrada o salida</translation>
     </message>
     <message>
-        <source>input</source>
-        <translation>entrada</translation>
-    </message>
-    <message>
         <source>output, low</source>
         <translation>salida, bajo</translation>
     </message>
     <message>
         <source>output, high</source>
         <translation>salida, alto</translation>
-    </message>
-    <message>
-        <source>high</source>
-        <translation>alto</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>bajo</translation>
     </message>
     <message>
         <source>Makes the pin an input, or an output with this level. Sent at once.</source>
@@ -7810,10 +7885,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Conmuta solo la línea de habilitación del amplificador; el servo queda como está. Si está desactivada, el motor no recibe corriente, haga lo que haga el servo.</translation>
     </message>
     <message>
-        <source>Fast path</source>
-        <translation>Trayectoria rápida</translation>
-    </message>
-    <message>
         <source>The Amplifier page sets what the module does when a limit closes.</source>
         <translation>En la página Amplificador se configura qué hace el módulo cuando se cierra un final de carrera.</translation>
     </message>
@@ -7825,20 +7896,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::IoHead</name>
     <message>
-        <source>State of the selected module</source>
-        <translation>Estado del módulo seleccionado</translation>
-    </message>
-    <message>
         <source>Name of this module</source>
         <translation>Nombre de este módulo</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
-        <source>%1, address %2</source>
-        <translation>%1, dirección %2</translation>
     </message>
 </context>
 <context>
@@ -7848,32 +7907,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Módulo de E/S</translation>
     </message>
     <message>
-        <source>Pages of the module</source>
-        <translation>Páginas del módulo</translation>
-    </message>
-    <message>
-        <source>A/D and PWM</source>
-        <translation>A/D y PWM</translation>
-    </message>
-    <message>
         <source>Counter</source>
         <translation>Contador</translation>
     </message>
 </context>
 <context>
     <name>nmc::IoValuesBox</name>
-    <message>
-        <source>A/D and PWM</source>
-        <translation>A/D y PWM</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>Entrada A/D</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
     <message>
         <source>Reads</source>
         <translation>Lectura</translation>
@@ -7885,14 +7924,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>At 0</source>
         <translation>En 0</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unidad</translation>
-    </message>
-    <message>
-        <source>Name of %1</source>
-        <translation>Nombre de %1</translation>
     </message>
     <message>
         <source>Value of %1</source>
@@ -7911,10 +7942,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>%1 en 0</translation>
     </message>
     <message>
-        <source>The value at an A/D reading of 0.</source>
-        <translation>El valor con una lectura A/D de 0.</translation>
-    </message>
-    <message>
         <source>Unit of %1</source>
         <translation>Unidad de %1</translation>
     </message>
@@ -7929,10 +7956,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>0 to 255</source>
         <translation>0 a 255</translation>
-    </message>
-    <message>
-        <source>Off at stop</source>
-        <translation>Apagar al parar</translation>
     </message>
     <message>
         <source>Last value sent to %1</source>
@@ -7950,48 +7973,20 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>STOP ALL switches this output off. If cleared, the output stays as it is.</source>
         <translation>PARAR TODO desactiva esta salida. Si está desmarcado, la salida queda como está.</translation>
     </message>
-    <message>
-        <source>%1 of 255</source>
-        <translation>%1 de 255</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? desconocido</translation>
-    </message>
 </context>
 <context>
     <name>nmc::JogBox</name>
     <message>
-        <source>Jog</source>
-        <translation>Jog</translation>
-    </message>
-    <message>
         <source>Jog speed</source>
         <translation>Velocidad de jog</translation>
-    </message>
-    <message>
-        <source>◂ Hold</source>
-        <translation>◂ Jog</translation>
     </message>
     <message>
         <source>Hold to move in reverse</source>
         <translation>Jog: mantener pulsado para mover hacia atrás</translation>
     </message>
     <message>
-        <source>Hold ▸</source>
-        <translation>Jog ▸</translation>
-    </message>
-    <message>
         <source>Hold to move forward</source>
         <translation>Jog: mantener pulsado para mover hacia adelante</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>Se mueve hacia adelante mientras se mantiene pulsado y después se detiene.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>Se mueve hacia atrás mientras se mantiene pulsado y después se detiene.</translation>
     </message>
     <message>
         <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value at each connection; set the max jog speed on the Axis page.</source>
@@ -8036,26 +8031,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::LimitStopBox</name>
     <message>
-        <source>limit 1</source>
-        <translation>final de carrera 1</translation>
-    </message>
-    <message>
-        <source>limit 2</source>
-        <translation>final de carrera 2</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>Parada por límite</translation>
-    </message>
-    <message>
-        <source>Limit 1</source>
-        <translation>Final 1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>Final 2</translation>
-    </message>
-    <message>
         <source>Arm limit stop</source>
         <translation>Armar parada</translation>
     </message>
@@ -8078,18 +8053,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>State of the limit stop</source>
         <translation>Estado de la parada por límite</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>Bruscamente</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>Suavemente</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Apagar motor</translation>
     </message>
     <message>
         <source>Abruptly: stop at the limit</source>
@@ -8184,10 +8147,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>%1 o %2</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Error de posición</translation>
-    </message>
-    <message>
         <source>Current</source>
         <translation>Corriente</translation>
     </message>
@@ -8226,10 +8185,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>La parada por límite se arma en cada movimiento. Desmarque primero esa casilla.</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Cómo</translation>
     </message>
 </context>
 <context>
@@ -8283,14 +8238,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Loop tests</source>
         <translation>Pruebas de lazo</translation>
-    </message>
-    <message>
-        <source>Square wave</source>
-        <translation>Onda cuadrada</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>Respuesta en frecuencia</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -8360,14 +8307,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Archivos de máquina (*.%1)</translation>
     </message>
     <message>
-        <source>All files (*)</source>
-        <translation>Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Open machine</source>
-        <translation>Abrir máquina</translation>
-    </message>
-    <message>
         <source>Save machine</source>
         <translation>Guardar máquina</translation>
     </message>
@@ -8431,24 +8370,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Módulos</translation>
     </message>
     <message>
-        <source>Scope</source>
-        <translation>Osciloscopio</translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation>Mensajes</translation>
-    </message>
-    <message>
         <source>NMC Panel - Simulator</source>
         <translation>NMC Panel - Simulador</translation>
     </message>
     <message>
         <source>NMC Panel - %1</source>
         <translation>NMC Panel - %1</translation>
-    </message>
-    <message>
-        <source>No module</source>
-        <translation>Ningún módulo</translation>
     </message>
     <message>
         <source>&amp;Stop and disconnect</source>
@@ -8483,10 +8410,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>SOLO LECTURA — solo se envían consultas de estado. PARAR TODO sigue funcionando.</translation>
     </message>
     <message>
-        <source>Connect fully</source>
-        <translation>Conexión completa</translation>
-    </message>
-    <message>
         <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
         <translation>Vuelve a conectar al mismo puerto con los comandos permitidos. Nada se mueve.</translation>
     </message>
@@ -8511,20 +8434,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Pulse Intro para mostrarlo en la página del módulo. No se envía nada.</translation>
     </message>
     <message>
-        <source>Operator mode</source>
-        <translation>Modo operador</translation>
-    </message>
-    <message>
         <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
         <translation>MODO OPERADOR — solo están disponibles las acciones permitidas. PARAR TODO siempre funciona.</translation>
     </message>
     <message>
         <source>Leave…</source>
         <translation>Salir…</translation>
-    </message>
-    <message>
-        <source>Asks for the PIN.</source>
-        <translation>Pide el PIN.</translation>
     </message>
     <message>
         <source>End pendant mode</source>
@@ -8545,10 +8460,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>PENDANT — %1. %2</source>
         <translation>MANDO PORTÁTIL — %1. %2</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>Módulo</translation>
     </message>
     <message>
         <source>Pendant</source>
@@ -8577,10 +8488,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Save the tuning report</source>
         <translation>Guardar el informe de ajuste</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>HTML (*.html)</source>
@@ -8641,10 +8548,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::MessageList</name>
     <message>
-        <source>Messages</source>
-        <translation>Mensajes</translation>
-    </message>
-    <message>
         <source>No messages. Problems are listed here, with the time when they ended.</source>
         <translation>No hay mensajes. Aquí aparecen los problemas y cuándo terminan.</translation>
     </message>
@@ -8668,10 +8571,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Filtra los mensajes por tipo.</translation>
     </message>
     <message>
-        <source>All kinds</source>
-        <translation>Todos los tipos</translation>
-    </message>
-    <message>
         <source>Notes</source>
         <translation>Notas</translation>
     </message>
@@ -8682,10 +8581,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Filters the messages by module.</source>
         <translation>Filtra los mensajes por módulo.</translation>
-    </message>
-    <message>
-        <source>All modules</source>
-        <translation>Todos los módulos</translation>
     </message>
     <message>
         <source>Active only</source>
@@ -8731,10 +8626,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Export messages</source>
         <translation>Exportar mensajes</translation>
     </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Texto (*.txt)</translation>
-    </message>
 </context>
 <context>
     <name>nmc::MessageRow</name>
@@ -8744,10 +8635,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
             <numerusform>%n vez</numerusform>
             <numerusform>%n veces</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>ended at %1</source>
-        <translation>terminó: %1</translation>
     </message>
 </context>
 <context>
@@ -8892,10 +8779,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Cerrado mientras está marcado.</translation>
     </message>
     <message>
-        <source>Motor power</source>
-        <translation>Alimentación del motor</translation>
-    </message>
-    <message>
         <source>The motor&apos;s supply, not the module&apos;s.</source>
         <translation>La alimentación del motor, no la del módulo.</translation>
     </message>
@@ -8908,28 +8791,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Final de carrera 2, atrás</translation>
     </message>
     <message>
-        <source>Home switch</source>
-        <translation>Interruptor de referencia</translation>
-    </message>
-    <message>
-        <source>E-stop input</source>
-        <translation>Entrada E-Stop</translation>
-    </message>
-    <message>
         <source>Input 1</source>
         <translation>Entrada 1</translation>
     </message>
     <message>
         <source>Input 2</source>
         <translation>Entrada 2</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>Entrada A/D</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>de 255</translation>
     </message>
     <message>
         <source>The A/D reading of the temperature sensor.</source>
@@ -9064,16 +8931,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>El interruptor de referencia está cerrado de esta posición hacia adelante. Si está desmarcado, acciónelo a mano.</translation>
     </message>
     <message>
-        <source>Pins</source>
-        <translation>Pines</translation>
-    </message>
-    <message>
         <source>%1: level</source>
         <translation>%1: nivel</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>255 is 5 V.</source>
@@ -9134,10 +8993,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Movimientos del módulo seleccionado</translation>
     </message>
     <message>
-        <source>Motion</source>
-        <translation>Movimiento</translation>
-    </message>
-    <message>
         <source>The pages of this module.</source>
         <translation>Las páginas de este módulo.</translation>
     </message>
@@ -9152,26 +9007,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::MotionBox</name>
     <message>
-        <source>Motion</source>
-        <translation>Movimiento</translation>
-    </message>
-    <message>
-        <source>Goal position</source>
-        <translation>Posición de destino</translation>
-    </message>
-    <message>
-        <source>The goal position</source>
-        <translation>La posición de destino</translation>
-    </message>
-    <message>
-        <source>&amp;Go</source>
-        <translation>Despla&amp;zar</translation>
-    </message>
-    <message>
-        <source>Go to the position</source>
-        <translation>Desplazar a la posición</translation>
-    </message>
-    <message>
         <source>Ve&amp;locity</source>
         <translation>Ve&amp;locidad</translation>
     </message>
@@ -9184,40 +9019,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Acelerac&amp;ión</translation>
     </message>
     <message>
-        <source>Acceleration</source>
-        <translation>Aceleración</translation>
-    </message>
-    <message>
         <source>Velocity of running</source>
         <translation>Velocidad de la marcha</translation>
-    </message>
-    <message>
-        <source>Run &amp;reverse</source>
-        <translation>At&amp;rás</translation>
-    </message>
-    <message>
-        <source>Run reverse until stopped</source>
-        <translation>Atrás: marcha hasta la orden de parada</translation>
-    </message>
-    <message>
-        <source>R&amp;un forward</source>
-        <translation>Ad&amp;elante</translation>
-    </message>
-    <message>
-        <source>Run forward until stopped</source>
-        <translation>Adelante: marcha hasta la orden de parada</translation>
-    </message>
-    <message>
-        <source>Moves to the position, then holds.</source>
-        <translation>Va a la posición y después la mantiene.</translation>
-    </message>
-    <message>
-        <source>Runs forward until stopped.</source>
-        <translation>Gira hacia adelante hasta que se le ordene parar.</translation>
-    </message>
-    <message>
-        <source>Runs in reverse until stopped.</source>
-        <translation>Gira hacia atrás hasta que se le ordene parar.</translation>
     </message>
     <message>
         <source>Used by every motion here, and by a smooth stop.</source>
@@ -9232,10 +9035,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Posición o distancia</translation>
     </message>
     <message>
-        <source>position</source>
-        <translation>posición</translation>
-    </message>
-    <message>
         <source>distance</source>
         <translation>distancia</translation>
     </message>
@@ -9246,18 +9045,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>&amp;Zero here</source>
         <translation>Cero a&amp;quí</translation>
-    </message>
-    <message>
-        <source>Zero here: set the present position to 0</source>
-        <translation>Cero aquí: poner la posición actual a 0</translation>
-    </message>
-    <message>
-        <source>Go home</source>
-        <translation>Ir a referencia</translation>
-    </message>
-    <message>
-        <source>Load</source>
-        <translation>Cargar</translation>
     </message>
     <message>
         <source>Load the move, start it later</source>
@@ -9320,22 +9107,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Va a la referencia.</translation>
     </message>
     <message>
-        <source>Use nearest</source>
-        <translation>Usar más próxima</translation>
-    </message>
-    <message>
-        <source>Use nearest allowed position</source>
-        <translation>Usar más próxima de las posiciones permitidas</translation>
-    </message>
-    <message>
-        <source>Use %1</source>
-        <translation>Usar %1</translation>
-    </message>
-    <message>
-        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
-        <translation>Pone como destino la posición permitida más próxima. Nada se mueve.</translation>
-    </message>
-    <message>
         <source>Runs forward until stopped, or to its highest position.</source>
         <translation>Gira hacia adelante hasta que se le ordene parar o hasta su posición máxima.</translation>
     </message>
@@ -9363,16 +9134,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>La distancia de un paso</translation>
     </message>
     <message>
-        <source>◂| Step</source>
-        <translation>◂| Paso</translation>
-    </message>
-    <message>
         <source>Step in reverse</source>
         <translation>Paso hacia atrás</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>Paso |▸</translation>
     </message>
     <message>
         <source>Step forward</source>
@@ -9417,10 +9180,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>times, pause</source>
         <translation>veces, pausa</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
     </message>
     <message>
         <source>Repeat</source>
@@ -9484,10 +9243,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 </context>
 <context>
     <name>nmc::OperatorDialog</name>
-    <message>
-        <source>Operator mode</source>
-        <translation>Modo operador</translation>
-    </message>
     <message>
         <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is not a security feature: anyone with access to this computer&apos;s files can bypass it.</source>
         <translation>Marque lo que puede hacer el operador. PARAR TODO, Esc, las paradas de cada motor y Desconectar siempre funcionan. El modo operador evita errores; no es una protección: quien tenga acceso a los archivos de este equipo puede eludirlo.</translation>
@@ -9572,10 +9327,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Modo o&amp;perador…</translation>
     </message>
     <message>
-        <source>Asks for the PIN.</source>
-        <translation>Pide el PIN.</translation>
-    </message>
-    <message>
         <source>Limits the panel to the actions that you select, until someone enters the PIN.</source>
         <translation>Limita el panel a las acciones que usted marque, hasta que alguien introduzca el PIN.</translation>
     </message>
@@ -9593,10 +9344,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Purpose</source>
         <translation>Motivo</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Comando</translation>
     </message>
     <message>
         <source>Meaning</source>
@@ -9626,10 +9373,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Muestra solo los paquetes de un módulo (Ctrl+M).</translation>
     </message>
     <message>
-        <source>All modules</source>
-        <translation>Todos los módulos</translation>
-    </message>
-    <message>
         <source>Filter packets by kind</source>
         <translation>Filtrar paquetes por tipo</translation>
     </message>
@@ -9638,16 +9381,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Muestra solo los paquetes de un tipo (Ctrl+T).</translation>
     </message>
     <message>
-        <source>All kinds</source>
-        <translation>Todos los tipos</translation>
-    </message>
-    <message>
         <source>Polls</source>
         <translation>Consultas</translation>
-    </message>
-    <message>
-        <source>Commands</source>
-        <translation>Comandos</translation>
     </message>
     <message>
         <source>Stops</source>
@@ -9660,10 +9395,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Errors only</source>
         <translation>Solo errores</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pausa</translation>
     </message>
     <message>
         <source>Stops recording; packets shown stay (%1).</source>
@@ -9684,10 +9415,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Copies the selected rows as text, or all rows if none is selected (%1).</source>
         <translation>Copia como texto las filas seleccionadas, o todas si no hay ninguna seleccionada (%1).</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Guardar como…</translation>
     </message>
     <message>
         <source>Saves all recorded packets as text, or as a log that can be replayed (%1).</source>
@@ -9712,10 +9439,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Save packets</source>
         <translation>Guardar paquetes</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Texto (*.txt)</translation>
     </message>
     <message>
         <source>Replayable log (*%1)</source>
@@ -9780,20 +9503,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Apagar &amp;motor</translation>
     </message>
     <message>
-        <source>Motor off: this module</source>
-        <translation>Apagar motor: este módulo</translation>
-    </message>
-    <message>
-        <source>State of the selected module</source>
-        <translation>Estado del módulo seleccionado</translation>
-    </message>
-    <message>
         <source>Position unknown</source>
         <translation>Posición desconocida</translation>
-    </message>
-    <message>
-        <source>%1, address %2</source>
-        <translation>%1, dirección %2</translation>
     </message>
     <message>
         <source>The servo is already on.</source>
@@ -9810,10 +9521,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Stops at once, then holds.</source>
         <translation>Se detiene de inmediato y después mantiene la posición.</translation>
-    </message>
-    <message>
-        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>Apaga el servo y el amplificador: el motor puede girar libremente y una carga puede caer.</translation>
     </message>
     <message>
         <source>&amp;Enable amplifier</source>
@@ -9856,28 +9563,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Velocidad medida a partir de las posiciones durante 0,2 s.</translation>
     </message>
     <message>
-        <source>Motor current</source>
-        <translation>Corriente del motor</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>Entrada A/D</translation>
-    </message>
-    <message>
-        <source>Limit switch 1.</source>
-        <translation>Final de carrera 1.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2.</source>
-        <translation>Final de carrera 2.</translation>
-    </message>
-    <message>
         <source>Motor power as sensed by the module.</source>
         <translation>Alimentación del motor detectada por el módulo.</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>Parada por límite</translation>
     </message>
     <message>
         <source>Limit %1 –</source>
@@ -9910,10 +9597,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Current %1</source>
         <translation>Corriente %1</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>● Limit stop armed</source>
@@ -9963,10 +9646,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Posiciones de la trayectoria en el tiempo</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 a %2</translation>
     </message>
@@ -10008,10 +9687,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Rate of the path to draw</source>
         <translation>Frecuencia de la trayectoria que se traza</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
     </message>
     <message>
         <source>Draw path</source>
@@ -10126,24 +9801,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Detiene todos los ejes de la trayectoria; mantienen la posición donde se paran.</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>A path file has a column for each axis. Axes here: %1.</source>
         <translation>Un archivo de trayectoria tiene una columna para cada eje. Ejes aquí: %1.</translation>
     </message>
     <message>
         <source>Open a path</source>
         <translation>Abrir una trayectoria</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Todos los archivos (*)</translation>
     </message>
     <message>
         <source>Save the path</source>
@@ -10188,10 +9851,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Poner todos los pines como entradas</translation>
     </message>
     <message>
-        <source>Pins</source>
-        <translation>Pines</translation>
-    </message>
-    <message>
         <source>Pin</source>
         <translation>Pin</translation>
     </message>
@@ -10208,44 +9867,20 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Salida</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
         <source>Ask first</source>
         <translation>Preguntar</translation>
-    </message>
-    <message>
-        <source>Off at stop</source>
-        <translation>Apagar al parar</translation>
-    </message>
-    <message>
-        <source>input</source>
-        <translation>entrada</translation>
     </message>
     <message>
         <source>output</source>
         <translation>salida</translation>
     </message>
     <message>
-        <source>? unknown</source>
-        <translation>? desconocido</translation>
-    </message>
-    <message>
         <source>Direction of %1</source>
         <translation>Sentido de %1</translation>
     </message>
     <message>
-        <source>high</source>
-        <translation>alto</translation>
-    </message>
-    <message>
         <source>high: output %1</source>
         <translation>alto: salida %1</translation>
-    </message>
-    <message>
-        <source>Name of %1</source>
-        <translation>Nombre de %1</translation>
     </message>
     <message>
         <source>Ask first before %1 changes</source>
@@ -10262,10 +9897,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>STOP ALL takes this output low. If cleared, the output stays as it is.</source>
         <translation>PARAR TODO pone esta salida a nivel bajo. Si está desmarcado, la salida queda como está.</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Switch %1 on?</source>
@@ -10312,20 +9943,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>bajo, fijado alto</translation>
     </message>
     <message>
-        <source>low</source>
-        <translation>bajo</translation>
-    </message>
-    <message>
         <source>This pin is an input.</source>
         <translation>Este pin es una entrada.</translation>
     </message>
     <message>
         <source>Pin directions unknown.</source>
         <translation>Se desconoce el sentido de los pines.</translation>
-    </message>
-    <message>
-        <source>Switches this output at once.</source>
-        <translation>Conmuta esta salida de inmediato.</translation>
     </message>
 </context>
 <context>
@@ -10378,10 +10001,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>&amp;Cancelar</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
         <source>P&amp;rinter</source>
         <translation>Imp&amp;resora</translation>
     </message>
@@ -10402,10 +10021,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Guardar la página</translation>
     </message>
     <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
         <source>page</source>
         <translation>página</translation>
     </message>
@@ -10419,18 +10034,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Drive forward</source>
         <translation>Accionar adelante</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Apagar motor</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>PWM value</source>
-        <translation>Valor de PWM</translation>
     </message>
     <message>
         <source>The PWM value</source>
@@ -10449,10 +10052,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Accionar adelante con este valor de PWM</translation>
     </message>
     <message>
-        <source>Motor off: this module</source>
-        <translation>Apagar motor: este módulo</translation>
-    </message>
-    <message>
         <source>PWM drives the motor directly, without the servo. No position, position error or output limit protects it, and it runs until you switch it off.</source>
         <translation>El PWM acciona el motor directamente, sin el servo. Ningún límite de posición, de error de posición ni de salida lo protege, y el motor gira hasta que usted lo apague.</translation>
     </message>
@@ -10468,20 +10067,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Drives the motor forward until you switch it off.</source>
         <translation>Acciona el motor hacia adelante hasta que usted lo apague.</translation>
     </message>
-    <message>
-        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>Apaga el servo y el amplificador: el motor puede girar libremente y una carga puede caer.</translation>
-    </message>
 </context>
 <context>
     <name>nmc::RatePage</name>
     <message>
         <source>&amp;Change baud rate</source>
         <translation>&amp;Cambiar velocidad</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Baudios</translation>
     </message>
     <message>
         <source>New baud rate of the chain</source>
@@ -10571,10 +10162,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>&amp;Guardar como…</translation>
     </message>
     <message>
-        <source>Save as…</source>
-        <translation>Guardar como…</translation>
-    </message>
-    <message>
         <source>&amp;Close</source>
         <translation>&amp;Cerrar</translation>
     </message>
@@ -10585,10 +10172,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Save the report</source>
         <translation>Guardar el informe</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Texto (*.txt)</translation>
     </message>
 </context>
 <context>
@@ -10610,16 +10193,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Cuánto salta la consigna; negativo: hacia atrás. Los escalones pequeños muestran el ajuste del servo; los grandes, los límites del amplificador.</translation>
     </message>
     <message>
-        <source>Method: how the command jumps</source>
-        <translation>Forma: cómo salta la consigna</translation>
-    </message>
-    <message>
         <source>The record</source>
         <translation>La grabación</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
     </message>
     <message>
         <source>How long to record after the step. Then the motor is commanded to hold.</source>
@@ -10640,10 +10215,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Distance</source>
         <translation>Distancia</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Forma</translation>
     </message>
     <message>
         <source>Record</source>
@@ -10697,20 +10268,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::ResponsePage</name>
     <message>
-        <source>Step response</source>
-        <translation>Respuesta al escalón</translation>
-    </message>
-    <message>
         <source>Use these gains</source>
         <translation>Usar estas ganancias</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Quitar</translation>
-    </message>
-    <message>
-        <source>Export CSV…</source>
-        <translation>Exportar CSV…</translation>
     </message>
     <message>
         <source>Select a run in the list first.</source>
@@ -10741,10 +10300,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Exportar respuestas al escalón</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
         <source>Step</source>
         <translation>Escalón</translation>
     </message>
@@ -10771,10 +10326,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Shows the other runs of this module, older runs paler.</source>
         <translation>Muestra los demás ensayos de este módulo, más pálidos cuanto más antiguos.</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Restaurar</translation>
     </message>
     <message>
         <source>No run was removed.</source>
@@ -10835,22 +10386,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>position from the start (%1)</source>
         <translation>posición desde el inicio (%1)</translation>
     </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>tiempo</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>
@@ -10859,24 +10394,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Resultados de los ensayos mostrados</translation>
     </message>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Ensayo</translation>
     </message>
     <message>
         <source>Rise, 10 to 90 %</source>
         <translation>Subida, del 10 al 90 %</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Sobreimpulso</translation>
     </message>
     <message>
         <source>Steady-state error</source>
@@ -10911,10 +10434,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Tiempo medio entre dos posiciones de la grabación. Determina la exactitud de los resultados.</translation>
     </message>
     <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>Settling to the goal</source>
         <translation>Establecimiento en destino</translation>
     </message>
@@ -10938,28 +10457,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Respuestas al escalón hasta ahora</translation>
     </message>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Ensayo</translation>
     </message>
     <message>
-        <source>Module</source>
-        <translation>Módulo</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Hora</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Sobreimpulso</translation>
     </message>
     <message>
         <source>Settling</source>
@@ -10986,10 +10489,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Respuestas al escalón, primero la más reciente. Marque dos casillas para comparar las curvas. Las últimas %1 se guardan con la máquina; las que tienen nombre o nota se conservan más tiempo.</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Nombre</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Nota</translation>
     </message>
@@ -11001,32 +10500,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Note on the run. Double-click or press F2 to edit.</source>
         <translation>Nota sobre el ensayo. Haga doble clic o pulse F2 para editarla.</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ResponseView</name>
     <message>
-        <source>Cursor readings</source>
-        <translation>Lecturas de los cursores</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Ensayo</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>Cursor 1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>Cursor 2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Diferencia</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -11037,44 +10516,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Encuadra en la vista el movimiento y todas las posiciones (A, en la gráfica).</translation>
     </message>
     <message>
-        <source>Cursors</source>
-        <translation>Cursores</translation>
-    </message>
-    <message>
         <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
         <translation>Muestra dos cursores para medir: arrástrelos (C, en la gráfica).</translation>
     </message>
     <message>
         <source>Picture</source>
         <translation>Imagen</translation>
-    </message>
-    <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>I&amp;magen (PNG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>La gráfica visible como imagen.</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>Imagen &amp;vectorial (SVG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>La gráfica visible en líneas nítidas a cualquier tamaño.</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>Págin&amp;a (PDF)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>La gráfica visible en una página para imprimir o para un informe.</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>&amp;Copiar imagen</translation>
     </message>
     <message>
         <source>Copies the visible plot to the clipboard.</source>
@@ -11109,28 +10556,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Imagen de la respuesta al escalón</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Archivos %1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>step</source>
         <translation>escalón</translation>
-    </message>
-    <message>
-        <source>P&amp;rint…</source>
-        <translation>Imp&amp;rimir…</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
-        <translation>Imprime la gráfica visible en una de las impresoras de este equipo.</translation>
-    </message>
-    <message>
-        <source>SIMULATOR, no real motor moved</source>
-        <translation>SIMULADOR, no se movió ningún motor real</translation>
     </message>
 </context>
 <context>
@@ -11246,31 +10673,15 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>A/D %1 menor que</translation>
     </message>
     <message>
-        <source>%1 of 255</source>
-        <translation>%1 de 255</translation>
-    </message>
-    <message>
         <source>Within</source>
         <translation>Plazo</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Cómo</translation>
     </message>
 </context>
 <context>
     <name>nmc::ScopeBar</name>
     <message>
-        <source>Pause</source>
-        <translation>Pausa</translation>
-    </message>
-    <message>
         <source>Freezes the display (Ctrl+P). Recording of samples continues.</source>
         <translation>Congela la imagen (Ctrl+P). Las muestras se siguen grabando.</translation>
-    </message>
-    <message>
-        <source>Cursors</source>
-        <translation>Cursores</translation>
     </message>
     <message>
         <source>Shows two cursors to measure with: drag them (C).</source>
@@ -11313,10 +10724,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Selecciona las señales de las franjas (S).</translation>
     </message>
     <message>
-        <source>Trigger</source>
-        <translation>Disparo</translation>
-    </message>
-    <message>
         <source>Waits for a signal or a status bit, and holds the picture around it (T).</source>
         <translation>Espera una señal o un bit de estado y retiene la imagen alrededor (T).</translation>
     </message>
@@ -11344,26 +10751,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Mue&amp;stras (CSV)…</translation>
     </message>
     <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>I&amp;magen (PNG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>La gráfica visible como imagen.</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>Imagen &amp;vectorial (SVG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>La gráfica visible en líneas nítidas a cualquier tamaño.</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>&amp;Copiar imagen</translation>
-    </message>
-    <message>
         <source>Copies the visible plot to the clipboard, with its samples if there are only a few.</source>
         <translation>Copia la gráfica visible al portapapeles, con sus muestras si son pocas.</translation>
     </message>
@@ -11372,32 +10759,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Exportar del osciloscopio</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Archivos %1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>scope</source>
         <translation>osciloscopio</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>Págin&amp;a (PDF)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>La gráfica visible en una página para imprimir o para un informe.</translation>
-    </message>
-    <message>
-        <source>P&amp;rint…</source>
-        <translation>Imp&amp;rimir…</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
-        <translation>Imprime la gráfica visible en una de las impresoras de este equipo.</translation>
     </message>
     <message>
         <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
@@ -11429,10 +10792,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Opening</source>
         <translation>Abriendo</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Cancels opening; the scope stays as it is.</source>
@@ -11475,10 +10834,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Grabaciones (*.%1)</translation>
     </message>
     <message>
-        <source>All files (*)</source>
-        <translation>Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Open recording</source>
         <translation>Abrir grabación</translation>
     </message>
@@ -11489,10 +10844,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Overlay</source>
         <translation>Superposición</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Quitar</translation>
     </message>
     <message>
         <source>Removes the recording from the plots. Its file is kept.</source>
@@ -11522,17 +10873,9 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Overlay a recording</source>
         <translation>Superponer una grabación</translation>
     </message>
-    <message>
-        <source>Overlay: %1</source>
-        <translation>Superposición: %1</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ScopePanel</name>
-    <message>
-        <source>Scope</source>
-        <translation>Osciloscopio</translation>
-    </message>
     <message>
         <source>Exports the visible samples or a picture.</source>
         <translation>Exporta las muestras visibles o una imagen.</translation>
@@ -11544,10 +10887,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>%1 (simulator)</source>
         <translation>%1 (simulador)</translation>
-    </message>
-    <message>
-        <source>Overlay: %1</source>
-        <translation>Superposición: %1</translation>
     </message>
 </context>
 <context>
@@ -11576,14 +10915,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Franja %1 del osciloscopio</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>Arrastre para cambiar la altura de las franjas. Un doble clic las iguala.</translation>
     </message>
@@ -11594,10 +10925,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 </context>
 <context>
     <name>nmc::SequencesPage</name>
-    <message>
-        <source>Points and sequences</source>
-        <translation>Puntos y secuencias</translation>
-    </message>
     <message>
         <source>Rename point</source>
         <translation>Cambiar nombre del punto</translation>
@@ -11739,16 +11066,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Bajar: mover la fila seleccionada</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>Deshacer</translation>
-    </message>
-    <message>
         <source>Undo the last change to points and sequences</source>
         <translation>Deshacer el último cambio en puntos y secuencias</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rehacer</translation>
     </message>
     <message>
         <source>Redo the last undone change to points and sequences</source>
@@ -11781,10 +11100,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Run from row: start at the selected row</source>
         <translation>Ejecutar desde fila: empezar en la seleccionada</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pausa</translation>
     </message>
     <message>
         <source>Pause the sequence after its row</source>
@@ -11821,10 +11136,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Select at least one axis.</source>
         <translation>Marque al menos un eje.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Stores the present positions of the selected axes under this name, replacing any point of that name. Nothing moves.</source>
@@ -11891,16 +11202,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Baja esta fila.</translation>
     </message>
     <message>
-        <source>Nothing to undo.</source>
-        <translation>Nada que deshacer.</translation>
-    </message>
-    <message>
         <source>Undo: %1</source>
         <translation>Deshacer: %1</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>Nada que rehacer.</translation>
     </message>
     <message>
         <source>Redo: %1</source>
@@ -11962,40 +11265,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Módulo servo</translation>
     </message>
     <message>
-        <source>Gains</source>
-        <translation>Ganancias</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Detalles</translation>
-    </message>
-    <message>
-        <source>Pages of the module</source>
-        <translation>Páginas del módulo</translation>
-    </message>
-    <message>
         <source>Limits &amp;&amp; I/O</source>
         <translation>Finales &amp;&amp; E/S</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>Referenciado</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Eje</translation>
-    </message>
-    <message>
-        <source>Expert</source>
-        <translation>Experto</translation>
-    </message>
-    <message>
-        <source>Amplifier</source>
-        <translation>Amplificador</translation>
     </message>
 </context>
 <context>
@@ -12007,10 +11278,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Signals and their strips</source>
         <translation>Señales y sus franjas</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Señal</translation>
     </message>
     <message>
         <source>Strip %1</source>
@@ -12052,23 +11319,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::SimulatorBench</name>
     <message>
-        <source>Simulator</source>
-        <translation>Simulador</translation>
-    </message>
-    <message>
         <source>Simulated module</source>
         <translation>Módulo simulado</translation>
     </message>
     <message>
         <source>Follows the module list, and includes modules that the panel did not find.</source>
         <translation>Sigue la lista de módulos e incluye los que el panel no encontró.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::SimulatorDock</name>
-    <message>
-        <source>Simulator</source>
-        <translation>Simulador</translation>
     </message>
 </context>
 <context>
@@ -12096,10 +11352,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 </context>
 <context>
     <name>nmc::SquareWavePage</name>
-    <message>
-        <source>Square wave</source>
-        <translation>Onda cuadrada</translation>
-    </message>
     <message>
         <source>Start test</source>
         <translation>Iniciar prueba</translation>
@@ -12129,10 +11381,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>El período</translation>
     </message>
     <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
         <source>Periods</source>
         <translation>Períodos</translation>
     </message>
@@ -12149,14 +11397,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Cuánto puede sobrepasar el motor cada lado. Más allá, la prueba se detiene y el motor mantiene la posición.</translation>
     </message>
     <message>
-        <source>Method: how the command jumps</source>
-        <translation>Forma: cómo salta la consigna</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Forma</translation>
-    </message>
-    <message>
         <source>Results of the edges</source>
         <translation>Resultados de los flancos</translation>
     </message>
@@ -12169,20 +11409,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Guardar como ensayo: la mediana de los flancos</translation>
     </message>
     <message>
-        <source>Rise %1</source>
-        <translation>Subida %1</translation>
-    </message>
-    <message>
-        <source>Overshoot %1</source>
-        <translation>Sobreimpulso %1</translation>
-    </message>
-    <message>
         <source>Settling %1</source>
         <translation>Establecimiento %1</translation>
-    </message>
-    <message>
-        <source>Steady-state error %1</source>
-        <translation>Error estacionario %1</translation>
     </message>
     <message>
         <source>No edge recorded yet.</source>
@@ -12204,20 +11432,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>desconocido</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>Deshacer</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rehacer</translation>
-    </message>
-    <message>
         <source>Revert</source>
         <translation>Revertir</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? desconocido</translation>
     </message>
     <message>
         <source>✓ sent</source>
@@ -12228,16 +11444,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>● sin enviar</translation>
     </message>
     <message>
-        <source>Nothing to undo.</source>
-        <translation>Nada que deshacer.</translation>
-    </message>
-    <message>
         <source>Undoes the last edit in these fields. Sends nothing.</source>
         <translation>Deshace la última edición de estos campos. No envía nada.</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>Nada que rehacer.</translation>
     </message>
     <message>
         <source>Redoes the edit that was undone. Sends nothing.</source>
@@ -12261,10 +11469,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Needs no hardware. Three simulated modules to try everything on; no real motor moves.</source>
         <translation>No requiere hardware. Tres módulos simulados para probarlo todo; no se mueve ningún motor real.</translation>
-    </message>
-    <message>
-        <source>Opens the port and looks for modules. Nothing moves.</source>
-        <translation>Abre el puerto y busca módulos. Nada se mueve.</translation>
     </message>
     <message>
         <source>Connects to the built-in simulator.</source>
@@ -12307,25 +11511,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StatusTable</name>
-    <message>
-        <source>on</source>
-        <translation>activo</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>inactivo</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperDetailsBox</name>
     <message>
         <source>The module is sending step pulses.</source>
         <translation>Llegan pulsos de paso.</translation>
-    </message>
-    <message>
-        <source>The module received a garbled command and did not carry it out.</source>
-        <translation>El módulo recibió un comando corrupto y no lo ejecutó.</translation>
     </message>
     <message>
         <source>The driver is enabled (AMP_EN is high).</source>
@@ -12346,10 +11535,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
         <translation>Va a una posición con rampa: modo de perfil trapezoidal.</translation>
-    </message>
-    <message>
-        <source>Waiting for the home position.</source>
-        <translation>Esperando la posición de referencia.</translation>
     </message>
     <message>
         <source>High stops the motor, unless it is ignored.</source>
@@ -12392,26 +11577,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Cero a&amp;quí</translation>
     </message>
     <message>
-        <source>Save as home</source>
-        <translation>Guardar como referencia</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Detalles</translation>
-    </message>
-    <message>
-        <source>Zero here: set the present position to 0</source>
-        <translation>Cero aquí: poner la posición actual a 0</translation>
-    </message>
-    <message>
-        <source>Save as home: the present position</source>
-        <translation>Guardar como referencia: la posición actual</translation>
-    </message>
-    <message>
-        <source>Status byte</source>
-        <translation>Byte de estado</translation>
-    </message>
-    <message>
         <source>Inputs byte</source>
         <translation>Byte de entradas</translation>
     </message>
@@ -12424,32 +11589,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Valor del temporizador</translation>
     </message>
     <message>
-        <source>A/D (temperature)</source>
-        <translation>A/D (temperatura)</translation>
-    </message>
-    <message>
-        <source>Raw</source>
-        <translation>En bruto</translation>
-    </message>
-    <message>
         <source>%1 = %2</source>
         <translation>%1 = %2</translation>
     </message>
     <message>
-        <source>status %1</source>
-        <translation>estado %1</translation>
-    </message>
-    <message>
         <source>, inputs %1</source>
         <translation>, entradas %1</translation>
-    </message>
-    <message>
-        <source>Saves the present position as home. The motor does not move.</source>
-        <translation>Guarda la posición actual como referencia. El motor no se mueve.</translation>
-    </message>
-    <message>
-        <source>Home register</source>
-        <translation>Registro de referencia</translation>
     </message>
     <message>
         <source>High blocks counting up, unless it is ignored.</source>
@@ -12471,10 +11616,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Entradas y salidas</translation>
     </message>
     <message>
-        <source>Outputs</source>
-        <translation>Salidas</translation>
-    </message>
-    <message>
         <source>OUT%1</source>
         <translation>OUT%1</translation>
     </message>
@@ -12487,20 +11628,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Entradas</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>Entrada E-Stop</translation>
-    </message>
-    <message>
-        <source>Home switch</source>
-        <translation>Interruptor de referencia</translation>
-    </message>
-    <message>
         <source>Name of input %1</source>
         <translation>Nombre de la entrada %1</translation>
-    </message>
-    <message>
-        <source>A/D (temperature)</source>
-        <translation>A/D (temperatura)</translation>
     </message>
     <message>
         <source>ignored</source>
@@ -12519,24 +11648,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>bloquea hacia atrás</translation>
     </message>
     <message>
-        <source>high</source>
-        <translation>alto</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>bajo</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? desconocido</translation>
-    </message>
-    <message>
         <source>● %1, not sent</source>
         <translation>● %1, sin enviar</translation>
-    </message>
-    <message>
-        <source>Switches this output at once.</source>
-        <translation>Conmuta esta salida de inmediato.</translation>
     </message>
     <message>
         <source>Selects the level. Choose Set all outputs to send all five.</source>
@@ -12553,14 +11666,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Outputs unknown: they cannot be read back. Select all five levels, then set them.</source>
         <translation>Salidas desconocidas: no se pueden leer del módulo. Seleccione los cinco niveles y después fíjelos.</translation>
-    </message>
-    <message>
-        <source>Limit 1</source>
-        <translation>Final 1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>Final 2</translation>
     </message>
 </context>
 <context>
@@ -12605,28 +11710,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::StepperMotionBox</name>
     <message>
-        <source>Motion</source>
-        <translation>Movimiento</translation>
-    </message>
-    <message>
-        <source>Goal position</source>
-        <translation>Posición de destino</translation>
-    </message>
-    <message>
-        <source>The goal position</source>
-        <translation>La posición de destino</translation>
-    </message>
-    <message>
         <source>b&amp;y this distance</source>
         <translation>en es&amp;ta distancia</translation>
     </message>
     <message>
         <source>By this distance from the present position</source>
         <translation>En esta distancia desde la posición actual</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Velocidad</translation>
     </message>
     <message>
         <source>The speed</source>
@@ -12639,30 +11728,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Trave&amp;l speed</source>
         <translation>Ve&amp;locidad de avance</translation>
-    </message>
-    <message>
-        <source>&amp;Go</source>
-        <translation>Despla&amp;zar</translation>
-    </message>
-    <message>
-        <source>Go to the position</source>
-        <translation>Desplazar a la posición</translation>
-    </message>
-    <message>
-        <source>Run &amp;reverse</source>
-        <translation>At&amp;rás</translation>
-    </message>
-    <message>
-        <source>Run reverse until stopped</source>
-        <translation>Atrás: marcha hasta la orden de parada</translation>
-    </message>
-    <message>
-        <source>R&amp;un forward</source>
-        <translation>Ad&amp;elante</translation>
-    </message>
-    <message>
-        <source>Run forward until stopped</source>
-        <translation>Adelante: marcha hasta la orden de parada</translation>
     </message>
     <message>
         <source>Load o&amp;nly</source>
@@ -12701,28 +11766,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Carga el movimiento sin iniciarlo.</translation>
     </message>
     <message>
-        <source>Load</source>
-        <translation>Cargar</translation>
-    </message>
-    <message>
-        <source>Moves to the position, then holds.</source>
-        <translation>Va a la posición y después la mantiene.</translation>
-    </message>
-    <message>
         <source>Load &amp;reverse</source>
         <translation>Cargar at&amp;rás</translation>
     </message>
     <message>
-        <source>Runs in reverse until stopped.</source>
-        <translation>Gira hacia atrás hasta que se le ordene parar.</translation>
-    </message>
-    <message>
         <source>Load forward</source>
         <translation>Cargar adelante</translation>
-    </message>
-    <message>
-        <source>Runs forward until stopped.</source>
-        <translation>Gira hacia adelante hasta que se le ordene parar.</translation>
     </message>
     <message>
         <source>Starts the loaded motion.</source>
@@ -12753,26 +11802,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Se detiene suavemente, espera a que el motor esté parado y después: %1</translation>
     </message>
     <message>
-        <source>Use nearest</source>
-        <translation>Usar más próxima</translation>
-    </message>
-    <message>
-        <source>Use nearest allowed position</source>
-        <translation>Usar más próxima de las posiciones permitidas</translation>
-    </message>
-    <message>
-        <source>Use %1</source>
-        <translation>Usar %1</translation>
-    </message>
-    <message>
-        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
-        <translation>Pone como destino la posición permitida más próxima. Nada se mueve.</translation>
-    </message>
-    <message>
-        <source>Go home</source>
-        <translation>Ir a referencia</translation>
-    </message>
-    <message>
         <source>Moves to home with a ramp, at the travel speed.</source>
         <translation>Va a la referencia con rampa, a la velocidad de avance.</translation>
     </message>
@@ -12784,32 +11813,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Módulo paso a paso</translation>
     </message>
     <message>
-        <source>Pages of the module</source>
-        <translation>Páginas del módulo</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parámetros</translation>
-    </message>
-    <message>
         <source>I/O</source>
         <translation>E/S</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>Referenciado</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Eje</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Detalles</translation>
-    </message>
-    <message>
-        <source>Expert</source>
-        <translation>Experto</translation>
     </message>
 </context>
 <context>
@@ -12823,20 +11828,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>también se apaga el motor</translation>
     </message>
     <message>
-        <source>Start&amp;ing values</source>
-        <translation>Valores i&amp;niciales</translation>
-    </message>
-    <message>
         <source>&amp;Apply parameters</source>
         <translation>Aplicar parámetro&amp;s</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Parámetros</translation>
-    </message>
-    <message>
-        <source>Starting values: fill in</source>
-        <translation>Valores iniciales: rellenar</translation>
     </message>
     <message>
         <source>Revert the parameters to those last sent</source>
@@ -12894,20 +11887,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::StepperRampBox</name>
     <message>
-        <source>Acceleration time</source>
-        <translation>Tiempo de aceleración</translation>
-    </message>
-    <message>
         <source>The acceleration time</source>
         <translation>El tiempo de aceleración</translation>
     </message>
     <message>
         <source>How long a ramp stays at each speed, in units of 0.25 ms; smaller is steeper. Sent with the next motion that has a ramp, and used by smooth stops after it.</source>
         <translation>Cuánto permanece una rampa en cada velocidad, en unidades de 0,25 ms; cuanto menor, más empinada. Se envía con el próximo movimiento con rampa y lo usan las paradas suaves posteriores.</translation>
-    </message>
-    <message>
-        <source>Max jog speed</source>
-        <translation>Vel. de jog máx.</translation>
     </message>
     <message>
         <source>Jog is never faster than this. Set a speed that you can react to.</source>
@@ -12946,14 +11931,6 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
         <source>Esc</source>
         <translation>Esc</translation>
     </message>
-    <message>
-        <source>STOP ALL</source>
-        <translation>PARAR TODO</translation>
-    </message>
-    <message>
-        <source>goes to all modules</source>
-        <translation>va a todos los módulos</translation>
-    </message>
 </context>
 <context>
     <name>nmc::TestForm</name>
@@ -12973,17 +11950,9 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
         <source>The test is not running.</source>
         <translation>La prueba no está en curso.</translation>
     </message>
-    <message>
-        <source>The motor holds its position.</source>
-        <translation>El motor mantiene su posición.</translation>
-    </message>
 </context>
 <context>
     <name>nmc::TravelBox</name>
-    <message>
-        <source>Travel and speed limits</source>
-        <translation>Límites de recorrido y velocidad</translation>
-    </message>
     <message>
         <source>State of the travel limits</source>
         <translation>Estado de los límites de recorrido</translation>
@@ -13013,16 +11982,8 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
         <translation>Aquí: convertir la posición actual en la máxima</translation>
     </message>
     <message>
-        <source>Highest velocity</source>
-        <translation>Velocidad máxima</translation>
-    </message>
-    <message>
         <source>Limits moves, runs, steps, jog and homing. Empty: the module&apos;s maximum.</source>
         <translation>Limita movimientos, marchas, pasos, jog y referenciado. Vacío: el máximo del módulo.</translation>
-    </message>
-    <message>
-        <source>Backlash</source>
-        <translation>Holgura</translation>
     </message>
     <message>
         <source>Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none.</source>
@@ -13144,10 +12105,6 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
         <translation>Armar</translation>
     </message>
     <message>
-        <source>Trigger</source>
-        <translation>Disparo</translation>
-    </message>
-    <message>
         <source>State of the trigger</source>
         <translation>Estado del disparo</translation>
     </message>
@@ -13166,10 +12123,6 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
     <message>
         <source>%</source>
         <translation>%</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>rises to</source>
@@ -13314,20 +12267,12 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
         <translation>Unidad calculada</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
-    </message>
-    <message>
         <source>Use this unit</source>
         <translation>Usar esta unidad</translation>
     </message>
     <message>
         <source>Enter a number above 0 in each field.</source>
         <translation>Introduzca un número mayor que 0 en cada campo.</translation>
-    </message>
-    <message>
-        <source>steps</source>
-        <translation>pasos</translation>
     </message>
     <message>
         <source>counts</source>

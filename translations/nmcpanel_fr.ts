@@ -16,10 +16,6 @@
         <translation>Aucun module n’a répondu.</translation>
     </message>
     <message>
-        <source>%1 of %2 modules answered.</source>
-        <translation>Modules ayant répondu&#xa0;: %1 sur %2.</translation>
-    </message>
-    <message>
         <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
         <translation>Modules ayant répondu&#xa0;: %1 sur %2&#x202f;; l’extrémité de la chaîne manque.</translation>
     </message>
@@ -100,10 +96,6 @@
         <translation>aucun groupe</translation>
     </message>
     <message>
-        <source>Group %1</source>
-        <translation>Groupe %1</translation>
-    </message>
-    <message>
         <source>This chain is new: it has %1.</source>
         <translation>Cette chaîne est nouvelle&#xa0;: elle comporte %1.</translation>
     </message>
@@ -172,6 +164,765 @@
     </message>
 </context>
 <context>
+    <name>Common</name>
+    <message>
+        <source>%1 of %2 modules answered.</source>
+        <translation>Modules ayant répondu : %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Groupe %1</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Débit (bauds)</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Groupes</translation>
+    </message>
+    <message>
+        <source>Points and sequences</source>
+        <translation>Points et séquences</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Travel and speed limits</source>
+        <translation>Limites de course et de vitesse</translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation>Jeu mécanique</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>Prise d’origine</translation>
+    </message>
+    <message>
+        <source>Limit stop</source>
+        <translation>Arrêt sur fin de course</translation>
+    </message>
+    <message>
+        <source>Acceleration time</source>
+        <translation>Temps d’accélération</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>Gains</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>Comment</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Home all</source>
+        <translation>Prendre les origines</translation>
+    </message>
+    <message>
+        <source>limit 1</source>
+        <translation>fin de course 1</translation>
+    </message>
+    <message>
+        <source>limit 2</source>
+        <translation>fin de course 2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>STOP ALL</source>
+        <translation>TOUT ARRÊTER</translation>
+    </message>
+    <message>
+        <source>Motor off</source>
+        <translation>Couper le moteur</translation>
+    </message>
+    <message>
+        <source>Connect fully</source>
+        <translation>Connexion complète</translation>
+    </message>
+    <message>
+        <source>steps/s</source>
+        <translation>pas/s</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>tours</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>%1/s²</source>
+        <translation>%1/s²</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Erreur de position</translation>
+    </message>
+    <message>
+        <source>E-stop input</source>
+        <translation>Entrée E-Stop</translation>
+    </message>
+    <message>
+        <source>The motor holds its position.</source>
+        <translation>Le moteur maintient sa position.</translation>
+    </message>
+    <message>
+        <source>The motor follows the points of a path.</source>
+        <translation>Le moteur suit les points d’une trajectoire.</translation>
+    </message>
+    <message>
+        <source>Simulator</source>
+        <translation>Simulateur</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>pas</translation>
+    </message>
+    <message>
+        <source>No module</source>
+        <translation>Aucun module</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>◂ Hold</source>
+        <translation>◂ Jog</translation>
+    </message>
+    <message>
+        <source>Hold ▸</source>
+        <translation>Jog ▸</translation>
+    </message>
+    <message>
+        <source>◂| Step</source>
+        <translation>◂| Pas</translation>
+    </message>
+    <message>
+        <source>Step |▸</source>
+        <translation>Pas |▸</translation>
+    </message>
+    <message>
+        <source>Moves forward while held, then stops.</source>
+        <translation>Se déplace en avant tant que le bouton est maintenu, puis s’arrête.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse while held, then stops.</source>
+        <translation>Se déplace en arrière tant que le bouton est maintenu, puis s’arrête.</translation>
+    </message>
+    <message>
+        <source>Chain</source>
+        <translation>Chaîne</translation>
+    </message>
+    <message>
+        <source>&amp;Scan again</source>
+        <translation>Re&amp;lancer la recherche</translation>
+    </message>
+    <message>
+        <source>Resets every module and assigns new addresses. Asks first.</source>
+        <translation>Réinitialise chaque module et attribue de nouvelles adresses. Demande d’abord confirmation.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Texte (*.txt)</translation>
+    </message>
+    <message>
+        <source>Open machine</source>
+        <translation>Ouvrir une machine</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>ended at %1</source>
+        <translation>terminé à %1</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Tous les types</translation>
+    </message>
+    <message>
+        <source>All modules</source>
+        <translation>Tous les modules</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Max jog speed</source>
+        <translation>Vitesse de jog max.</translation>
+    </message>
+    <message>
+        <source>The value at an A/D reading of 0.</source>
+        <translation>Valeur pour une lecture A/D de 0.</translation>
+    </message>
+    <message>
+        <source>The module received a garbled command and did not carry it out.</source>
+        <translation>Le module a reçu une commande altérée et ne l’a pas exécutée.</translation>
+    </message>
+    <message>
+        <source>Limit switch 1.</source>
+        <translation>Fin de course 1.</translation>
+    </message>
+    <message>
+        <source>Limit switch 2.</source>
+        <translation>Fin de course 2.</translation>
+    </message>
+    <message>
+        <source>Waiting for the home position.</source>
+        <translation>En attente de la position d’origine.</translation>
+    </message>
+    <message>
+        <source>Save as home</source>
+        <translation>Enregistrer comme origine</translation>
+    </message>
+    <message>
+        <source>Save as home: the present position</source>
+        <translation>Enregistrer comme origine : la position actuelle</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Détails</translation>
+    </message>
+    <message>
+        <source>Status byte</source>
+        <translation>Octet d’état</translation>
+    </message>
+    <message>
+        <source>Home register</source>
+        <translation>Registre d’origine</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>Données brutes</translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation>état %1</translation>
+    </message>
+    <message>
+        <source>Saves the present position as home. The motor does not move.</source>
+        <translation>Enregistre la position actuelle comme origine. Le moteur ne bouge pas.</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>actif</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>inactif</translation>
+    </message>
+    <message>
+        <source>Fast path</source>
+        <translation>Trajectoire rapide</translation>
+    </message>
+    <message>
+        <source>Amplifier</source>
+        <translation>Amplificateur</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>PWM</source>
+        <translation>PWM</translation>
+    </message>
+    <message>
+        <source>PWM value</source>
+        <translation>Valeur PWM</translation>
+    </message>
+    <message>
+        <source>Abruptly</source>
+        <translation>Brutal</translation>
+    </message>
+    <message>
+        <source>Smoothly</source>
+        <translation>Progressif</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>Index</translation>
+    </message>
+    <message>
+        <source>Current limit</source>
+        <translation>Limite de courant</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Jog</translation>
+    </message>
+    <message>
+        <source>Start&amp;ing values</source>
+        <translation>Vale&amp;urs de départ</translation>
+    </message>
+    <message>
+        <source>Starting values: fill in</source>
+        <translation>Valeurs de départ : remplir</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Sorties</translation>
+    </message>
+    <message>
+        <source>State of the selected module</source>
+        <translation>État du module sélectionné</translation>
+    </message>
+    <message>
+        <source>%1, address %2</source>
+        <translation>%1, adresse %2</translation>
+    </message>
+    <message>
+        <source>Pages of the module</source>
+        <translation>Pages du module</translation>
+    </message>
+    <message>
+        <source>A/D and PWM</source>
+        <translation>A/D et PWM</translation>
+    </message>
+    <message>
+        <source>A/D input</source>
+        <translation>Entrée A/D</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>Nom de %1</translation>
+    </message>
+    <message>
+        <source>Off at stop</source>
+        <translation>Coupée sur arrêt</translation>
+    </message>
+    <message>
+        <source>%1 of 255</source>
+        <translation>%1 sur 255</translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation>? inconnu</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>Broches</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>entrée</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>haut</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>bas</translation>
+    </message>
+    <message>
+        <source>Switches this output at once.</source>
+        <translation>Commute aussitôt cette sortie.</translation>
+    </message>
+    <message>
+        <source>A search for home is running.</source>
+        <translation>Une recherche d’origine est en cours.</translation>
+    </message>
+    <message>
+        <source>Home switch</source>
+        <translation>Capteur d’origine</translation>
+    </message>
+    <message>
+        <source>Limit 1</source>
+        <translation>Fin de course 1</translation>
+    </message>
+    <message>
+        <source>Limit 2</source>
+        <translation>Fin de course 2</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Durée limite</translation>
+    </message>
+    <message>
+        <source>Motor power</source>
+        <translation>Alimentation moteur</translation>
+    </message>
+    <message>
+        <source>A/D</source>
+        <translation>A/D</translation>
+    </message>
+    <message>
+        <source>Goal position</source>
+        <translation>Position cible</translation>
+    </message>
+    <message>
+        <source>The goal position</source>
+        <translation>La position cible</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>position</translation>
+    </message>
+    <message>
+        <source>Use nearest</source>
+        <translation>Au plus proche</translation>
+    </message>
+    <message>
+        <source>Use nearest allowed position</source>
+        <translation>Au plus proche : la position autorisée la plus proche</translation>
+    </message>
+    <message>
+        <source>Zero here: set the present position to 0</source>
+        <translation>Zéro ici : mettre à 0 la position actuelle</translation>
+    </message>
+    <message>
+        <source>Go home</source>
+        <translation>Aller à l’origine</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Charger</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>&amp;Y aller</translation>
+    </message>
+    <message>
+        <source>Go to the position</source>
+        <translation>Y aller : à la position</translation>
+    </message>
+    <message>
+        <source>Run &amp;reverse</source>
+        <translation>Ma&amp;rche arrière</translation>
+    </message>
+    <message>
+        <source>Run reverse until stopped</source>
+        <translation>Marche arrière jusqu’à l’ordre d’arrêt</translation>
+    </message>
+    <message>
+        <source>R&amp;un forward</source>
+        <translation>Marc&amp;he avant</translation>
+    </message>
+    <message>
+        <source>Run forward until stopped</source>
+        <translation>Marche avant jusqu’à l’ordre d’arrêt</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>Utiliser %1</translation>
+    </message>
+    <message>
+        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
+        <translation>Prend comme cible la position autorisée la plus proche. Rien ne bouge.</translation>
+    </message>
+    <message>
+        <source>Moves to the position, then holds.</source>
+        <translation>Se déplace à la position, puis la maintient.</translation>
+    </message>
+    <message>
+        <source>Runs forward until stopped.</source>
+        <translation>Tourne en avant jusqu’à l’ordre d’arrêt.</translation>
+    </message>
+    <message>
+        <source>Runs in reverse until stopped.</source>
+        <translation>Tourne en arrière jusqu’à l’ordre d’arrêt.</translation>
+    </message>
+    <message>
+        <source>Motor current</source>
+        <translation>Courant moteur</translation>
+    </message>
+    <message>
+        <source>Motor off: this module</source>
+        <translation>Couper le moteur : ce module</translation>
+    </message>
+    <message>
+        <source>A/D %1</source>
+        <translation>A/D %1</translation>
+    </message>
+    <message>
+        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
+        <translation>Coupe le servo et l’amplificateur : le moteur peut tourner librement, et une charge peut tomber.</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Expert</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>A/D (temperature)</source>
+        <translation>A/D (température)</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Nothing to undo.</source>
+        <translation>Rien à annuler.</translation>
+    </message>
+    <message>
+        <source>Nothing to redo.</source>
+        <translation>Rien à rétablir.</translation>
+    </message>
+    <message>
+        <source>Highest velocity</source>
+        <translation>Vitesse maximale</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Réponse en fréquence</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>Exporter en CSV…</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Square wave</source>
+        <translation>Signal carré</translation>
+    </message>
+    <message>
+        <source>Method: how the command jumps</source>
+        <translation>Mode de saut de la consigne</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Rise %1</source>
+        <translation>Montée %1</translation>
+    </message>
+    <message>
+        <source>Overshoot %1</source>
+        <translation>Dépassement %1</translation>
+    </message>
+    <message>
+        <source>Steady-state error %1</source>
+        <translation>Erreur statique %1</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>Réponse indicielle</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1 Hz)</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>temps</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Dépassement</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>Module</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Cursor readings</source>
+        <translation>Mesures des curseurs</translation>
+    </message>
+    <message>
+        <source>Cursor 1</source>
+        <translation>Curseur 1</translation>
+    </message>
+    <message>
+        <source>Cursor 2</source>
+        <translation>Curseur 2</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Curseurs</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>&amp;Image (PNG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as an image.</source>
+        <translation>Le graphique visible sous forme d’image.</translation>
+    </message>
+    <message>
+        <source>&amp;Vector picture (SVG)…</source>
+        <translation>Image &amp;vectorielle (SVG)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as lines that stay sharp at any size.</source>
+        <translation>Le graphique visible en traits qui restent nets à toute taille.</translation>
+    </message>
+    <message>
+        <source>P&amp;age (PDF)…</source>
+        <translation>P&amp;age (PDF)…</translation>
+    </message>
+    <message>
+        <source>The visible plot on a page for printing or a report.</source>
+        <translation>Le graphique visible sur une page à imprimer ou pour un rapport.</translation>
+    </message>
+    <message>
+        <source>P&amp;rint…</source>
+        <translation>Imp&amp;rimer…</translation>
+    </message>
+    <message>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>Imprime le graphique visible sur l’une des imprimantes de cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>&amp;Copier l’image</translation>
+    </message>
+    <message>
+        <source>SIMULATOR, no real motor moved</source>
+        <translation>SIMULATEUR, aucun moteur réel n’a bougé</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Fichiers %1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Déclenchement</translation>
+    </message>
+    <message>
+        <source>NMC Panel %1</source>
+        <translation>NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>Overlay: %1</source>
+        <translation>Superposé : %1</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>Oscilloscope</translation>
+    </message>
+    <message>
+        <source>of 255</source>
+        <translation>sur 255</translation>
+    </message>
+    <message>
+        <source>Opens the port and looks for modules. Nothing moves.</source>
+        <translation>Ouvre le port et recherche les modules. Rien ne bouge.</translation>
+    </message>
+    <message>
+        <source>goes to all modules</source>
+        <translation>agit sur tous les modules</translation>
+    </message>
+    <message>
+        <source>Operator mode</source>
+        <translation>Mode opérateur</translation>
+    </message>
+    <message>
+        <source>Asks for the PIN.</source>
+        <translation>Demande le code PIN.</translation>
+    </message>
+</context>
+<context>
     <name>FirstSteps</name>
     <message>
         <source>Fill in gains</source>
@@ -184,10 +935,6 @@
     <message>
         <source>Enable servo</source>
         <translation>Activer le servo</translation>
-    </message>
-    <message>
-        <source>Jog</source>
-        <translation>Jog</translation>
     </message>
     <message>
         <source>Take the starting values, or type your own. Nothing is sent yet.</source>
@@ -227,10 +974,6 @@
     <message>
         <source>Output limit</source>
         <translation>Limite de sortie</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>Limite de courant</translation>
     </message>
     <message>
         <source>Position error limit</source>
@@ -289,20 +1032,12 @@
         <translation>%1&#x202f;%</translation>
     </message>
     <message>
-        <source>off</source>
-        <translation>inactif</translation>
-    </message>
-    <message>
         <source>A/D above</source>
         <translation>A/D au-dessus</translation>
     </message>
     <message>
         <source>A/D below</source>
         <translation>A/D au-dessous</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1&#xa0;Hz</translation>
     </message>
     <message>
         <source>no current limit</source>
@@ -413,10 +1148,6 @@
         <translation>À propos de NMC Panel</translation>
     </message>
     <message>
-        <source>NMC Panel %1</source>
-        <translation>NMC Panel %1</translation>
-    </message>
-    <message>
         <source>A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.
 
 Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.</source>
@@ -469,14 +1200,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>À &amp;propos de NMC Panel</translation>
     </message>
     <message>
-        <source>Chain</source>
-        <translation>Chaîne</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>Module</translation>
-    </message>
-    <message>
         <source>&amp;Find a command…</source>
         <translation>&amp;Rechercher une commande…</translation>
     </message>
@@ -527,10 +1250,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         </translation>
     </message>
     <message>
-        <source>ended at %1</source>
-        <translation>terminé à %1</translation>
-    </message>
-    <message>
         <source>Ended: %1</source>
         <translation>Terminé&#xa0;: %1</translation>
     </message>
@@ -548,10 +1267,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Time constant %1</source>
         <translation>Constante de temps %1</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
     </message>
     <message>
         <source>Friction %1</source>
@@ -649,32 +1364,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
 <context>
     <name>Report</name>
     <message>
-        <source>Gains</source>
-        <translation>Gains</translation>
-    </message>
-    <message>
-        <source>Step response</source>
-        <translation>Réponse indicielle</translation>
-    </message>
-    <message>
         <source>%1 counts, %2</source>
         <translation>%1 incréments, %2</translation>
     </message>
     <message>
-        <source>Rise %1</source>
-        <translation>Montée %1</translation>
-    </message>
-    <message>
-        <source>Overshoot %1</source>
-        <translation>Dépassement %1</translation>
-    </message>
-    <message>
         <source>Settling to ±%1 %: %2</source>
         <translation>Établissement à ±%1&#x202f;%&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>Steady-state error %1</source>
-        <translation>Erreur statique %1</translation>
     </message>
     <message>
         <source>Tuning of %1</source>
@@ -687,10 +1382,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Motor</source>
         <translation>Moteur</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>Réponse en fréquence</translation>
     </message>
 </context>
 <context>
@@ -724,14 +1415,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le servo maintient aussitôt la cible, sans profil. Pas avec la version 1.</translation>
     </message>
     <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
         <source>unknown</source>
         <translation>inconnu</translation>
     </message>
@@ -755,16 +1438,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
 <context>
     <name>Scope</name>
     <message>
-        <source>NMC Panel %1</source>
-        <translation>NMC Panel %1</translation>
-    </message>
-    <message>
         <source>%1, by %2</source>
         <translation>%1, par %2</translation>
-    </message>
-    <message>
-        <source>SIMULATOR, no real motor moved</source>
-        <translation>SIMULATEUR, aucun moteur réel n’a bougé</translation>
     </message>
     <message>
         <source>From %1; 0 s is %2</source>
@@ -815,10 +1490,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Tout afficher</translation>
     </message>
     <message>
-        <source>position</source>
-        <translation>position</translation>
-    </message>
-    <message>
         <source>command, calculated</source>
         <translation>consigne, calculée</translation>
     </message>
@@ -831,14 +1502,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>vitesse</translation>
     </message>
     <message>
-        <source>A/D</source>
-        <translation>A/D</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1&#xa0;ms</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1&#xa0;s</translation>
     </message>
@@ -849,14 +1512,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>PWM, calculated</source>
         <translation>PWM, calculée</translation>
-    </message>
-    <message>
-        <source>%1/s²</source>
-        <translation>%1/s²</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>sur 255</translation>
     </message>
     <message>
         <source>A/D 2</source>
@@ -873,10 +1528,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>count rate</source>
         <translation>fréquence de comptage</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>counts</source>
@@ -926,10 +1577,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Fins de course</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>Entrée E-Stop</translation>
-    </message>
-    <message>
         <source>On limit or E-stop</source>
         <translation>Sur fin de course ou E-Stop</translation>
     </message>
@@ -968,10 +1615,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>A/D now %1</source>
         <translation>A/D actuel %1</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>inactif</translation>
     </message>
     <message>
         <source>off; %1</source>
@@ -1177,10 +1820,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Port %1, %2 Bd</source>
         <translation>Port %1, %2&#xa0;Bd</translation>
-    </message>
-    <message>
-        <source>%1 of %2 modules answered.</source>
-        <translation>Modules ayant répondu&#xa0;: %1 sur %2.</translation>
     </message>
     <message>
         <source>module %1</source>
@@ -1394,10 +2033,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Servo coupé</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Erreur de position</translation>
-    </message>
-    <message>
         <source>Power was lost</source>
         <translation>Alimentation perdue</translation>
     </message>
@@ -1522,10 +2157,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>configuration des états à transmettre</translation>
     </message>
     <message>
-        <source>Simulator</source>
-        <translation>Simulateur</translation>
-    </message>
-    <message>
         <source>Simulator (%1)</source>
         <translation>Simulateur (%1)</translation>
     </message>
@@ -1587,10 +2218,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Answer to: %1</source>
         <translation>Réponse à&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>steps</source>
-        <translation>pas</translation>
     </message>
     <message>
         <source>Two modules on %1 have the same address, so the modules cannot be used.</source>
@@ -1937,10 +2564,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>flush</source>
         <translation>purge</translation>
-    </message>
-    <message>
-        <source>Group %1</source>
-        <translation>Groupe %1</translation>
     </message>
     <message>
         <source>Address %1</source>
@@ -2307,10 +2930,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Une session antérieure s’est terminée avant leur enregistrement. Les rétablir n’envoie rien.</translation>
     </message>
     <message>
-        <source>Restore</source>
-        <translation>Rétablir</translation>
-    </message>
-    <message>
         <source>Discard: the changes are lost</source>
         <translation>Abandonner&#xa0;: les modifications seront perdues</translation>
     </message>
@@ -2339,24 +2958,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Machine</translation>
     </message>
     <message>
-        <source>Baud rate</source>
-        <translation>Débit (bauds)</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Groupes</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>Nom</translation>
     </message>
     <message>
         <source>Unit</source>
         <translation>Unité</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Mouvement</translation>
     </message>
     <message>
         <source>Homing</source>
@@ -2375,16 +2982,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Temps d’accélération</translation>
     </message>
     <message>
-        <source>Gains</source>
-        <translation>Gains</translation>
-    </message>
-    <message>
         <source>Limit pins</source>
         <translation>Broches de fin de course</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Paramètres</translation>
     </message>
     <message>
         <source>Baud rate, Bd</source>
@@ -2802,10 +3401,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Arrêté par fin de course</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>Entrée E-Stop</translation>
-    </message>
-    <message>
         <source>Too hot</source>
         <translation>Trop chaud</translation>
     </message>
@@ -2820,10 +3415,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>The module switched its motor off when motor power failed. It stays off.</source>
         <translation>Le module a coupé son moteur quand l’alimentation moteur a fait défaut. Il reste coupé.</translation>
-    </message>
-    <message>
-        <source>The motor holds its position.</source>
-        <translation>Le moteur maintient sa position.</translation>
     </message>
     <message>
         <source>The motor is free to turn. This is normal: the amplifier is switched off.</source>
@@ -3114,10 +3705,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Afficher les 2 dernières secondes</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Stop of all motors</source>
         <translation>Arrêt de tous les moteurs</translation>
     </message>
@@ -3350,10 +3937,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Ce message reste affiché jusqu’à ce que le moteur soit vu à l’arrêt.</translation>
     </message>
     <message>
-        <source>Connect fully</source>
-        <translation>Connexion complète</translation>
-    </message>
-    <message>
         <source>Look first (read-only)</source>
         <translation>Voir d’abord (lecture seule)</translation>
     </message>
@@ -3407,10 +3990,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Another host on this line started it, or a load drives it. The panel does not stop it unless you do; the other host may start it again.</source>
         <translation>Un autre hôte de cette ligne l’a démarré, ou une charge l’entraîne. Le programme ne l’arrête pas de lui-même&#xa0;: à vous de le faire&#x202f;; l’autre hôte peut le redémarrer.</translation>
-    </message>
-    <message>
-        <source>STOP ALL</source>
-        <translation>TOUT ARRÊTER</translation>
     </message>
     <message>
         <source>Home is unknown: search for it, or save it.</source>
@@ -3737,10 +4316,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 n’est pas dans la chaîne.</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>Point &quot;%2&quot; was taught before home of %1 was known, so it may have shifted. Teach it again.</source>
         <translation>Le point «&#xa0;%2&#xa0;» a été appris avant que l’origine de %1 soit connue&#x202f;; il a pu se décaler. Refaites son apprentissage.</translation>
     </message>
@@ -3829,10 +4404,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Aller à «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>Home all</source>
-        <translation>Prendre les origines</translation>
-    </message>
-    <message>
         <source>Sequence &quot;%1&quot;</source>
         <translation>Séquence «&#xa0;%1&#xa0;»</translation>
     </message>
@@ -3871,14 +4442,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>call</source>
         <translation>appeler</translation>
-    </message>
-    <message>
-        <source>limit 1</source>
-        <translation>fin de course 1</translation>
-    </message>
-    <message>
-        <source>limit 2</source>
-        <translation>fin de course 2</translation>
     </message>
     <message>
         <source>home switch</source>
@@ -3979,18 +4542,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>the lowest position is not below the highest.</source>
         <translation>la position minimale n’est pas inférieure à la position maximale.</translation>
-    </message>
-    <message>
-        <source>Travel and speed limits</source>
-        <translation>Limites de course et de vitesse</translation>
-    </message>
-    <message>
-        <source>Backlash</source>
-        <translation>Jeu mécanique</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>Arrêt sur fin de course</translation>
     </message>
     <message>
         <source>Lowest position, from home</source>
@@ -4119,10 +4670,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them.</source>
         <translation>Son servo n’est pas stable avec ces gains. Réduisez Kp et Ki ou augmentez Kd, et appliquez-les.</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Couper le moteur</translation>
     </message>
     <message>
         <source>Restore previous gains</source>
@@ -4283,10 +4830,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>On a path</source>
         <translation>Sur trajectoire</translation>
-    </message>
-    <message>
-        <source>The motor follows the points of a path.</source>
-        <translation>Le moteur suit les points d’une trajectoire.</translation>
     </message>
     <message>
         <source>The path cannot be followed from here.</source>
@@ -4695,10 +5238,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>Le fin de course 2 est actif&#xa0;: le moteur ne peut que s’en éloigner.</translation>
     </message>
-    <message>
-        <source>How</source>
-        <translation>Comment</translation>
-    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4786,28 +5325,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
 <context>
     <name>Units</name>
     <message>
-        <source>steps/s</source>
-        <translation>pas/s</translation>
-    </message>
-    <message>
         <source>steps/s²</source>
         <translation>pas/s²</translation>
     </message>
     <message>
-        <source>turns</source>
-        <translation>tours</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
-    </message>
-    <message>
-        <source>%1/s</source>
-        <translation>%1/s</translation>
-    </message>
-    <message>
-        <source>%1/s²</source>
-        <translation>%1/s²</translation>
     </message>
     <message>
         <source>counts/s</source>
@@ -4865,14 +5388,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
 <context>
     <name>nmc::AmplifierBox</name>
     <message>
-        <source>on</source>
-        <translation>actif</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>inactif</translation>
-    </message>
-    <message>
         <source>3-phase commutation</source>
         <translation>Commutation triphasée</translation>
     </message>
@@ -4895,10 +5410,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection.</source>
         <translation>Le moteur suit les impulsions de pas sur les broches de fin de course au lieu des commandes. Les fins de course ne protègent alors plus rien.</translation>
-    </message>
-    <message>
-        <source>Fast path</source>
-        <translation>Trajectoire rapide</translation>
     </message>
     <message>
         <source>Path points at 60 and 120 Hz instead of 30 and 60 Hz.</source>
@@ -4959,10 +5470,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Erase saved configuration of the module</source>
         <translation>Effacer la configuration enregistrée du module</translation>
-    </message>
-    <message>
-        <source>Amplifier</source>
-        <translation>Amplificateur</translation>
     </message>
     <message>
         <source>Limit inputs</source>
@@ -5035,10 +5542,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Erases the module&apos;s saved configuration and restarts it.</source>
         <translation>Fait oublier au module ce qu’il a enregistré, et le redémarre.</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
     </message>
     <message>
         <source>Apply amplifier settings</source>
@@ -5136,10 +5639,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Tout activer&#xa0;: tous les moteurs</translation>
     </message>
     <message>
-        <source>Home all</source>
-        <translation>Prendre les origines</translation>
-    </message>
-    <message>
         <source>Home all axes, one after the other</source>
         <translation>Prendre les origines des axes, l’un après l’autre</translation>
     </message>
@@ -5156,14 +5655,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>La prise d’origine n’est configurée pour aucun axe. Configurez-la sur chaque page Prise d’origine.</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>No module</source>
-        <translation>Aucun module</translation>
-    </message>
-    <message>
         <source>All motors are already enabled.</source>
         <translation>Tous les moteurs sont déjà activés.</translation>
     </message>
@@ -5178,10 +5669,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
 </context>
 <context>
     <name>nmc::AxisBox</name>
-    <message>
-        <source>Axis</source>
-        <translation>Axe</translation>
-    </message>
     <message>
         <source>Name of the axis</source>
         <translation>Nom de l’axe</translation>
@@ -5205,10 +5692,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>native counts</source>
         <translation>incréments natifs</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <translation>tours</translation>
     </message>
     <message>
         <source>degrees</source>
@@ -5251,10 +5734,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Symbole</translation>
     </message>
     <message>
-        <source>Max jog speed</source>
-        <translation>Vitesse de jog max.</translation>
-    </message>
-    <message>
         <source>Jog is never faster than this.</source>
         <translation>Le jog n’est jamais plus rapide.</translation>
     </message>
@@ -5273,10 +5752,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>A/D at &amp;0</source>
         <translation>A/D à &amp;0</translation>
-    </message>
-    <message>
-        <source>The value at an A/D reading of 0.</source>
-        <translation>Valeur pour une lecture A/D de 0.</translation>
     </message>
     <message>
         <source>Unit of the A/D value</source>
@@ -5318,10 +5793,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
 <context>
     <name>nmc::AxisRow</name>
     <message>
-        <source>Axis</source>
-        <translation>Axe</translation>
-    </message>
-    <message>
         <source>State of %1</source>
         <translation>État de %1</translation>
     </message>
@@ -5330,32 +5801,16 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Position de %1</translation>
     </message>
     <message>
-        <source>◂ Hold</source>
-        <translation>◂ Jog</translation>
-    </message>
-    <message>
         <source>Hold to move %1 in reverse</source>
         <translation>Jog&#xa0;: %1 en arrière tant que le bouton est maintenu</translation>
-    </message>
-    <message>
-        <source>Hold ▸</source>
-        <translation>Jog ▸</translation>
     </message>
     <message>
         <source>Hold to move %1 forward</source>
         <translation>Jog&#xa0;: %1 en avant tant que le bouton est maintenu</translation>
     </message>
     <message>
-        <source>◂| Step</source>
-        <translation>◂| Pas</translation>
-    </message>
-    <message>
         <source>Step %1 in reverse</source>
         <translation>Pas de %1 en arrière</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>Pas |▸</translation>
     </message>
     <message>
         <source>Step %1 forward</source>
@@ -5372,14 +5827,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>This step is less than one count of this axis, or beyond its range. Choose another step.</source>
         <translation>Ce pas est inférieur à un incrément de cet axe, ou hors de sa plage. Choisissez un autre pas.</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>Se déplace en avant tant que le bouton est maintenu, puis s’arrête.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>Se déplace en arrière tant que le bouton est maintenu, puis s’arrête.</translation>
     </message>
     <message>
         <source>Moves forward by the step above, then holds.</source>
@@ -5471,16 +5918,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Position telle que le module la compte.</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Erreur de position</translation>
-    </message>
-    <message>
         <source>True, not calculated.</source>
         <translation>Réelle, non calculée.</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Vitesse</translation>
     </message>
     <message>
         <source>Of the shaft.</source>
@@ -5491,32 +5930,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Fréquence de pas</translation>
     </message>
     <message>
-        <source>steps/s</source>
-        <translation>pas/s</translation>
-    </message>
-    <message>
         <source>Negative in reverse.</source>
         <translation>Négative en marche arrière.</translation>
     </message>
     <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>sur 255</translation>
-    </message>
-    <message>
         <source>The sign is the direction.</source>
         <translation>Le signe donne le sens.</translation>
-    </message>
-    <message>
-        <source>Motor current</source>
-        <translation>Courant moteur</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
     </message>
     <message>
         <source>255 is full current.</source>
@@ -5541,10 +5960,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
 </context>
 <context>
     <name>nmc::BodePlot</name>
-    <message>
-        <source>Frequency response</source>
-        <translation>Réponse en fréquence</translation>
-    </message>
     <message>
         <source>No measurement yet. The motor follows sine waves from slow to fast, which shows the response of the loop.</source>
         <translation>Pas encore de mesure. Le moteur suit des sinusoïdes de plus en plus rapides, ce qui révèle la réponse de la boucle.</translation>
@@ -5588,24 +6003,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
 <context>
     <name>nmc::ChainDialog</name>
     <message>
-        <source>Chain</source>
-        <translation>Chaîne</translation>
-    </message>
-    <message>
         <source>Doctor, groups and baud rate</source>
         <translation>Diagnostic, groupes et débit</translation>
     </message>
     <message>
         <source>Doctor</source>
         <translation>Diagnostic</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>Groupes</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Débit (bauds)</translation>
     </message>
 </context>
 <context>
@@ -5635,10 +6038,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Change le débit de toute la chaîne.</translation>
     </message>
     <message>
-        <source>&amp;Scan again</source>
-        <translation>Re&amp;lancer la recherche</translation>
-    </message>
-    <message>
         <source>Scans the chain again; nothing is reset.</source>
         <translation>Relance la recherche dans la chaîne&#x202f;; rien n’est réinitialisé.</translation>
     </message>
@@ -5646,20 +6045,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>&amp;Restart the network: positions and gains are lost…</source>
         <translation>Redémarrer le &amp;réseau&#xa0;: positions et gains seront perdus…</translation>
     </message>
-    <message>
-        <source>Resets every module and assigns new addresses. Asks first.</source>
-        <translation>Réinitialise chaque module et attribue de nouvelles adresses. Demande d’abord confirmation.</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ChainModel</name>
     <message>
         <source>PC</source>
         <translation>PC</translation>
-    </message>
-    <message>
-        <source>%1/s</source>
-        <translation>%1/s</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -5735,14 +6126,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Saisissez l’action voulue, par exemple&#xa0;: origine</translation>
     </message>
     <message>
-        <source>Commands</source>
-        <translation>Commandes</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Commande</translation>
-    </message>
-    <message>
         <source>Where</source>
         <translation>Où</translation>
     </message>
@@ -5776,10 +6159,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Port</source>
         <translation>Port</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Débit (bauds)</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -5822,20 +6201,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Déconnectez-vous d’abord.</translation>
     </message>
     <message>
-        <source>Opens the port and looks for modules. Nothing moves.</source>
-        <translation>Ouvre le port et recherche les modules. Rien ne bouge.</translation>
-    </message>
-    <message>
         <source>No port is open.</source>
         <translation>Aucun port n’est ouvert.</translation>
     </message>
     <message>
         <source>Closes the port.</source>
         <translation>Ferme le port.</translation>
-    </message>
-    <message>
-        <source>goes to all modules</source>
-        <translation>agit sur tous les modules</translation>
     </message>
     <message>
         <source>Connect read-&amp;only</source>
@@ -5916,10 +6287,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Source du compteur</translation>
     </message>
     <message>
-        <source>off</source>
-        <translation>inactif</translation>
-    </message>
-    <message>
         <source>timer, 5 MHz</source>
         <translation>timer, 5&#xa0;MHz</translation>
     </message>
@@ -5970,10 +6337,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Add up the outputs: IO1 is 1, IO2 is 2, IO3 is 4, up to IO12, which is 2048.</source>
         <translation>Additionnez les sorties&#xa0;: IO1 vaut 1, IO2 vaut 2, IO3 vaut 4, jusqu’à IO12, qui vaut 2048.</translation>
-    </message>
-    <message>
-        <source>Outputs</source>
-        <translation>Sorties</translation>
     </message>
     <message>
         <source>%1 to store</source>
@@ -6086,17 +6449,9 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>  of these: %1</source>
         <translation>  dont&#xa0;: %1</translation>
     </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1&#xa0;ms</translation>
-    </message>
 </context>
 <context>
     <name>nmc::CursorPanel</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>Mesures des curseurs</translation>
-    </message>
     <message>
         <source>Shows or hides the cursor readings.</source>
         <translation>Affiche ou masque les mesures des curseurs.</translation>
@@ -6108,34 +6463,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 </context>
 <context>
     <name>nmc::CursorTable</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>Mesures des curseurs</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Signal</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>Curseur 1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>Curseur 2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Écart</translation>
-    </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1&#xa0;Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>temps</translation>
-    </message>
     <message>
         <source>%1 s</source>
         <translation>%1&#xa0;s</translation>
@@ -6160,20 +6487,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Frequency</source>
         <translation>Fréquence</translation>
     </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1&#xa0;Hz</translation>
-    </message>
 </context>
 <context>
     <name>nmc::DetailsBox</name>
     <message>
         <source>The move has ended; in velocity mode the goal velocity is reached.</source>
         <translation>Le déplacement est terminé&#x202f;; en mode vitesse, la vitesse de consigne est atteinte.</translation>
-    </message>
-    <message>
-        <source>The module received a garbled command and did not carry it out.</source>
-        <translation>Le module a reçu une commande altérée et ne l’a pas exécutée.</translation>
     </message>
     <message>
         <source>The current limit was reached. Stays set until you clear the sticky bits.</source>
@@ -6186,18 +6505,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>The position error exceeded its limit, or the servo is off. Stays set until you clear the sticky bits.</source>
         <translation>L’erreur de position a dépassé sa limite, ou le servo est coupé. Reste à 1 jusqu’à l’effacement des bits mémorisés.</translation>
-    </message>
-    <message>
-        <source>Limit switch 1.</source>
-        <translation>Fin de course 1.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2.</source>
-        <translation>Fin de course 2.</translation>
-    </message>
-    <message>
-        <source>Waiting for the home position.</source>
-        <translation>En attente de la position d’origine.</translation>
     </message>
     <message>
         <source>The complement of the encoder&apos;s index.</source>
@@ -6228,16 +6535,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Effacer les bits &amp;mémorisés</translation>
     </message>
     <message>
-        <source>Details</source>
-        <translation>Détails</translation>
-    </message>
-    <message>
         <source>Clear sticky bits of the status</source>
         <translation>Effacer les bits mémorisés de l’état</translation>
-    </message>
-    <message>
-        <source>Status byte</source>
-        <translation>Octet d’état</translation>
     </message>
     <message>
         <source>Auxiliary byte</source>
@@ -6252,40 +6551,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Vitesse signalée par la puce</translation>
     </message>
     <message>
-        <source>Raw</source>
-        <translation>Données brutes</translation>
-    </message>
-    <message>
-        <source>status %1</source>
-        <translation>état %1</translation>
-    </message>
-    <message>
         <source>, auxiliary %1</source>
         <translation>, auxiliaire %1</translation>
     </message>
     <message>
         <source>Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing.</source>
         <translation>Efface overcurrent, pos_error, pos_wrap et servo_overrun. Ne démarre rien.</translation>
-    </message>
-    <message>
-        <source>Save as home</source>
-        <translation>Enregistrer comme origine</translation>
-    </message>
-    <message>
-        <source>Save as home: the present position</source>
-        <translation>Enregistrer comme origine&#xa0;: la position actuelle</translation>
-    </message>
-    <message>
-        <source>Saves the present position as home. The motor does not move.</source>
-        <translation>Enregistre la position actuelle comme origine. Le moteur ne bouge pas.</translation>
-    </message>
-    <message>
-        <source>Home register</source>
-        <translation>Registre d’origine</translation>
-    </message>
-    <message>
-        <source>The motor follows the points of a path.</source>
-        <translation>Le moteur suit les points d’une trajectoire.</translation>
     </message>
     <message>
         <source>Position error reported by the chip</source>
@@ -6317,10 +6588,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Changes from the machine file</source>
         <translation>Modifications du fichier machine</translation>
-    </message>
-    <message>
-        <source>Open machine</source>
-        <translation>Ouvrir une machine</translation>
     </message>
     <message>
         <source>Differences between the file and the panel</source>
@@ -6361,10 +6628,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Apply</source>
         <translation>Appliquer</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
     </message>
     <message>
         <source>Keeps everything as it is.</source>
@@ -6435,10 +6698,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Direction check…</source>
         <translation>Contrôle de sens…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
     </message>
     <message>
         <source>Direction of motor and encoder</source>
@@ -6524,10 +6783,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Adresse</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
         <source>Expected</source>
         <translation>Attendu</translation>
     </message>
@@ -6538,10 +6793,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>State</source>
         <translation>État</translation>
-    </message>
-    <message>
-        <source>&amp;Scan again</source>
-        <translation>Re&amp;lancer la recherche</translation>
     </message>
     <message>
         <source>Scan again: look for modules</source>
@@ -6568,10 +6819,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Relance la recherche dans la chaîne avec des demandes d’état uniquement&#xa0;: rien n’est réinitialisé, rien ne bouge.</translation>
     </message>
     <message>
-        <source>Resets every module and assigns new addresses. Asks first.</source>
-        <translation>Réinitialise chaque module et attribue de nouvelles adresses. Demande d’abord confirmation.</translation>
-    </message>
-    <message>
         <source>The chain already matches.</source>
         <translation>La chaîne correspond déjà.</translation>
     </message>
@@ -6593,10 +6840,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Stop smoothly</source>
         <translation>Arrêt progressif</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Couper le moteur</translation>
     </message>
     <message>
         <source>The chip stops watching for home.</source>
@@ -6627,14 +6870,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Trapézoïdal</translation>
     </message>
     <message>
-        <source>Velocity</source>
-        <translation>Vitesse</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
         <source>Position (counts)</source>
         <translation>Position (incréments)</translation>
     </message>
@@ -6645,10 +6880,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Acceleration (counts/tick² × 65536)</source>
         <translation>Accélération (incr./cycle² × 65536)</translation>
-    </message>
-    <message>
-        <source>PWM value</source>
-        <translation>Valeur PWM</translation>
     </message>
     <message>
         <source>Reverse (velocity and PWM)</source>
@@ -6669,14 +6900,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Amplifier only</source>
         <translation>Amplificateur seul</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>Brutal</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>Progressif</translation>
     </message>
     <message>
         <source>At a position</source>
@@ -6727,18 +6950,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Changement du fin de course 2</translation>
     </message>
     <message>
-        <source>Index</source>
-        <translation>Index</translation>
-    </message>
-    <message>
-        <source>Position error</source>
-        <translation>Erreur de position</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>Limite de courant</translation>
-    </message>
-    <message>
         <source>Then</source>
         <translation>Puis</translation>
     </message>
@@ -6749,10 +6960,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Position (steps)</source>
         <translation>Position (pas)</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Vitesse</translation>
     </message>
     <message>
         <source>Acceleration time (0.25 ms)</source>
@@ -6851,10 +7058,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Réinitialiser %1&#x202f;? Son moteur se coupe, et il perd sa position, ses réglages et son groupe. Les autres modules sont inchangés.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>Reset the module</source>
         <translation>Réinitialiser le module</translation>
     </message>
@@ -6898,10 +7101,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>The position becomes this value. Nothing moves.</source>
         <translation>La position prend cette valeur. Rien ne bouge.</translation>
     </message>
-    <message>
-        <source>How</source>
-        <translation>Comment</translation>
-    </message>
 </context>
 <context>
     <name>nmc::FirstSteps</name>
@@ -6928,10 +7127,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 </context>
 <context>
     <name>nmc::FrequencyPage</name>
-    <message>
-        <source>Frequency response</source>
-        <translation>Réponse en fréquence</translation>
-    </message>
     <message>
         <source>Measure</source>
         <translation>Mesurer</translation>
@@ -6981,10 +7176,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Résultats de la réponse en fréquence</translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation>Exporter en CSV…</translation>
-    </message>
-    <message>
         <source>Export CSV of the frequency response</source>
         <translation>Exporter en CSV la réponse en fréquence</translation>
     </message>
@@ -7001,10 +7192,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Enregistre fréquence, amplitude et phase de la boucle ouverte et de la boucle fermée.</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
         <source>Export the frequency response</source>
         <translation>Exporter la réponse en fréquence</translation>
     </message>
@@ -7016,24 +7203,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Tout appli&amp;quer</translation>
     </message>
     <message>
-        <source>Start&amp;ing values</source>
-        <translation>Vale&amp;urs de départ</translation>
-    </message>
-    <message>
-        <source>Gains</source>
-        <translation>Gains</translation>
-    </message>
-    <message>
         <source>Apply gains: all</source>
         <translation>Tout appliquer&#xa0;: tous les gains</translation>
     </message>
     <message>
         <source>Revert the gains to those last sent</source>
         <translation>Abandonner&#xa0;: revenir aux derniers gains envoyés</translation>
-    </message>
-    <message>
-        <source>Starting values: fill in</source>
-        <translation>Valeurs de départ&#xa0;: remplir</translation>
     </message>
     <message>
         <source>Fills in values to start tuning with. Sends nothing.</source>
@@ -7171,10 +7346,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Module sans commandes</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>No status yet.</source>
         <translation>Pas encore d’état.</translation>
     </message>
@@ -7205,10 +7376,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 </context>
 <context>
     <name>nmc::GroupsPage</name>
-    <message>
-        <source>Groups</source>
-        <translation>Groupes</translation>
-    </message>
     <message>
         <source>No modules yet: connect first.</source>
         <translation>Pas encore de modules&#xa0;: connectez-vous d’abord.</translation>
@@ -7266,10 +7433,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>déplacement chargé</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>No groups yet. Add modules to a group first.</source>
         <translation>Pas encore de groupes. Ajoutez d’abord des modules à un groupe.</translation>
     </message>
@@ -7284,10 +7447,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Name of the group</source>
         <translation>Nom du groupe</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
     </message>
     <message>
         <source>The name of this group. Saved with the machine; nothing is sent.</source>
@@ -7436,10 +7595,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Annuler la recherche</translation>
     </message>
     <message>
-        <source>Homing</source>
-        <translation>Prise d’origine</translation>
-    </message>
-    <message>
         <source>Home: search for it</source>
         <translation>Prendre l’origine&#xa0;: lancer la recherche</translation>
     </message>
@@ -7454,10 +7609,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Search settings</source>
         <translation>Réglages de recherche</translation>
-    </message>
-    <message>
-        <source>A search for home is running.</source>
-        <translation>Une recherche d’origine est en cours.</translation>
     </message>
     <message>
         <source>Moves the motor to search for home, as set above.</source>
@@ -7491,10 +7642,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>L’origine est là où ce capteur change d’état. S’il est actif au départ, le moteur se dégage d’abord dans l’autre sens.</translation>
     </message>
     <message>
-        <source>Home switch</source>
-        <translation>Capteur d’origine</translation>
-    </message>
-    <message>
         <source>Limit 1 (forward)</source>
         <translation>Fin de course 1 (avant)</translation>
     </message>
@@ -7507,32 +7654,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Origine sur</translation>
     </message>
     <message>
-        <source>Limit 1</source>
-        <translation>Fin de course 1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>Fin de course 2</translation>
-    </message>
-    <message>
-        <source>Index</source>
-        <translation>Index</translation>
-    </message>
-    <message>
         <source>Home is at the encoder&apos;s index, which comes once per turn.</source>
         <translation>L’origine est à l’index du codeur, qui vient une fois par tour.</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Erreur de position</translation>
-    </message>
-    <message>
         <source>Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared first. The servo is switched on again only to continue to the index or to home.</source>
         <translation>L’origine est sur une butée mécanique&#xa0;: le moteur va contre elle jusqu’à ce que la limite d’erreur de position coupe le servo. Les bits mémorisés sont d’abord effacés. Le servo n’est réactivé que pour continuer jusqu’à l’index ou l’origine.</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>Limite de courant</translation>
     </message>
     <message>
         <source>Home is at a hard stop: the motor runs against it until the current limit is reached. On its own, it takes effect only at full speed; combined with other conditions, from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
@@ -7567,10 +7694,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Sens</translation>
     </message>
     <message>
-        <source>Velocity</source>
-        <translation>Vitesse</translation>
-    </message>
-    <message>
         <source>Maximum velocity for searching, backing off and going to home.</source>
         <translation>Vitesse maximale pour la recherche, le dégagement et le retour à l’origine.</translation>
     </message>
@@ -7581,10 +7704,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Velocity of the second search, for the index. Slower is more exact.</source>
         <translation>Vitesse de la seconde recherche, celle de l’index. Plus lente, elle est plus précise.</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>Accélération</translation>
     </message>
     <message>
         <source>Also used for smooth stops.</source>
@@ -7599,10 +7718,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Une recherche ou un dégagement s’arrête et échoue au-delà de cette distance.</translation>
     </message>
     <message>
-        <source>Time limit</source>
-        <translation>Durée limite</translation>
-    </message>
-    <message>
         <source>Time limit of a search</source>
         <translation>Durée limite d’une recherche</translation>
     </message>
@@ -7613,18 +7728,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>%1 of the search for home</source>
         <translation>%1 pour la recherche d’origine</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>Brutal</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>Progressif</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Couper le moteur</translation>
     </message>
     <message>
         <source>Abruptly: stop at home</source>
@@ -7657,10 +7760,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Set position to 0</source>
         <translation>Mettre la position à 0</translation>
-    </message>
-    <message>
-        <source>A search for home is running.</source>
-        <translation>Une recherche d’origine est en cours.</translation>
     </message>
     <message>
         <source>The first search already finds the index.</source>
@@ -7718,16 +7817,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Fins de course et E/S</translation>
     </message>
     <message>
-        <source>Index</source>
-        <translation>Index</translation>
-    </message>
-    <message>
         <source>The encoder&apos;s index pulse, once per turn with most encoders.</source>
         <translation>Impulsion d’index du codeur, une fois par tour avec la plupart des codeurs.</translation>
-    </message>
-    <message>
-        <source>Motor power</source>
-        <translation>Alimentation moteur</translation>
     </message>
     <message>
         <source>Without motor power the servo switches off, and stays off when power returns.</source>
@@ -7736,10 +7827,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>The A/D input; with most amplifiers, the motor current. Set its scale on the Axis page.</source>
         <translation>Entrée A/D&#x202f;; avec la plupart des amplificateurs, le courant moteur. Son échelle se définit sur la page Axe.</translation>
-    </message>
-    <message>
-        <source>A/D</source>
-        <translation>A/D</translation>
     </message>
     <message>
         <source>Amplifier enabled (&amp;AMP_EN)</source>
@@ -7766,24 +7853,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Fin de course %1&#xa0;: entrée ou sortie</translation>
     </message>
     <message>
-        <source>input</source>
-        <translation>entrée</translation>
-    </message>
-    <message>
         <source>output, low</source>
         <translation>sortie, bas</translation>
     </message>
     <message>
         <source>output, high</source>
         <translation>sortie, haut</translation>
-    </message>
-    <message>
-        <source>high</source>
-        <translation>haut</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>bas</translation>
     </message>
     <message>
         <source>Makes the pin an input, or an output with this level. Sent at once.</source>
@@ -7810,10 +7885,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Commute seulement la ligne d’activation de l’amplificateur&#x202f;; le servo reste tel quel. Si elle est inactive, le moteur ne reçoit aucun courant, quoi que fasse le servo.</translation>
     </message>
     <message>
-        <source>Fast path</source>
-        <translation>Trajectoire rapide</translation>
-    </message>
-    <message>
         <source>The Amplifier page sets what the module does when a limit closes.</source>
         <translation>La page Amplificateur définit ce que fait le module quand un fin de course se ferme.</translation>
     </message>
@@ -7825,20 +7896,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::IoHead</name>
     <message>
-        <source>State of the selected module</source>
-        <translation>État du module sélectionné</translation>
-    </message>
-    <message>
         <source>Name of this module</source>
         <translation>Nom de ce module</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>%1, address %2</source>
-        <translation>%1, adresse %2</translation>
     </message>
 </context>
 <context>
@@ -7848,32 +7907,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Module d’E/S</translation>
     </message>
     <message>
-        <source>Pages of the module</source>
-        <translation>Pages du module</translation>
-    </message>
-    <message>
-        <source>A/D and PWM</source>
-        <translation>A/D et PWM</translation>
-    </message>
-    <message>
         <source>Counter</source>
         <translation>Compteur</translation>
     </message>
 </context>
 <context>
     <name>nmc::IoValuesBox</name>
-    <message>
-        <source>A/D and PWM</source>
-        <translation>A/D et PWM</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>Entrée A/D</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
     <message>
         <source>Reads</source>
         <translation>Lecture</translation>
@@ -7885,14 +7924,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>At 0</source>
         <translation>À 0</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unité</translation>
-    </message>
-    <message>
-        <source>Name of %1</source>
-        <translation>Nom de %1</translation>
     </message>
     <message>
         <source>Value of %1</source>
@@ -7911,10 +7942,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>%1 à 0</translation>
     </message>
     <message>
-        <source>The value at an A/D reading of 0.</source>
-        <translation>Valeur pour une lecture A/D de 0.</translation>
-    </message>
-    <message>
         <source>Unit of %1</source>
         <translation>Unité de %1</translation>
     </message>
@@ -7929,10 +7956,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>0 to 255</source>
         <translation>0 à 255</translation>
-    </message>
-    <message>
-        <source>Off at stop</source>
-        <translation>Coupée sur arrêt</translation>
     </message>
     <message>
         <source>Last value sent to %1</source>
@@ -7950,48 +7973,20 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>STOP ALL switches this output off. If cleared, the output stays as it is.</source>
         <translation>TOUT ARRÊTER coupe cette sortie. Si la case est décochée, la sortie reste telle quelle.</translation>
     </message>
-    <message>
-        <source>%1 of 255</source>
-        <translation>%1 sur 255</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? inconnu</translation>
-    </message>
 </context>
 <context>
     <name>nmc::JogBox</name>
     <message>
-        <source>Jog</source>
-        <translation>Jog</translation>
-    </message>
-    <message>
         <source>Jog speed</source>
         <translation>Vitesse de jog</translation>
-    </message>
-    <message>
-        <source>◂ Hold</source>
-        <translation>◂ Jog</translation>
     </message>
     <message>
         <source>Hold to move in reverse</source>
         <translation>Jog en arrière tant que le bouton est maintenu</translation>
     </message>
     <message>
-        <source>Hold ▸</source>
-        <translation>Jog ▸</translation>
-    </message>
-    <message>
         <source>Hold to move forward</source>
         <translation>Jog en avant tant que le bouton est maintenu</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>Se déplace en avant tant que le bouton est maintenu, puis s’arrête.</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>Se déplace en arrière tant que le bouton est maintenu, puis s’arrête.</translation>
     </message>
     <message>
         <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value at each connection; set the max jog speed on the Axis page.</source>
@@ -8036,26 +8031,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::LimitStopBox</name>
     <message>
-        <source>limit 1</source>
-        <translation>fin de course 1</translation>
-    </message>
-    <message>
-        <source>limit 2</source>
-        <translation>fin de course 2</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>Arrêt sur fin de course</translation>
-    </message>
-    <message>
-        <source>Limit 1</source>
-        <translation>Fin de course 1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>Fin de course 2</translation>
-    </message>
-    <message>
         <source>Arm limit stop</source>
         <translation>Armer l’arrêt</translation>
     </message>
@@ -8078,18 +8053,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>State of the limit stop</source>
         <translation>État de l’arrêt sur fin de course</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>Brutal</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>Progressif</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Couper le moteur</translation>
     </message>
     <message>
         <source>Abruptly: stop at the limit</source>
@@ -8184,10 +8147,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>%1 ou %2</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>Erreur de position</translation>
-    </message>
-    <message>
         <source>Current</source>
         <translation>Courant</translation>
     </message>
@@ -8226,10 +8185,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>L’arrêt sur fin de course est armé pour chaque mouvement. Décochez d’abord cette case.</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Comment</translation>
     </message>
 </context>
 <context>
@@ -8283,14 +8238,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Loop tests</source>
         <translation>Essais de boucle</translation>
-    </message>
-    <message>
-        <source>Square wave</source>
-        <translation>Signal carré</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>Réponse en fréquence</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -8360,14 +8307,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Fichiers machine (*.%1)</translation>
     </message>
     <message>
-        <source>All files (*)</source>
-        <translation>Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Open machine</source>
-        <translation>Ouvrir une machine</translation>
-    </message>
-    <message>
         <source>Save machine</source>
         <translation>Enregistrer la machine</translation>
     </message>
@@ -8431,24 +8370,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Modules</translation>
     </message>
     <message>
-        <source>Scope</source>
-        <translation>Oscilloscope</translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation>Messages</translation>
-    </message>
-    <message>
         <source>NMC Panel - Simulator</source>
         <translation>NMC Panel - Simulateur</translation>
     </message>
     <message>
         <source>NMC Panel - %1</source>
         <translation>NMC Panel - %1</translation>
-    </message>
-    <message>
-        <source>No module</source>
-        <translation>Aucun module</translation>
     </message>
     <message>
         <source>&amp;Stop and disconnect</source>
@@ -8483,10 +8410,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>LECTURE SEULE — seules des demandes d’état sont envoyées. TOUT ARRÊTER fonctionne toujours.</translation>
     </message>
     <message>
-        <source>Connect fully</source>
-        <translation>Connexion complète</translation>
-    </message>
-    <message>
         <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
         <translation>Se reconnecte au même port en autorisant les commandes. Rien ne bouge.</translation>
     </message>
@@ -8511,20 +8434,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Appuyez sur Entrée pour l’afficher sur la page du module. Rien n’est envoyé.</translation>
     </message>
     <message>
-        <source>Operator mode</source>
-        <translation>Mode opérateur</translation>
-    </message>
-    <message>
         <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
         <translation>MODE OPÉRATEUR — seules les actions permises sont disponibles. TOUT ARRÊTER fonctionne toujours.</translation>
     </message>
     <message>
         <source>Leave…</source>
         <translation>Quitter…</translation>
-    </message>
-    <message>
-        <source>Asks for the PIN.</source>
-        <translation>Demande le code PIN.</translation>
     </message>
     <message>
         <source>End pendant mode</source>
@@ -8545,10 +8460,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>PENDANT — %1. %2</source>
         <translation>PUPITRE — %1. %2</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>Module</translation>
     </message>
     <message>
         <source>Pendant</source>
@@ -8577,10 +8488,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Save the tuning report</source>
         <translation>Enregistrer le rapport de réglage</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>HTML (*.html)</source>
@@ -8641,10 +8548,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::MessageList</name>
     <message>
-        <source>Messages</source>
-        <translation>Messages</translation>
-    </message>
-    <message>
         <source>No messages. Problems are listed here, with the time when they ended.</source>
         <translation>Aucun message. Les problèmes s’affichent ici, ainsi que leur fin.</translation>
     </message>
@@ -8668,10 +8571,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Filtre les messages par type.</translation>
     </message>
     <message>
-        <source>All kinds</source>
-        <translation>Tous les types</translation>
-    </message>
-    <message>
         <source>Notes</source>
         <translation>Notes</translation>
     </message>
@@ -8682,10 +8581,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Filters the messages by module.</source>
         <translation>Filtre les messages par module.</translation>
-    </message>
-    <message>
-        <source>All modules</source>
-        <translation>Tous les modules</translation>
     </message>
     <message>
         <source>Active only</source>
@@ -8731,10 +8626,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Export messages</source>
         <translation>Exporter les messages</translation>
     </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Texte (*.txt)</translation>
-    </message>
 </context>
 <context>
     <name>nmc::MessageRow</name>
@@ -8744,10 +8635,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
             <numerusform>%n fois</numerusform>
             <numerusform>%n fois</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>ended at %1</source>
-        <translation>terminé à %1</translation>
     </message>
 </context>
 <context>
@@ -8892,10 +8779,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Fermé si coché.</translation>
     </message>
     <message>
-        <source>Motor power</source>
-        <translation>Alimentation moteur</translation>
-    </message>
-    <message>
         <source>The motor&apos;s supply, not the module&apos;s.</source>
         <translation>L’alimentation du moteur, pas celle du module.</translation>
     </message>
@@ -8908,28 +8791,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Fin de course 2, arrière</translation>
     </message>
     <message>
-        <source>Home switch</source>
-        <translation>Capteur d’origine</translation>
-    </message>
-    <message>
-        <source>E-stop input</source>
-        <translation>Entrée E-Stop</translation>
-    </message>
-    <message>
         <source>Input 1</source>
         <translation>Entrée 1</translation>
     </message>
     <message>
         <source>Input 2</source>
         <translation>Entrée 2</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>Entrée A/D</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>sur 255</translation>
     </message>
     <message>
         <source>The A/D reading of the temperature sensor.</source>
@@ -9064,16 +8931,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Le capteur d’origine est fermé en avant de cette position. Si la case est décochée, il se règle à la main.</translation>
     </message>
     <message>
-        <source>Pins</source>
-        <translation>Broches</translation>
-    </message>
-    <message>
         <source>%1: level</source>
         <translation>%1&#xa0;: niveau</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>255 is 5 V.</source>
@@ -9134,10 +8993,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Mouvements du module sélectionné</translation>
     </message>
     <message>
-        <source>Motion</source>
-        <translation>Mouvement</translation>
-    </message>
-    <message>
         <source>The pages of this module.</source>
         <translation>Les pages de ce module.</translation>
     </message>
@@ -9152,26 +9007,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::MotionBox</name>
     <message>
-        <source>Motion</source>
-        <translation>Mouvement</translation>
-    </message>
-    <message>
-        <source>Goal position</source>
-        <translation>Position cible</translation>
-    </message>
-    <message>
-        <source>The goal position</source>
-        <translation>La position cible</translation>
-    </message>
-    <message>
-        <source>&amp;Go</source>
-        <translation>&amp;Y aller</translation>
-    </message>
-    <message>
-        <source>Go to the position</source>
-        <translation>Y aller&#xa0;: à la position</translation>
-    </message>
-    <message>
         <source>Ve&amp;locity</source>
         <translation>&amp;Vitesse</translation>
     </message>
@@ -9184,40 +9019,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Accélératio&amp;n</translation>
     </message>
     <message>
-        <source>Acceleration</source>
-        <translation>Accélération</translation>
-    </message>
-    <message>
         <source>Velocity of running</source>
         <translation>Vitesse de la marche continue</translation>
-    </message>
-    <message>
-        <source>Run &amp;reverse</source>
-        <translation>Ma&amp;rche arrière</translation>
-    </message>
-    <message>
-        <source>Run reverse until stopped</source>
-        <translation>Marche arrière jusqu’à l’ordre d’arrêt</translation>
-    </message>
-    <message>
-        <source>R&amp;un forward</source>
-        <translation>Marc&amp;he avant</translation>
-    </message>
-    <message>
-        <source>Run forward until stopped</source>
-        <translation>Marche avant jusqu’à l’ordre d’arrêt</translation>
-    </message>
-    <message>
-        <source>Moves to the position, then holds.</source>
-        <translation>Se déplace à la position, puis la maintient.</translation>
-    </message>
-    <message>
-        <source>Runs forward until stopped.</source>
-        <translation>Tourne en avant jusqu’à l’ordre d’arrêt.</translation>
-    </message>
-    <message>
-        <source>Runs in reverse until stopped.</source>
-        <translation>Tourne en arrière jusqu’à l’ordre d’arrêt.</translation>
     </message>
     <message>
         <source>Used by every motion here, and by a smooth stop.</source>
@@ -9232,10 +9035,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Position ou distance</translation>
     </message>
     <message>
-        <source>position</source>
-        <translation>position</translation>
-    </message>
-    <message>
         <source>distance</source>
         <translation>distance</translation>
     </message>
@@ -9246,18 +9045,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>&amp;Zero here</source>
         <translation>&amp;Zéro ici</translation>
-    </message>
-    <message>
-        <source>Zero here: set the present position to 0</source>
-        <translation>Zéro ici&#xa0;: mettre à 0 la position actuelle</translation>
-    </message>
-    <message>
-        <source>Go home</source>
-        <translation>Aller à l’origine</translation>
-    </message>
-    <message>
-        <source>Load</source>
-        <translation>Charger</translation>
     </message>
     <message>
         <source>Load the move, start it later</source>
@@ -9320,22 +9107,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Se déplace à l’origine.</translation>
     </message>
     <message>
-        <source>Use nearest</source>
-        <translation>Au plus proche</translation>
-    </message>
-    <message>
-        <source>Use nearest allowed position</source>
-        <translation>Au plus proche&#xa0;: la position autorisée la plus proche</translation>
-    </message>
-    <message>
-        <source>Use %1</source>
-        <translation>Utiliser %1</translation>
-    </message>
-    <message>
-        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
-        <translation>Prend comme cible la position autorisée la plus proche. Rien ne bouge.</translation>
-    </message>
-    <message>
         <source>Runs forward until stopped, or to its highest position.</source>
         <translation>Tourne en avant jusqu’à l’ordre d’arrêt, ou jusqu’à sa position maximale.</translation>
     </message>
@@ -9363,16 +9134,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>La distance d’un pas</translation>
     </message>
     <message>
-        <source>◂| Step</source>
-        <translation>◂| Pas</translation>
-    </message>
-    <message>
         <source>Step in reverse</source>
         <translation>Pas en arrière</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>Pas |▸</translation>
     </message>
     <message>
         <source>Step forward</source>
@@ -9417,10 +9180,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>times, pause</source>
         <translation>fois, pause</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
     </message>
     <message>
         <source>Repeat</source>
@@ -9484,10 +9243,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 </context>
 <context>
     <name>nmc::OperatorDialog</name>
-    <message>
-        <source>Operator mode</source>
-        <translation>Mode opérateur</translation>
-    </message>
     <message>
         <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is not a security feature: anyone with access to this computer&apos;s files can bypass it.</source>
         <translation>Sélectionnez ce que l’opérateur peut faire. TOUT ARRÊTER, Esc, les arrêts de chaque moteur et «&#xa0;Déconnecter&#xa0;» restent toujours utilisables. Le mode opérateur évite les erreurs&#x202f;; ce n’est pas une protection&#xa0;: quiconque accède aux fichiers de cet ordinateur peut le contourner.</translation>
@@ -9572,10 +9327,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Mode o&amp;pérateur…</translation>
     </message>
     <message>
-        <source>Asks for the PIN.</source>
-        <translation>Demande le code PIN.</translation>
-    </message>
-    <message>
         <source>Limits the panel to the actions that you select, until someone enters the PIN.</source>
         <translation>Limite le programme aux actions que vous sélectionnez, jusqu’à la saisie du PIN.</translation>
     </message>
@@ -9593,10 +9344,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Purpose</source>
         <translation>But</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Commande</translation>
     </message>
     <message>
         <source>Meaning</source>
@@ -9626,10 +9373,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>N’affiche que les trames d’un module (Ctrl+M).</translation>
     </message>
     <message>
-        <source>All modules</source>
-        <translation>Tous les modules</translation>
-    </message>
-    <message>
         <source>Filter packets by kind</source>
         <translation>Filtrer les trames par type</translation>
     </message>
@@ -9638,16 +9381,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>N’affiche que les trames d’un type (Ctrl+T).</translation>
     </message>
     <message>
-        <source>All kinds</source>
-        <translation>Tous les types</translation>
-    </message>
-    <message>
         <source>Polls</source>
         <translation>Scrutations</translation>
-    </message>
-    <message>
-        <source>Commands</source>
-        <translation>Commandes</translation>
     </message>
     <message>
         <source>Stops</source>
@@ -9660,10 +9395,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Errors only</source>
         <translation>Erreurs seulement</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
     </message>
     <message>
         <source>Stops recording; packets shown stay (%1).</source>
@@ -9684,10 +9415,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Copies the selected rows as text, or all rows if none is selected (%1).</source>
         <translation>Copie les lignes sélectionnées en texte, ou toutes les lignes si aucune n’est sélectionnée (%1).</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>Enregistrer sous…</translation>
     </message>
     <message>
         <source>Saves all recorded packets as text, or as a log that can be replayed (%1).</source>
@@ -9712,10 +9439,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Save packets</source>
         <translation>Enregistrer les trames</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Texte (*.txt)</translation>
     </message>
     <message>
         <source>Replayable log (*%1)</source>
@@ -9780,20 +9503,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Couper &amp;le moteur</translation>
     </message>
     <message>
-        <source>Motor off: this module</source>
-        <translation>Couper le moteur&#xa0;: ce module</translation>
-    </message>
-    <message>
-        <source>State of the selected module</source>
-        <translation>État du module sélectionné</translation>
-    </message>
-    <message>
         <source>Position unknown</source>
         <translation>Position inconnue</translation>
-    </message>
-    <message>
-        <source>%1, address %2</source>
-        <translation>%1, adresse %2</translation>
     </message>
     <message>
         <source>The servo is already on.</source>
@@ -9810,10 +9521,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Stops at once, then holds.</source>
         <translation>Arrête le moteur immédiatement, puis maintient la position.</translation>
-    </message>
-    <message>
-        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>Coupe le servo et l’amplificateur&#xa0;: le moteur peut tourner librement, et une charge peut tomber.</translation>
     </message>
     <message>
         <source>&amp;Enable amplifier</source>
@@ -9856,28 +9563,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Vitesse mesurée à partir des positions sur 0,2&#xa0;s.</translation>
     </message>
     <message>
-        <source>Motor current</source>
-        <translation>Courant moteur</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>Entrée A/D</translation>
-    </message>
-    <message>
-        <source>Limit switch 1.</source>
-        <translation>Fin de course 1.</translation>
-    </message>
-    <message>
-        <source>Limit switch 2.</source>
-        <translation>Fin de course 2.</translation>
-    </message>
-    <message>
         <source>Motor power as sensed by the module.</source>
         <translation>Alimentation moteur telle que le module la détecte.</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>Arrêt sur fin de course</translation>
     </message>
     <message>
         <source>Limit %1 –</source>
@@ -9910,10 +9597,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Current %1</source>
         <translation>Courant %1</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>● Limit stop armed</source>
@@ -9963,10 +9646,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Positions de la trajectoire en fonction du temps</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 à %2</translation>
     </message>
@@ -10008,10 +9687,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Rate of the path to draw</source>
         <translation>Fréquence de la trajectoire à générer</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1&#xa0;Hz</translation>
     </message>
     <message>
         <source>Draw path</source>
@@ -10126,24 +9801,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Arrête tous les axes de la trajectoire&#x202f;; ils maintiennent leur position là où ils s’arrêtent.</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>A path file has a column for each axis. Axes here: %1.</source>
         <translation>Un fichier de trajectoire a une colonne par axe. Axes de cette chaîne&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Open a path</source>
         <translation>Ouvrir une trajectoire</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Save the path</source>
@@ -10188,10 +9851,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Mettre toutes les broches en entrée</translation>
     </message>
     <message>
-        <source>Pins</source>
-        <translation>Broches</translation>
-    </message>
-    <message>
         <source>Pin</source>
         <translation>Broche</translation>
     </message>
@@ -10208,44 +9867,20 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Sortie</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
         <source>Ask first</source>
         <translation>Confirmer</translation>
-    </message>
-    <message>
-        <source>Off at stop</source>
-        <translation>Coupée sur arrêt</translation>
-    </message>
-    <message>
-        <source>input</source>
-        <translation>entrée</translation>
     </message>
     <message>
         <source>output</source>
         <translation>sortie</translation>
     </message>
     <message>
-        <source>? unknown</source>
-        <translation>? inconnu</translation>
-    </message>
-    <message>
         <source>Direction of %1</source>
         <translation>Sens de %1</translation>
     </message>
     <message>
-        <source>high</source>
-        <translation>haut</translation>
-    </message>
-    <message>
         <source>high: output %1</source>
         <translation>haut&#xa0;: sortie %1</translation>
-    </message>
-    <message>
-        <source>Name of %1</source>
-        <translation>Nom de %1</translation>
     </message>
     <message>
         <source>Ask first before %1 changes</source>
@@ -10262,10 +9897,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>STOP ALL takes this output low. If cleared, the output stays as it is.</source>
         <translation>TOUT ARRÊTER met cette sortie à l’état bas. Si la case est décochée, la sortie reste telle quelle.</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Switch %1 on?</source>
@@ -10312,20 +9943,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>bas, réglé haut</translation>
     </message>
     <message>
-        <source>low</source>
-        <translation>bas</translation>
-    </message>
-    <message>
         <source>This pin is an input.</source>
         <translation>Cette broche est une entrée.</translation>
     </message>
     <message>
         <source>Pin directions unknown.</source>
         <translation>Sens des broches inconnu.</translation>
-    </message>
-    <message>
-        <source>Switches this output at once.</source>
-        <translation>Commute aussitôt cette sortie.</translation>
     </message>
 </context>
 <context>
@@ -10378,10 +10001,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>A&amp;nnuler</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>P&amp;rinter</source>
         <translation>Imp&amp;rimante</translation>
     </message>
@@ -10402,10 +10021,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Enregistrer la page</translation>
     </message>
     <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
         <source>page</source>
         <translation>page</translation>
     </message>
@@ -10419,18 +10034,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Drive forward</source>
         <translation>Piloter en avant</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>Couper le moteur</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>PWM value</source>
-        <translation>Valeur PWM</translation>
     </message>
     <message>
         <source>The PWM value</source>
@@ -10449,10 +10052,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Piloter en avant avec cette valeur PWM</translation>
     </message>
     <message>
-        <source>Motor off: this module</source>
-        <translation>Couper le moteur&#xa0;: ce module</translation>
-    </message>
-    <message>
         <source>PWM drives the motor directly, without the servo. No position, position error or output limit protects it, and it runs until you switch it off.</source>
         <translation>La PWM entraîne le moteur directement, sans le servo. Aucune limite de position, d’erreur de position ou de sortie ne le protège, et il tourne jusqu’à ce que vous le coupiez.</translation>
     </message>
@@ -10468,20 +10067,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Drives the motor forward until you switch it off.</source>
         <translation>Entraîne le moteur en avant jusqu’à ce que vous le coupiez.</translation>
     </message>
-    <message>
-        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>Coupe le servo et l’amplificateur&#xa0;: le moteur peut tourner librement, et une charge peut tomber.</translation>
-    </message>
 </context>
 <context>
     <name>nmc::RatePage</name>
     <message>
         <source>&amp;Change baud rate</source>
         <translation>&amp;Changer de débit</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>Débit (bauds)</translation>
     </message>
     <message>
         <source>New baud rate of the chain</source>
@@ -10571,10 +10162,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>&amp;Enregistrer sous…</translation>
     </message>
     <message>
-        <source>Save as…</source>
-        <translation>Enregistrer sous…</translation>
-    </message>
-    <message>
         <source>&amp;Close</source>
         <translation>&amp;Fermer</translation>
     </message>
@@ -10585,10 +10172,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Save the report</source>
         <translation>Enregistrer le rapport</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Texte (*.txt)</translation>
     </message>
 </context>
 <context>
@@ -10610,16 +10193,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>De combien saute la consigne&#x202f;; négatif&#xa0;: en arrière. Les petits échelons montrent le réglage du servo, les grands les limites de l’amplificateur.</translation>
     </message>
     <message>
-        <source>Method: how the command jumps</source>
-        <translation>Mode de saut de la consigne</translation>
-    </message>
-    <message>
         <source>The record</source>
         <translation>L’enregistrement</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
     </message>
     <message>
         <source>How long to record after the step. Then the motor is commanded to hold.</source>
@@ -10640,10 +10215,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Distance</source>
         <translation>Distance</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Mode</translation>
     </message>
     <message>
         <source>Record</source>
@@ -10697,20 +10268,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::ResponsePage</name>
     <message>
-        <source>Step response</source>
-        <translation>Réponse indicielle</translation>
-    </message>
-    <message>
         <source>Use these gains</source>
         <translation>Utiliser ces gains</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Export CSV…</source>
-        <translation>Exporter en CSV…</translation>
     </message>
     <message>
         <source>Select a run in the list first.</source>
@@ -10741,10 +10300,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Exporter les réponses indicielles</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
         <source>Step</source>
         <translation>Échelon</translation>
     </message>
@@ -10771,10 +10326,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Shows the other runs of this module, older runs paler.</source>
         <translation>Affiche les autres relevés de ce module, les plus anciens en plus pâle.</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Rétablir</translation>
     </message>
     <message>
         <source>No run was removed.</source>
@@ -10835,22 +10386,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>position from the start (%1)</source>
         <translation>position depuis le départ (%1)</translation>
     </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1&#xa0;Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>temps</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>
@@ -10859,24 +10394,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Résultats des relevés affichés</translation>
     </message>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Relevé</translation>
     </message>
     <message>
         <source>Rise, 10 to 90 %</source>
         <translation>Montée, 10 à 90&#x202f;%</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Dépassement</translation>
     </message>
     <message>
         <source>Steady-state error</source>
@@ -10911,10 +10434,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Temps moyen entre deux positions de l’enregistrement. Il détermine la précision des résultats.</translation>
     </message>
     <message>
-        <source>%1 ms</source>
-        <translation>%1&#xa0;ms</translation>
-    </message>
-    <message>
         <source>Settling to the goal</source>
         <translation>Établissement à la cible</translation>
     </message>
@@ -10938,28 +10457,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Réponses indicielles jusqu’ici</translation>
     </message>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Relevé</translation>
     </message>
     <message>
-        <source>Module</source>
-        <translation>Module</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Heure</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>Dépassement</translation>
     </message>
     <message>
         <source>Settling</source>
@@ -10986,10 +10489,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Réponses indicielles, les plus récentes d’abord. Cochez deux cases pour comparer les courbes. Les %1 dernières sont enregistrées avec la machine&#x202f;; celles qui ont un nom ou une note sont gardées le plus longtemps.</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>Note</translation>
     </message>
@@ -11001,32 +10500,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Note on the run. Double-click or press F2 to edit.</source>
         <translation>Note sur le relevé. Double-cliquez ou appuyez sur F2 pour la modifier.</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ResponseView</name>
     <message>
-        <source>Cursor readings</source>
-        <translation>Mesures des curseurs</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Relevé</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>Curseur 1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>Curseur 2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Écart</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -11037,44 +10516,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Ajuste la vue au mouvement et à toutes les positions (A, dans le graphique).</translation>
     </message>
     <message>
-        <source>Cursors</source>
-        <translation>Curseurs</translation>
-    </message>
-    <message>
         <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
         <translation>Affiche deux curseurs de mesure&#xa0;: faites-les glisser (C, dans le graphique).</translation>
     </message>
     <message>
         <source>Picture</source>
         <translation>Image</translation>
-    </message>
-    <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>&amp;Image (PNG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>Le graphique visible sous forme d’image.</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>Image &amp;vectorielle (SVG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>Le graphique visible en traits qui restent nets à toute taille.</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>P&amp;age (PDF)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>Le graphique visible sur une page à imprimer ou pour un rapport.</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>&amp;Copier l’image</translation>
     </message>
     <message>
         <source>Copies the visible plot to the clipboard.</source>
@@ -11109,28 +10556,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Image de la réponse indicielle</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Fichiers %1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>step</source>
         <translation>échelon</translation>
-    </message>
-    <message>
-        <source>P&amp;rint…</source>
-        <translation>Imp&amp;rimer…</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
-        <translation>Imprime le graphique visible sur l’une des imprimantes de cet ordinateur.</translation>
-    </message>
-    <message>
-        <source>SIMULATOR, no real motor moved</source>
-        <translation>SIMULATEUR, aucun moteur réel n’a bougé</translation>
     </message>
 </context>
 <context>
@@ -11246,31 +10673,15 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>A/D %1 au-dessous</translation>
     </message>
     <message>
-        <source>%1 of 255</source>
-        <translation>%1 sur 255</translation>
-    </message>
-    <message>
         <source>Within</source>
         <translation>Délai</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>Comment</translation>
     </message>
 </context>
 <context>
     <name>nmc::ScopeBar</name>
     <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
         <source>Freezes the display (Ctrl+P). Recording of samples continues.</source>
         <translation>Fige l’affichage (Ctrl+P). L’acquisition des échantillons continue.</translation>
-    </message>
-    <message>
-        <source>Cursors</source>
-        <translation>Curseurs</translation>
     </message>
     <message>
         <source>Shows two cursors to measure with: drag them (C).</source>
@@ -11313,10 +10724,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Choisit les signaux des bandes (S).</translation>
     </message>
     <message>
-        <source>Trigger</source>
-        <translation>Déclenchement</translation>
-    </message>
-    <message>
         <source>Waits for a signal or a status bit, and holds the picture around it (T).</source>
         <translation>Attend un signal ou un bit d’état, et fige l’image autour de cet instant (T).</translation>
     </message>
@@ -11344,26 +10751,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Échantillon&amp;s (CSV)…</translation>
     </message>
     <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>&amp;Image (PNG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>Le graphique visible sous forme d’image.</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>Image &amp;vectorielle (SVG)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>Le graphique visible en traits qui restent nets à toute taille.</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>&amp;Copier l’image</translation>
-    </message>
-    <message>
         <source>Copies the visible plot to the clipboard, with its samples if there are only a few.</source>
         <translation>Copie le graphique visible dans le presse-papiers, avec ses échantillons s’ils sont peu nombreux.</translation>
     </message>
@@ -11372,32 +10759,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Exporter depuis l’oscilloscope</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Fichiers %1 (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>scope</source>
         <translation>oscilloscope</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>P&amp;age (PDF)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>Le graphique visible sur une page à imprimer ou pour un rapport.</translation>
-    </message>
-    <message>
-        <source>P&amp;rint…</source>
-        <translation>Imp&amp;rimer…</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
-        <translation>Imprime le graphique visible sur l’une des imprimantes de cet ordinateur.</translation>
     </message>
     <message>
         <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
@@ -11429,10 +10792,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Opening</source>
         <translation>Ouverture</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
     </message>
     <message>
         <source>Cancels opening; the scope stays as it is.</source>
@@ -11475,10 +10834,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Enregistrements (*.%1)</translation>
     </message>
     <message>
-        <source>All files (*)</source>
-        <translation>Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Open recording</source>
         <translation>Ouvrir un enregistrement</translation>
     </message>
@@ -11489,10 +10844,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Overlay</source>
         <translation>Superposition</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
     </message>
     <message>
         <source>Removes the recording from the plots. Its file is kept.</source>
@@ -11522,17 +10873,9 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Overlay a recording</source>
         <translation>Superposer un enregistrement</translation>
     </message>
-    <message>
-        <source>Overlay: %1</source>
-        <translation>Superposé&#xa0;: %1</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ScopePanel</name>
-    <message>
-        <source>Scope</source>
-        <translation>Oscilloscope</translation>
-    </message>
     <message>
         <source>Exports the visible samples or a picture.</source>
         <translation>Exporte les échantillons visibles ou une image.</translation>
@@ -11544,10 +10887,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>%1 (simulator)</source>
         <translation>%1 (simulateur)</translation>
-    </message>
-    <message>
-        <source>Overlay: %1</source>
-        <translation>Superposé&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -11576,14 +10915,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Bande %1 de l’oscilloscope</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>Faites glisser pour redimensionner les bandes. Un double-clic les rend égales.</translation>
     </message>
@@ -11594,10 +10925,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 </context>
 <context>
     <name>nmc::SequencesPage</name>
-    <message>
-        <source>Points and sequences</source>
-        <translation>Points et séquences</translation>
-    </message>
     <message>
         <source>Rename point</source>
         <translation>Renommer le point</translation>
@@ -11739,16 +11066,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Vers le bas&#xa0;: déplacer la ligne sélectionnée</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>Undo the last change to points and sequences</source>
         <translation>Annuler la dernière modification des points et séquences</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rétablir</translation>
     </message>
     <message>
         <source>Redo the last undone change to points and sequences</source>
@@ -11781,10 +11100,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Run from row: start at the selected row</source>
         <translation>Lancer depuis la ligne sélectionnée</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
     </message>
     <message>
         <source>Pause the sequence after its row</source>
@@ -11821,10 +11136,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Select at least one axis.</source>
         <translation>Sélectionnez au moins un axe.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Stores the present positions of the selected axes under this name, replacing any point of that name. Nothing moves.</source>
@@ -11891,16 +11202,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Déplace cette ligne vers le bas.</translation>
     </message>
     <message>
-        <source>Nothing to undo.</source>
-        <translation>Rien à annuler.</translation>
-    </message>
-    <message>
         <source>Undo: %1</source>
         <translation>Annuler&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>Rien à rétablir.</translation>
     </message>
     <message>
         <source>Redo: %1</source>
@@ -11962,40 +11265,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Module servo</translation>
     </message>
     <message>
-        <source>Gains</source>
-        <translation>Gains</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Détails</translation>
-    </message>
-    <message>
-        <source>Pages of the module</source>
-        <translation>Pages du module</translation>
-    </message>
-    <message>
         <source>Limits &amp;&amp; I/O</source>
         <translation>Fins de course &amp;&amp; E/S</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>Prise d’origine</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Axe</translation>
-    </message>
-    <message>
-        <source>Expert</source>
-        <translation>Expert</translation>
-    </message>
-    <message>
-        <source>Amplifier</source>
-        <translation>Amplificateur</translation>
     </message>
 </context>
 <context>
@@ -12007,10 +11278,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Signals and their strips</source>
         <translation>Signaux et leurs bandes</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>Signal</translation>
     </message>
     <message>
         <source>Strip %1</source>
@@ -12052,23 +11319,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::SimulatorBench</name>
     <message>
-        <source>Simulator</source>
-        <translation>Simulateur</translation>
-    </message>
-    <message>
         <source>Simulated module</source>
         <translation>Module simulé</translation>
     </message>
     <message>
         <source>Follows the module list, and includes modules that the panel did not find.</source>
         <translation>Suit la liste des modules, et comprend aussi les modules que le programme n’a pas trouvés.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::SimulatorDock</name>
-    <message>
-        <source>Simulator</source>
-        <translation>Simulateur</translation>
     </message>
 </context>
 <context>
@@ -12096,10 +11352,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 </context>
 <context>
     <name>nmc::SquareWavePage</name>
-    <message>
-        <source>Square wave</source>
-        <translation>Signal carré</translation>
-    </message>
     <message>
         <source>Start test</source>
         <translation>Lancer le test</translation>
@@ -12129,10 +11381,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>La période</translation>
     </message>
     <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
         <source>Periods</source>
         <translation>Périodes</translation>
     </message>
@@ -12149,14 +11397,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Distance dont le moteur peut dépasser chaque côté. Au-delà, l’essai s’arrête et le moteur maintient sa position.</translation>
     </message>
     <message>
-        <source>Method: how the command jumps</source>
-        <translation>Mode de saut de la consigne</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Mode</translation>
-    </message>
-    <message>
         <source>Results of the edges</source>
         <translation>Résultats des fronts</translation>
     </message>
@@ -12169,20 +11409,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Garder comme relevé&#xa0;: le front médian</translation>
     </message>
     <message>
-        <source>Rise %1</source>
-        <translation>Montée %1</translation>
-    </message>
-    <message>
-        <source>Overshoot %1</source>
-        <translation>Dépassement %1</translation>
-    </message>
-    <message>
         <source>Settling %1</source>
         <translation>Établissement %1</translation>
-    </message>
-    <message>
-        <source>Steady-state error %1</source>
-        <translation>Erreur statique %1</translation>
     </message>
     <message>
         <source>No edge recorded yet.</source>
@@ -12204,20 +11432,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Rétablir</translation>
-    </message>
-    <message>
         <source>Revert</source>
         <translation>Abandonner</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? inconnu</translation>
     </message>
     <message>
         <source>✓ sent</source>
@@ -12228,16 +11444,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>● non envoyé</translation>
     </message>
     <message>
-        <source>Nothing to undo.</source>
-        <translation>Rien à annuler.</translation>
-    </message>
-    <message>
         <source>Undoes the last edit in these fields. Sends nothing.</source>
         <translation>Annule la dernière modification dans ces champs. N’envoie rien.</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>Rien à rétablir.</translation>
     </message>
     <message>
         <source>Redoes the edit that was undone. Sends nothing.</source>
@@ -12261,10 +11469,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Needs no hardware. Three simulated modules to try everything on; no real motor moves.</source>
         <translation>Sans matériel. Trois modules simulés pour tout essayer&#x202f;; aucun moteur réel ne bouge.</translation>
-    </message>
-    <message>
-        <source>Opens the port and looks for modules. Nothing moves.</source>
-        <translation>Ouvre le port et recherche les modules. Rien ne bouge.</translation>
     </message>
     <message>
         <source>Connects to the built-in simulator.</source>
@@ -12307,25 +11511,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StatusTable</name>
-    <message>
-        <source>on</source>
-        <translation>actif</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>inactif</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperDetailsBox</name>
     <message>
         <source>The module is sending step pulses.</source>
         <translation>Des impulsions de pas arrivent.</translation>
-    </message>
-    <message>
-        <source>The module received a garbled command and did not carry it out.</source>
-        <translation>Le module a reçu une commande altérée et ne l’a pas exécutée.</translation>
     </message>
     <message>
         <source>The driver is enabled (AMP_EN is high).</source>
@@ -12346,10 +11535,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
         <translation>Déplacement vers une position avec rampe&#xa0;: mode profil trapézoïdal.</translation>
-    </message>
-    <message>
-        <source>Waiting for the home position.</source>
-        <translation>En attente de la position d’origine.</translation>
     </message>
     <message>
         <source>High stops the motor, unless it is ignored.</source>
@@ -12392,26 +11577,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>&amp;Zéro ici</translation>
     </message>
     <message>
-        <source>Save as home</source>
-        <translation>Enregistrer comme origine</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Détails</translation>
-    </message>
-    <message>
-        <source>Zero here: set the present position to 0</source>
-        <translation>Zéro ici&#xa0;: mettre à 0 la position actuelle</translation>
-    </message>
-    <message>
-        <source>Save as home: the present position</source>
-        <translation>Enregistrer comme origine&#xa0;: la position actuelle</translation>
-    </message>
-    <message>
-        <source>Status byte</source>
-        <translation>Octet d’état</translation>
-    </message>
-    <message>
         <source>Inputs byte</source>
         <translation>Octet des entrées</translation>
     </message>
@@ -12424,32 +11589,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Valeur du timer</translation>
     </message>
     <message>
-        <source>A/D (temperature)</source>
-        <translation>A/D (température)</translation>
-    </message>
-    <message>
-        <source>Raw</source>
-        <translation>Données brutes</translation>
-    </message>
-    <message>
         <source>%1 = %2</source>
         <translation>%1 = %2</translation>
     </message>
     <message>
-        <source>status %1</source>
-        <translation>état %1</translation>
-    </message>
-    <message>
         <source>, inputs %1</source>
         <translation>, entrées %1</translation>
-    </message>
-    <message>
-        <source>Saves the present position as home. The motor does not move.</source>
-        <translation>Enregistre la position actuelle comme origine. Le moteur ne bouge pas.</translation>
-    </message>
-    <message>
-        <source>Home register</source>
-        <translation>Registre d’origine</translation>
     </message>
     <message>
         <source>High blocks counting up, unless it is ignored.</source>
@@ -12471,10 +11616,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Entrées et sorties</translation>
     </message>
     <message>
-        <source>Outputs</source>
-        <translation>Sorties</translation>
-    </message>
-    <message>
         <source>OUT%1</source>
         <translation>OUT%1</translation>
     </message>
@@ -12487,20 +11628,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Entrées</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>Entrée E-Stop</translation>
-    </message>
-    <message>
-        <source>Home switch</source>
-        <translation>Capteur d’origine</translation>
-    </message>
-    <message>
         <source>Name of input %1</source>
         <translation>Nom de l’entrée %1</translation>
-    </message>
-    <message>
-        <source>A/D (temperature)</source>
-        <translation>A/D (température)</translation>
     </message>
     <message>
         <source>ignored</source>
@@ -12519,24 +11648,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>bloque la marche arrière</translation>
     </message>
     <message>
-        <source>high</source>
-        <translation>haut</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>bas</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? inconnu</translation>
-    </message>
-    <message>
         <source>● %1, not sent</source>
         <translation>● %1, non envoyé</translation>
-    </message>
-    <message>
-        <source>Switches this output at once.</source>
-        <translation>Commute aussitôt cette sortie.</translation>
     </message>
     <message>
         <source>Selects the level. Choose Set all outputs to send all five.</source>
@@ -12553,14 +11666,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Outputs unknown: they cannot be read back. Select all five levels, then set them.</source>
         <translation>Sorties inconnues&#xa0;: elles ne peuvent pas être relues. Choisissez les cinq niveaux, puis définissez-les.</translation>
-    </message>
-    <message>
-        <source>Limit 1</source>
-        <translation>Fin de course 1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>Fin de course 2</translation>
     </message>
 </context>
 <context>
@@ -12605,28 +11710,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::StepperMotionBox</name>
     <message>
-        <source>Motion</source>
-        <translation>Mouvement</translation>
-    </message>
-    <message>
-        <source>Goal position</source>
-        <translation>Position cible</translation>
-    </message>
-    <message>
-        <source>The goal position</source>
-        <translation>La position cible</translation>
-    </message>
-    <message>
         <source>b&amp;y this distance</source>
         <translation>de cette di&amp;stance</translation>
     </message>
     <message>
         <source>By this distance from the present position</source>
         <translation>De cette distance depuis la position actuelle</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Vitesse</translation>
     </message>
     <message>
         <source>The speed</source>
@@ -12639,30 +11728,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Trave&amp;l speed</source>
         <translation>&amp;Vitesse de déplacement</translation>
-    </message>
-    <message>
-        <source>&amp;Go</source>
-        <translation>&amp;Y aller</translation>
-    </message>
-    <message>
-        <source>Go to the position</source>
-        <translation>Y aller&#xa0;: à la position</translation>
-    </message>
-    <message>
-        <source>Run &amp;reverse</source>
-        <translation>Ma&amp;rche arrière</translation>
-    </message>
-    <message>
-        <source>Run reverse until stopped</source>
-        <translation>Marche arrière jusqu’à l’ordre d’arrêt</translation>
-    </message>
-    <message>
-        <source>R&amp;un forward</source>
-        <translation>Marc&amp;he avant</translation>
-    </message>
-    <message>
-        <source>Run forward until stopped</source>
-        <translation>Marche avant jusqu’à l’ordre d’arrêt</translation>
     </message>
     <message>
         <source>Load o&amp;nly</source>
@@ -12701,28 +11766,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Charge le mouvement sans le démarrer.</translation>
     </message>
     <message>
-        <source>Load</source>
-        <translation>Charger</translation>
-    </message>
-    <message>
-        <source>Moves to the position, then holds.</source>
-        <translation>Se déplace à la position, puis la maintient.</translation>
-    </message>
-    <message>
         <source>Load &amp;reverse</source>
         <translation>Charger a&amp;rrière</translation>
     </message>
     <message>
-        <source>Runs in reverse until stopped.</source>
-        <translation>Tourne en arrière jusqu’à l’ordre d’arrêt.</translation>
-    </message>
-    <message>
         <source>Load forward</source>
         <translation>Charger avant</translation>
-    </message>
-    <message>
-        <source>Runs forward until stopped.</source>
-        <translation>Tourne en avant jusqu’à l’ordre d’arrêt.</translation>
     </message>
     <message>
         <source>Starts the loaded motion.</source>
@@ -12753,26 +11802,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>S’arrête progressivement, attend que le moteur soit à l’arrêt, puis&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Use nearest</source>
-        <translation>Au plus proche</translation>
-    </message>
-    <message>
-        <source>Use nearest allowed position</source>
-        <translation>Au plus proche&#xa0;: la position autorisée la plus proche</translation>
-    </message>
-    <message>
-        <source>Use %1</source>
-        <translation>Utiliser %1</translation>
-    </message>
-    <message>
-        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
-        <translation>Prend comme cible la position autorisée la plus proche. Rien ne bouge.</translation>
-    </message>
-    <message>
-        <source>Go home</source>
-        <translation>Aller à l’origine</translation>
-    </message>
-    <message>
         <source>Moves to home with a ramp, at the travel speed.</source>
         <translation>Va à l’origine avec une rampe, à la vitesse de déplacement.</translation>
     </message>
@@ -12784,32 +11813,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Module pas à pas</translation>
     </message>
     <message>
-        <source>Pages of the module</source>
-        <translation>Pages du module</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Paramètres</translation>
-    </message>
-    <message>
         <source>I/O</source>
         <translation>E/S</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>Prise d’origine</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Axe</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>Détails</translation>
-    </message>
-    <message>
-        <source>Expert</source>
-        <translation>Expert</translation>
     </message>
 </context>
 <context>
@@ -12823,20 +11828,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>le moteur est aussi coupé</translation>
     </message>
     <message>
-        <source>Start&amp;ing values</source>
-        <translation>Vale&amp;urs de départ</translation>
-    </message>
-    <message>
         <source>&amp;Apply parameters</source>
         <translation>Tout appli&amp;quer</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>Paramètres</translation>
-    </message>
-    <message>
-        <source>Starting values: fill in</source>
-        <translation>Valeurs de départ&#xa0;: remplir</translation>
     </message>
     <message>
         <source>Revert the parameters to those last sent</source>
@@ -12894,20 +11887,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::StepperRampBox</name>
     <message>
-        <source>Acceleration time</source>
-        <translation>Temps d’accélération</translation>
-    </message>
-    <message>
         <source>The acceleration time</source>
         <translation>Le temps d’accélération</translation>
     </message>
     <message>
         <source>How long a ramp stays at each speed, in units of 0.25 ms; smaller is steeper. Sent with the next motion that has a ramp, and used by smooth stops after it.</source>
         <translation>Durée pendant laquelle une rampe reste à chaque vitesse, en unités de 0,25&#xa0;ms&#x202f;; plus petit est plus raide. Envoyé avec le prochain mouvement à rampe, et utilisé par les arrêts progressifs suivants.</translation>
-    </message>
-    <message>
-        <source>Max jog speed</source>
-        <translation>Vitesse de jog max.</translation>
     </message>
     <message>
         <source>Jog is never faster than this. Set a speed that you can react to.</source>
@@ -12946,14 +11931,6 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
         <source>Esc</source>
         <translation>Esc</translation>
     </message>
-    <message>
-        <source>STOP ALL</source>
-        <translation>TOUT ARRÊTER</translation>
-    </message>
-    <message>
-        <source>goes to all modules</source>
-        <translation>agit sur tous les modules</translation>
-    </message>
 </context>
 <context>
     <name>nmc::TestForm</name>
@@ -12973,17 +11950,9 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
         <source>The test is not running.</source>
         <translation>L’essai n’est pas en cours.</translation>
     </message>
-    <message>
-        <source>The motor holds its position.</source>
-        <translation>Le moteur maintient sa position.</translation>
-    </message>
 </context>
 <context>
     <name>nmc::TravelBox</name>
-    <message>
-        <source>Travel and speed limits</source>
-        <translation>Limites de course et de vitesse</translation>
-    </message>
     <message>
         <source>State of the travel limits</source>
         <translation>État des limites de course</translation>
@@ -13013,16 +11982,8 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
         <translation>Ici&#xa0;: prendre la position actuelle comme position maximale</translation>
     </message>
     <message>
-        <source>Highest velocity</source>
-        <translation>Vitesse maximale</translation>
-    </message>
-    <message>
         <source>Limits moves, runs, steps, jog and homing. Empty: the module&apos;s maximum.</source>
         <translation>Limite les déplacements, marches continues, pas, jog et prises d’origine. Vide&#xa0;: le maximum du module.</translation>
-    </message>
-    <message>
-        <source>Backlash</source>
-        <translation>Jeu mécanique</translation>
     </message>
     <message>
         <source>Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none.</source>
@@ -13144,10 +12105,6 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
         <translation>Armer</translation>
     </message>
     <message>
-        <source>Trigger</source>
-        <translation>Déclenchement</translation>
-    </message>
-    <message>
         <source>State of the trigger</source>
         <translation>État du déclenchement</translation>
     </message>
@@ -13166,10 +12123,6 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
     <message>
         <source>%</source>
         <translation>%</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>rises to</source>
@@ -13314,20 +12267,12 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
         <translation>Unité calculée</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>Use this unit</source>
         <translation>Utiliser cette unité</translation>
     </message>
     <message>
         <source>Enter a number above 0 in each field.</source>
         <translation>Saisissez un nombre supérieur à 0 dans chaque champ.</translation>
-    </message>
-    <message>
-        <source>steps</source>
-        <translation>pas</translation>
     </message>
     <message>
         <source>counts</source>

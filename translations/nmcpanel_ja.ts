@@ -16,10 +16,6 @@
         <translation>応答したモジュールはありません。</translation>
     </message>
     <message>
-        <source>%1 of %2 modules answered.</source>
-        <translation>%2台中%1台のモジュールが応答しました。</translation>
-    </message>
-    <message>
         <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
         <translation>%2台中%1台のモジュールが応答しました。チェーンの遠端側が見つかりません。</translation>
     </message>
@@ -100,10 +96,6 @@
         <translation>グループなし</translation>
     </message>
     <message>
-        <source>Group %1</source>
-        <translation>グループ%1</translation>
-    </message>
-    <message>
         <source>This chain is new: it has %1.</source>
         <translation>新しいチェーンです：%1。</translation>
     </message>
@@ -172,6 +164,765 @@
     </message>
 </context>
 <context>
+    <name>Common</name>
+    <message>
+        <source>%1 of %2 modules answered.</source>
+        <translation>%2台中%1台のモジュールが応答しました。</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>グループ%1</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>復元</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>ボーレート</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>グループ</translation>
+    </message>
+    <message>
+        <source>Points and sequences</source>
+        <translation>ポイントとシーケンス</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>動作</translation>
+    </message>
+    <message>
+        <source>Travel and speed limits</source>
+        <translation>移動範囲と速度の制限</translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation>バックラッシ</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>原点復帰</translation>
+    </message>
+    <message>
+        <source>Limit stop</source>
+        <translation>リミット停止</translation>
+    </message>
+    <message>
+        <source>Acceleration time</source>
+        <translation>加速時間</translation>
+    </message>
+    <message>
+        <source>Gains</source>
+        <translation>ゲイン</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>パラメーター</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Home all</source>
+        <translation>全軸原点復帰</translation>
+    </message>
+    <message>
+        <source>limit 1</source>
+        <translation>リミット1</translation>
+    </message>
+    <message>
+        <source>limit 2</source>
+        <translation>リミット2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>STOP ALL</source>
+        <translation>全停止</translation>
+    </message>
+    <message>
+        <source>Motor off</source>
+        <translation>モーターオフ</translation>
+    </message>
+    <message>
+        <source>Connect fully</source>
+        <translation>通常接続に切替</translation>
+    </message>
+    <message>
+        <source>steps/s</source>
+        <translation>ステップ/s</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>%1/s²</source>
+        <translation>%1/s²</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>位置偏差</translation>
+    </message>
+    <message>
+        <source>E-stop input</source>
+        <translation>E-stop入力</translation>
+    </message>
+    <message>
+        <source>The motor holds its position.</source>
+        <translation>モーターは位置を保持しています。</translation>
+    </message>
+    <message>
+        <source>The motor follows the points of a path.</source>
+        <translation>モーターはパスの点に追従しています。</translation>
+    </message>
+    <message>
+        <source>Simulator</source>
+        <translation>シミュレーター</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>ステップ</translation>
+    </message>
+    <message>
+        <source>No module</source>
+        <translation>モジュールなし</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>軸</translation>
+    </message>
+    <message>
+        <source>◂ Hold</source>
+        <translation>◂ ジョグ</translation>
+    </message>
+    <message>
+        <source>Hold ▸</source>
+        <translation>ジョグ ▸</translation>
+    </message>
+    <message>
+        <source>◂| Step</source>
+        <translation>◂| ステップ</translation>
+    </message>
+    <message>
+        <source>Step |▸</source>
+        <translation>ステップ |▸</translation>
+    </message>
+    <message>
+        <source>Moves forward while held, then stops.</source>
+        <translation>押している間、正方向に動き、離すと停止します。</translation>
+    </message>
+    <message>
+        <source>Moves in reverse while held, then stops.</source>
+        <translation>押している間、逆方向に動き、離すと停止します。</translation>
+    </message>
+    <message>
+        <source>Chain</source>
+        <translation>チェーン</translation>
+    </message>
+    <message>
+        <source>&amp;Scan again</source>
+        <translation>再スキャン(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Resets every module and assigns new addresses. Asks first.</source>
+        <translation>全モジュールをリセットし、新しいアドレスを割り当てます。実行前に確認します。</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>名前を付けて保存…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>テキスト (*.txt)</translation>
+    </message>
+    <message>
+        <source>Open machine</source>
+        <translation>マシンを開く</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>ended at %1</source>
+        <translation>%1に終了</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>メッセージ</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>すべての種類</translation>
+    </message>
+    <message>
+        <source>All modules</source>
+        <translation>全モジュール</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Max jog speed</source>
+        <translation>最高ジョグ速度</translation>
+    </message>
+    <message>
+        <source>The value at an A/D reading of 0.</source>
+        <translation>A/D読み取り値が0のときの値です。</translation>
+    </message>
+    <message>
+        <source>The module received a garbled command and did not carry it out.</source>
+        <translation>モジュールが化けたコマンドを受信し、実行しませんでした。</translation>
+    </message>
+    <message>
+        <source>Limit switch 1.</source>
+        <translation>リミットスイッチ1です。</translation>
+    </message>
+    <message>
+        <source>Limit switch 2.</source>
+        <translation>リミットスイッチ2です。</translation>
+    </message>
+    <message>
+        <source>Waiting for the home position.</source>
+        <translation>原点位置を待っています。</translation>
+    </message>
+    <message>
+        <source>Save as home</source>
+        <translation>原点として保存</translation>
+    </message>
+    <message>
+        <source>Save as home: the present position</source>
+        <translation>原点として保存：現在位置</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>詳細</translation>
+    </message>
+    <message>
+        <source>Status byte</source>
+        <translation>ステータスバイト</translation>
+    </message>
+    <message>
+        <source>Home register</source>
+        <translation>原点レジスター</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>生データ</translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation>ステータス%1</translation>
+    </message>
+    <message>
+        <source>Saves the present position as home. The motor does not move.</source>
+        <translation>現在位置を原点として保存します。モーターは動きません。</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>オン</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source>Fast path</source>
+        <translation>高速パス</translation>
+    </message>
+    <message>
+        <source>Amplifier</source>
+        <translation>アンプ</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>PWM</source>
+        <translation>PWM</translation>
+    </message>
+    <message>
+        <source>PWM value</source>
+        <translation>PWM値</translation>
+    </message>
+    <message>
+        <source>Abruptly</source>
+        <translation>即停止</translation>
+    </message>
+    <message>
+        <source>Smoothly</source>
+        <translation>減速停止</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>インデックス</translation>
+    </message>
+    <message>
+        <source>Current limit</source>
+        <translation>電流制限</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>ジョグ</translation>
+    </message>
+    <message>
+        <source>Start&amp;ing values</source>
+        <translation>初期値(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Starting values: fill in</source>
+        <translation>初期値：入力</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>出力</translation>
+    </message>
+    <message>
+        <source>State of the selected module</source>
+        <translation>選択したモジュールの状態</translation>
+    </message>
+    <message>
+        <source>%1, address %2</source>
+        <translation>%1、アドレス%2</translation>
+    </message>
+    <message>
+        <source>Pages of the module</source>
+        <translation>モジュールのページ</translation>
+    </message>
+    <message>
+        <source>A/D and PWM</source>
+        <translation>A/DとPWM</translation>
+    </message>
+    <message>
+        <source>A/D input</source>
+        <translation>A/D入力</translation>
+    </message>
+    <message>
+        <source>Name of %1</source>
+        <translation>%1の名前</translation>
+    </message>
+    <message>
+        <source>Off at stop</source>
+        <translation>停止でオフ</translation>
+    </message>
+    <message>
+        <source>%1 of 255</source>
+        <translation>%1 / 255</translation>
+    </message>
+    <message>
+        <source>? unknown</source>
+        <translation>? 不明</translation>
+    </message>
+    <message>
+        <source>Pins</source>
+        <translation>ピン一覧</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>入力</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>High</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>Low</translation>
+    </message>
+    <message>
+        <source>Switches this output at once.</source>
+        <translation>この出力を直ちに切り替えます。</translation>
+    </message>
+    <message>
+        <source>A search for home is running.</source>
+        <translation>原点サーチの実行中です。</translation>
+    </message>
+    <message>
+        <source>Home switch</source>
+        <translation>原点スイッチ</translation>
+    </message>
+    <message>
+        <source>Limit 1</source>
+        <translation>リミット1</translation>
+    </message>
+    <message>
+        <source>Limit 2</source>
+        <translation>リミット2</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>制限時間</translation>
+    </message>
+    <message>
+        <source>Motor power</source>
+        <translation>モーター電源</translation>
+    </message>
+    <message>
+        <source>A/D</source>
+        <translation>A/D</translation>
+    </message>
+    <message>
+        <source>Goal position</source>
+        <translation>目標位置</translation>
+    </message>
+    <message>
+        <source>The goal position</source>
+        <translation>目標位置の値</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Use nearest</source>
+        <translation>最も近い値を使用</translation>
+    </message>
+    <message>
+        <source>Use nearest allowed position</source>
+        <translation>最も近い値を使用：許可された位置</translation>
+    </message>
+    <message>
+        <source>Zero here: set the present position to 0</source>
+        <translation>現在位置を0に：位置の値を0に設定</translation>
+    </message>
+    <message>
+        <source>Go home</source>
+        <translation>原点へ移動</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>ロード</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>移動(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Go to the position</source>
+        <translation>移動：この位置へ</translation>
+    </message>
+    <message>
+        <source>Run &amp;reverse</source>
+        <translation>逆方向運転(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Run reverse until stopped</source>
+        <translation>逆方向運転：停止操作をするまで</translation>
+    </message>
+    <message>
+        <source>R&amp;un forward</source>
+        <translation>正方向運転(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Run forward until stopped</source>
+        <translation>正方向運転：停止操作をするまで</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>%1を使用</translation>
+    </message>
+    <message>
+        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
+        <translation>目標位置を、許可された最も近い位置に設定します。何も動きません。</translation>
+    </message>
+    <message>
+        <source>Moves to the position, then holds.</source>
+        <translation>その位置へ移動し、保持します。</translation>
+    </message>
+    <message>
+        <source>Runs forward until stopped.</source>
+        <translation>停止操作をするまで正方向に運転します。</translation>
+    </message>
+    <message>
+        <source>Runs in reverse until stopped.</source>
+        <translation>停止操作をするまで逆方向に運転します。</translation>
+    </message>
+    <message>
+        <source>Motor current</source>
+        <translation>モーター電流</translation>
+    </message>
+    <message>
+        <source>Motor off: this module</source>
+        <translation>モーターオフ：このモジュール</translation>
+    </message>
+    <message>
+        <source>A/D %1</source>
+        <translation>A/D %1</translation>
+    </message>
+    <message>
+        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
+        <translation>サーボとアンプをオフにします。モーターは自由に回り、負荷が落下することがあります。</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>エキスパート</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>A/D (temperature)</source>
+        <translation>A/D（温度）</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直し</translation>
+    </message>
+    <message>
+        <source>Nothing to undo.</source>
+        <translation>元に戻すものがありません。</translation>
+    </message>
+    <message>
+        <source>Nothing to redo.</source>
+        <translation>やり直すものがありません。</translation>
+    </message>
+    <message>
+        <source>Highest velocity</source>
+        <translation>最高速度</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>周波数応答</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>CSVエクスポート…</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Square wave</source>
+        <translation>矩形波</translation>
+    </message>
+    <message>
+        <source>Method: how the command jumps</source>
+        <translation>方式：指令の変化のしかた</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方式</translation>
+    </message>
+    <message>
+        <source>Rise %1</source>
+        <translation>立ち上がり %1</translation>
+    </message>
+    <message>
+        <source>Overshoot %1</source>
+        <translation>オーバーシュート %1</translation>
+    </message>
+    <message>
+        <source>Steady-state error %1</source>
+        <translation>定常偏差 %1</translation>
+    </message>
+    <message>
+        <source>Step response</source>
+        <translation>ステップ応答</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1 Hz)</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>オーバーシュート</translation>
+    </message>
+    <message>
+        <source>Module</source>
+        <translation>モジュール</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>Cursor readings</source>
+        <translation>カーソル値</translation>
+    </message>
+    <message>
+        <source>Cursor 1</source>
+        <translation>カーソル1</translation>
+    </message>
+    <message>
+        <source>Cursor 2</source>
+        <translation>カーソル2</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>カーソル</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>画像 (PNG)(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as an image.</source>
+        <translation>表示中のグラフの画像です。</translation>
+    </message>
+    <message>
+        <source>&amp;Vector picture (SVG)…</source>
+        <translation>ベクター画像 (SVG)(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>The visible plot as lines that stay sharp at any size.</source>
+        <translation>表示中のグラフを、どの大きさでも鮮明な線で保存します。</translation>
+    </message>
+    <message>
+        <source>P&amp;age (PDF)…</source>
+        <translation>ページ (PDF)(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The visible plot on a page for printing or a report.</source>
+        <translation>表示中のグラフを、印刷やレポート用の1ページにします。</translation>
+    </message>
+    <message>
+        <source>P&amp;rint…</source>
+        <translation>印刷(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
+        <translation>表示中のグラフを、このコンピューターのプリンターで印刷します。</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>画像をコピー(&amp;C)</translation>
+    </message>
+    <message>
+        <source>SIMULATOR, no real motor moved</source>
+        <translation>シミュレーター：実際のモーターは動いていません</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1ファイル (*.%2)</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>トリガー</translation>
+    </message>
+    <message>
+        <source>NMC Panel %1</source>
+        <translation>NMC Panel %1</translation>
+    </message>
+    <message>
+        <source>Overlay: %1</source>
+        <translation>重ね表示：%1</translation>
+    </message>
+    <message>
+        <source>Scope</source>
+        <translation>スコープ</translation>
+    </message>
+    <message>
+        <source>of 255</source>
+        <translation>/ 255</translation>
+    </message>
+    <message>
+        <source>Opens the port and looks for modules. Nothing moves.</source>
+        <translation>ポートを開いてモジュールを検索します。何も動きません。</translation>
+    </message>
+    <message>
+        <source>goes to all modules</source>
+        <translation>全モジュールに送信</translation>
+    </message>
+    <message>
+        <source>Operator mode</source>
+        <translation>オペレーターモード</translation>
+    </message>
+    <message>
+        <source>Asks for the PIN.</source>
+        <translation>PINの入力が必要です。</translation>
+    </message>
+</context>
+<context>
     <name>FirstSteps</name>
     <message>
         <source>Fill in gains</source>
@@ -184,10 +935,6 @@
     <message>
         <source>Enable servo</source>
         <translation>サーボオン</translation>
-    </message>
-    <message>
-        <source>Jog</source>
-        <translation>ジョグ</translation>
     </message>
     <message>
         <source>Take the starting values, or type your own. Nothing is sent yet.</source>
@@ -227,10 +974,6 @@
     <message>
         <source>Output limit</source>
         <translation>出力制限</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>電流制限</translation>
     </message>
     <message>
         <source>Position error limit</source>
@@ -289,20 +1032,12 @@
         <translation>%1%</translation>
     </message>
     <message>
-        <source>off</source>
-        <translation>オフ</translation>
-    </message>
-    <message>
         <source>A/D above</source>
         <translation>A/D超過</translation>
     </message>
     <message>
         <source>A/D below</source>
         <translation>A/D未満</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
     </message>
     <message>
         <source>no current limit</source>
@@ -412,10 +1147,6 @@
         <translation>NMC Panelについて</translation>
     </message>
     <message>
-        <source>NMC Panel %1</source>
-        <translation>NMC Panel %1</translation>
-    </message>
-    <message>
         <source>A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.
 
 Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.</source>
@@ -468,14 +1199,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>NMC Panelについて(&amp;A)</translation>
     </message>
     <message>
-        <source>Chain</source>
-        <translation>チェーン</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>モジュール</translation>
-    </message>
-    <message>
         <source>&amp;Find a command…</source>
         <translation>コマンドを検索(&amp;F)…</translation>
     </message>
@@ -525,10 +1248,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         </translation>
     </message>
     <message>
-        <source>ended at %1</source>
-        <translation>%1に終了</translation>
-    </message>
-    <message>
         <source>Ended: %1</source>
         <translation>終了：%1</translation>
     </message>
@@ -546,10 +1265,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Time constant %1</source>
         <translation>時定数 %1</translation>
-    </message>
-    <message>
-        <source>ms</source>
-        <translation>ms</translation>
     </message>
     <message>
         <source>Friction %1</source>
@@ -647,32 +1362,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
 <context>
     <name>Report</name>
     <message>
-        <source>Gains</source>
-        <translation>ゲイン</translation>
-    </message>
-    <message>
-        <source>Step response</source>
-        <translation>ステップ応答</translation>
-    </message>
-    <message>
         <source>%1 counts, %2</source>
         <translation>%1カウント、%2</translation>
     </message>
     <message>
-        <source>Rise %1</source>
-        <translation>立ち上がり %1</translation>
-    </message>
-    <message>
-        <source>Overshoot %1</source>
-        <translation>オーバーシュート %1</translation>
-    </message>
-    <message>
         <source>Settling to ±%1 %: %2</source>
         <translation>±%1%への整定：%2</translation>
-    </message>
-    <message>
-        <source>Steady-state error %1</source>
-        <translation>定常偏差 %1</translation>
     </message>
     <message>
         <source>Tuning of %1</source>
@@ -685,10 +1380,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Motor</source>
         <translation>モーター</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>周波数応答</translation>
     </message>
 </context>
 <context>
@@ -722,14 +1413,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>サーボがプロファイルなしで直ちに目標位置を保持します。バージョン1では使用できません。</translation>
     </message>
     <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
         <source>unknown</source>
         <translation>不明</translation>
     </message>
@@ -753,16 +1436,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
 <context>
     <name>Scope</name>
     <message>
-        <source>NMC Panel %1</source>
-        <translation>NMC Panel %1</translation>
-    </message>
-    <message>
         <source>%1, by %2</source>
         <translation>%1、%2</translation>
-    </message>
-    <message>
-        <source>SIMULATOR, no real motor moved</source>
-        <translation>シミュレーター：実際のモーターは動いていません</translation>
     </message>
     <message>
         <source>From %1; 0 s is %2</source>
@@ -813,10 +1488,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>全体を表示</translation>
     </message>
     <message>
-        <source>position</source>
-        <translation>位置</translation>
-    </message>
-    <message>
         <source>command, calculated</source>
         <translation>指令位置（計算値）</translation>
     </message>
@@ -829,14 +1500,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>速度</translation>
     </message>
     <message>
-        <source>A/D</source>
-        <translation>A/D</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -847,14 +1510,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>PWM, calculated</source>
         <translation>PWM（計算値）</translation>
-    </message>
-    <message>
-        <source>%1/s²</source>
-        <translation>%1/s²</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>/ 255</translation>
     </message>
     <message>
         <source>A/D 2</source>
@@ -871,10 +1526,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>count rate</source>
         <translation>カウントレート</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>counts</source>
@@ -924,10 +1575,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>リミットスイッチ</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>E-stop入力</translation>
-    </message>
-    <message>
         <source>On limit or E-stop</source>
         <translation>リミットまたはE-stop時</translation>
     </message>
@@ -966,10 +1613,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>A/D now %1</source>
         <translation>A/D現在値 %1</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>オフ</translation>
     </message>
     <message>
         <source>off; %1</source>
@@ -1175,10 +1818,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Port %1, %2 Bd</source>
         <translation>ポート%1、%2 Bd</translation>
-    </message>
-    <message>
-        <source>%1 of %2 modules answered.</source>
-        <translation>%2台中%1台のモジュールが応答しました。</translation>
     </message>
     <message>
         <source>module %1</source>
@@ -1391,10 +2030,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>サーボオフ</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>位置偏差</translation>
-    </message>
-    <message>
         <source>Power was lost</source>
         <translation>電源喪失あり</translation>
     </message>
@@ -1519,10 +2154,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>ステータス報告を設定中</translation>
     </message>
     <message>
-        <source>Simulator</source>
-        <translation>シミュレーター</translation>
-    </message>
-    <message>
         <source>Simulator (%1)</source>
         <translation>シミュレーター (%1)</translation>
     </message>
@@ -1583,10 +2214,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Answer to: %1</source>
         <translation>%1への応答</translation>
-    </message>
-    <message>
-        <source>steps</source>
-        <translation>ステップ</translation>
     </message>
     <message>
         <source>Two modules on %1 have the same address, so the modules cannot be used.</source>
@@ -1931,10 +2558,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>flush</source>
         <translation>フラッシュ</translation>
-    </message>
-    <message>
-        <source>Group %1</source>
-        <translation>グループ%1</translation>
     </message>
     <message>
         <source>Address %1</source>
@@ -2301,10 +2924,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>保存する前に、以前のセッションが終了しました。復元しても何も送信されません。</translation>
     </message>
     <message>
-        <source>Restore</source>
-        <translation>復元</translation>
-    </message>
-    <message>
         <source>Discard: the changes are lost</source>
         <translation>破棄：変更は失われます</translation>
     </message>
@@ -2333,24 +2952,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>マシン</translation>
     </message>
     <message>
-        <source>Baud rate</source>
-        <translation>ボーレート</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>グループ</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>名前</translation>
     </message>
     <message>
         <source>Unit</source>
         <translation>単位</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>動作</translation>
     </message>
     <message>
         <source>Homing</source>
@@ -2369,16 +2976,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>加速時間</translation>
     </message>
     <message>
-        <source>Gains</source>
-        <translation>ゲイン</translation>
-    </message>
-    <message>
         <source>Limit pins</source>
         <translation>リミットピン</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>パラメーター</translation>
     </message>
     <message>
         <source>Baud rate, Bd</source>
@@ -2795,10 +3394,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>リミットで停止</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>E-stop入力</translation>
-    </message>
-    <message>
         <source>Too hot</source>
         <translation>過熱</translation>
     </message>
@@ -2813,10 +3408,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>The module switched its motor off when motor power failed. It stays off.</source>
         <translation>モーター電源が失われたため、モジュールがモーターをオフにしました。オフのままです。</translation>
-    </message>
-    <message>
-        <source>The motor holds its position.</source>
-        <translation>モーターは位置を保持しています。</translation>
     </message>
     <message>
         <source>The motor is free to turn. This is normal: the amplifier is switched off.</source>
@@ -3107,10 +3698,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>直近2秒を表示</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Stop of all motors</source>
         <translation>全モーターの停止</translation>
     </message>
@@ -3339,10 +3926,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>このメッセージは、モーターの停止を確認するまで表示されます。</translation>
     </message>
     <message>
-        <source>Connect fully</source>
-        <translation>通常接続に切替</translation>
-    </message>
-    <message>
         <source>Look first (read-only)</source>
         <translation>まず確認（読み取り専用）</translation>
     </message>
@@ -3395,10 +3978,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Another host on this line started it, or a load drives it. The panel does not stop it unless you do; the other host may start it again.</source>
         <translation>この回線の別のホストが始動したか、負荷で回されています。停止操作をしない限り、パネルは停止しません。別のホストが再び始動することもあります。</translation>
-    </message>
-    <message>
-        <source>STOP ALL</source>
-        <translation>全停止</translation>
     </message>
     <message>
         <source>Home is unknown: search for it, or save it.</source>
@@ -3725,10 +4304,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1はチェーンにありません。</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
         <source>Point &quot;%2&quot; was taught before home of %1 was known, so it may have shifted. Teach it again.</source>
         <translation>ポイント「%2」は%1の原点が判明する前に教示されたため、ずれている可能性があります。教示し直してください。</translation>
     </message>
@@ -3817,10 +4392,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>「%1」へ移動</translation>
     </message>
     <message>
-        <source>Home all</source>
-        <translation>全軸原点復帰</translation>
-    </message>
-    <message>
         <source>Sequence &quot;%1&quot;</source>
         <translation>シーケンス「%1」</translation>
     </message>
@@ -3859,14 +4430,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>call</source>
         <translation>呼び出し</translation>
-    </message>
-    <message>
-        <source>limit 1</source>
-        <translation>リミット1</translation>
-    </message>
-    <message>
-        <source>limit 2</source>
-        <translation>リミット2</translation>
     </message>
     <message>
         <source>home switch</source>
@@ -3967,18 +4530,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>the lowest position is not below the highest.</source>
         <translation>最小位置が最大位置より小さくありません。</translation>
-    </message>
-    <message>
-        <source>Travel and speed limits</source>
-        <translation>移動範囲と速度の制限</translation>
-    </message>
-    <message>
-        <source>Backlash</source>
-        <translation>バックラッシ</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>リミット停止</translation>
     </message>
     <message>
         <source>Lowest position, from home</source>
@@ -4107,10 +4658,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them.</source>
         <translation>このゲインではサーボが安定しません。KpとKiを下げるかKdを上げて、適用してください。</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>モーターオフ</translation>
     </message>
     <message>
         <source>Restore previous gains</source>
@@ -4271,10 +4818,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>On a path</source>
         <translation>パス追従中</translation>
-    </message>
-    <message>
-        <source>The motor follows the points of a path.</source>
-        <translation>モーターはパスの点に追従しています。</translation>
     </message>
     <message>
         <source>The path cannot be followed from here.</source>
@@ -4678,10 +5221,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>リミットスイッチ2がオンです。モーターはそこから離れる方向にだけ動けます。</translation>
     </message>
-    <message>
-        <source>How</source>
-        <translation>方法</translation>
-    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -4769,28 +5308,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
 <context>
     <name>Units</name>
     <message>
-        <source>steps/s</source>
-        <translation>ステップ/s</translation>
-    </message>
-    <message>
         <source>steps/s²</source>
         <translation>ステップ/s²</translation>
     </message>
     <message>
-        <source>turns</source>
-        <translation>回転</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
-    </message>
-    <message>
-        <source>%1/s</source>
-        <translation>%1/s</translation>
-    </message>
-    <message>
-        <source>%1/s²</source>
-        <translation>%1/s²</translation>
     </message>
     <message>
         <source>counts/s</source>
@@ -4848,14 +5371,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
 <context>
     <name>nmc::AmplifierBox</name>
     <message>
-        <source>on</source>
-        <translation>オン</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>オフ</translation>
-    </message>
-    <message>
         <source>3-phase commutation</source>
         <translation>三相転流</translation>
     </message>
@@ -4878,10 +5393,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection.</source>
         <translation>モーターはコマンドではなく、リミットピンのステップパルスに追従します。リミットによる保護はなくなります。</translation>
-    </message>
-    <message>
-        <source>Fast path</source>
-        <translation>高速パス</translation>
     </message>
     <message>
         <source>Path points at 60 and 120 Hz instead of 30 and 60 Hz.</source>
@@ -4942,10 +5453,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Erase saved configuration of the module</source>
         <translation>保存内容を消去：モジュールの保存済み構成</translation>
-    </message>
-    <message>
-        <source>Amplifier</source>
-        <translation>アンプ</translation>
     </message>
     <message>
         <source>Limit inputs</source>
@@ -5018,10 +5525,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Erases the module&apos;s saved configuration and restarts it.</source>
         <translation>モジュールの保存内容を消去し、再起動します。</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
     </message>
     <message>
         <source>Apply amplifier settings</source>
@@ -5119,10 +5622,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>全軸オン：全モーター</translation>
     </message>
     <message>
-        <source>Home all</source>
-        <translation>全軸原点復帰</translation>
-    </message>
-    <message>
         <source>Home all axes, one after the other</source>
         <translation>全軸原点復帰：1軸ずつ順番に</translation>
     </message>
@@ -5139,14 +5638,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>原点復帰が設定された軸がありません。各軸の「原点復帰」ページで設定してください。</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>No module</source>
-        <translation>モジュールなし</translation>
-    </message>
-    <message>
         <source>All motors are already enabled.</source>
         <translation>すべてのモーターはすでにオンです。</translation>
     </message>
@@ -5161,10 +5652,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
 </context>
 <context>
     <name>nmc::AxisBox</name>
-    <message>
-        <source>Axis</source>
-        <translation>軸</translation>
-    </message>
     <message>
         <source>Name of the axis</source>
         <translation>軸の名前</translation>
@@ -5188,10 +5675,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>native counts</source>
         <translation>チップのカウント値</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <translation>回転</translation>
     </message>
     <message>
         <source>degrees</source>
@@ -5234,10 +5717,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>記号</translation>
     </message>
     <message>
-        <source>Max jog speed</source>
-        <translation>最高ジョグ速度</translation>
-    </message>
-    <message>
         <source>Jog is never faster than this.</source>
         <translation>ジョグはこの速度を超えません。</translation>
     </message>
@@ -5256,10 +5735,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>A/D at &amp;0</source>
         <translation>0のときのA/D値(&amp;0)</translation>
-    </message>
-    <message>
-        <source>The value at an A/D reading of 0.</source>
-        <translation>A/D読み取り値が0のときの値です。</translation>
     </message>
     <message>
         <source>Unit of the A/D value</source>
@@ -5301,10 +5776,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
 <context>
     <name>nmc::AxisRow</name>
     <message>
-        <source>Axis</source>
-        <translation>軸</translation>
-    </message>
-    <message>
         <source>State of %1</source>
         <translation>%1の状態</translation>
     </message>
@@ -5313,32 +5784,16 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1の位置</translation>
     </message>
     <message>
-        <source>◂ Hold</source>
-        <translation>◂ ジョグ</translation>
-    </message>
-    <message>
         <source>Hold to move %1 in reverse</source>
         <translation>◂ ジョグ：押している間、%1を逆方向に移動</translation>
-    </message>
-    <message>
-        <source>Hold ▸</source>
-        <translation>ジョグ ▸</translation>
     </message>
     <message>
         <source>Hold to move %1 forward</source>
         <translation>ジョグ ▸：押している間、%1を正方向に移動</translation>
     </message>
     <message>
-        <source>◂| Step</source>
-        <translation>◂| ステップ</translation>
-    </message>
-    <message>
         <source>Step %1 in reverse</source>
         <translation>◂| ステップ：%1を逆方向に1ステップ移動</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>ステップ |▸</translation>
     </message>
     <message>
         <source>Step %1 forward</source>
@@ -5355,14 +5810,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>This step is less than one count of this axis, or beyond its range. Choose another step.</source>
         <translation>このステップはこの軸の1カウント未満か、範囲外です。別のステップを選択してください。</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>押している間、正方向に動き、離すと停止します。</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>押している間、逆方向に動き、離すと停止します。</translation>
     </message>
     <message>
         <source>Moves forward by the step above, then holds.</source>
@@ -5454,16 +5901,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モジュールが数えている位置です。</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>位置偏差</translation>
-    </message>
-    <message>
         <source>True, not calculated.</source>
         <translation>計算値ではなく真値です。</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
     </message>
     <message>
         <source>Of the shaft.</source>
@@ -5474,32 +5913,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>ステップレート</translation>
     </message>
     <message>
-        <source>steps/s</source>
-        <translation>ステップ/s</translation>
-    </message>
-    <message>
         <source>Negative in reverse.</source>
         <translation>逆方向では負です。</translation>
     </message>
     <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>/ 255</translation>
-    </message>
-    <message>
         <source>The sign is the direction.</source>
         <translation>符号は方向です。</translation>
-    </message>
-    <message>
-        <source>Motor current</source>
-        <translation>モーター電流</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
     </message>
     <message>
         <source>255 is full current.</source>
@@ -5524,10 +5943,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
 </context>
 <context>
     <name>nmc::BodePlot</name>
-    <message>
-        <source>Frequency response</source>
-        <translation>周波数応答</translation>
-    </message>
     <message>
         <source>No measurement yet. The motor follows sine waves from slow to fast, which shows the response of the loop.</source>
         <translation>まだ測定していません。モーターが低い周波数から高い周波数まで正弦波に追従し、ループの応答が分かります。</translation>
@@ -5571,24 +5986,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
 <context>
     <name>nmc::ChainDialog</name>
     <message>
-        <source>Chain</source>
-        <translation>チェーン</translation>
-    </message>
-    <message>
         <source>Doctor, groups and baud rate</source>
         <translation>診断、グループ、ボーレート</translation>
     </message>
     <message>
         <source>Doctor</source>
         <translation>診断</translation>
-    </message>
-    <message>
-        <source>Groups</source>
-        <translation>グループ</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>ボーレート</translation>
     </message>
 </context>
 <context>
@@ -5618,10 +6021,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>チェーン全体のボーレートを変更します。</translation>
     </message>
     <message>
-        <source>&amp;Scan again</source>
-        <translation>再スキャン(&amp;S)</translation>
-    </message>
-    <message>
         <source>Scans the chain again; nothing is reset.</source>
         <translation>チェーンを再スキャンします。何もリセットされません。</translation>
     </message>
@@ -5629,20 +6028,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>&amp;Restart the network: positions and gains are lost…</source>
         <translation>ネットワークを再起動：位置とゲインは失われます(&amp;R)…</translation>
     </message>
-    <message>
-        <source>Resets every module and assigns new addresses. Asks first.</source>
-        <translation>全モジュールをリセットし、新しいアドレスを割り当てます。実行前に確認します。</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ChainModel</name>
     <message>
         <source>PC</source>
         <translation>PC</translation>
-    </message>
-    <message>
-        <source>%1/s</source>
-        <translation>%1/s</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -5718,14 +6109,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>したいことを入力（例：原点へ移動）</translation>
     </message>
     <message>
-        <source>Commands</source>
-        <translation>コマンド</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>コマンド</translation>
-    </message>
-    <message>
         <source>Where</source>
         <translation>場所</translation>
     </message>
@@ -5759,10 +6142,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Port</source>
         <translation>ポート</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>ボーレート</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -5805,20 +6184,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>先に切断してください。</translation>
     </message>
     <message>
-        <source>Opens the port and looks for modules. Nothing moves.</source>
-        <translation>ポートを開いてモジュールを検索します。何も動きません。</translation>
-    </message>
-    <message>
         <source>No port is open.</source>
         <translation>開いているポートがありません。</translation>
     </message>
     <message>
         <source>Closes the port.</source>
         <translation>ポートを閉じます。</translation>
-    </message>
-    <message>
-        <source>goes to all modules</source>
-        <translation>全モジュールに送信</translation>
     </message>
     <message>
         <source>Connect read-&amp;only</source>
@@ -5899,10 +6270,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>カウンターの入力源</translation>
     </message>
     <message>
-        <source>off</source>
-        <translation>オフ</translation>
-    </message>
-    <message>
         <source>timer, 5 MHz</source>
         <translation>タイマー、5 MHz</translation>
     </message>
@@ -5953,10 +6320,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Add up the outputs: IO1 is 1, IO2 is 2, IO3 is 4, up to IO12, which is 2048.</source>
         <translation>出力の値を合計します：IO1は1、IO2は2、IO3は4、…、IO12は2048です。</translation>
-    </message>
-    <message>
-        <source>Outputs</source>
-        <translation>出力</translation>
     </message>
     <message>
         <source>%1 to store</source>
@@ -6069,17 +6432,9 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>  of these: %1</source>
         <translation>  うち：%1</translation>
     </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
 </context>
 <context>
     <name>nmc::CursorPanel</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>カーソル値</translation>
-    </message>
     <message>
         <source>Shows or hides the cursor readings.</source>
         <translation>カーソル値の表示を切り替えます。</translation>
@@ -6091,34 +6446,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 </context>
 <context>
     <name>nmc::CursorTable</name>
-    <message>
-        <source>Cursor readings</source>
-        <translation>カーソル値</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>信号</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>カーソル1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>カーソル2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>差</translation>
-    </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>時間</translation>
-    </message>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
@@ -6143,20 +6470,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Frequency</source>
         <translation>周波数</translation>
     </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
-    </message>
 </context>
 <context>
     <name>nmc::DetailsBox</name>
     <message>
         <source>The move has ended; in velocity mode the goal velocity is reached.</source>
         <translation>移動が終了しました。速度モードでは目標速度に達しています。</translation>
-    </message>
-    <message>
-        <source>The module received a garbled command and did not carry it out.</source>
-        <translation>モジュールが化けたコマンドを受信し、実行しませんでした。</translation>
     </message>
     <message>
         <source>The current limit was reached. Stays set until you clear the sticky bits.</source>
@@ -6169,18 +6488,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>The position error exceeded its limit, or the servo is off. Stays set until you clear the sticky bits.</source>
         <translation>位置偏差が上限を超えたか、サーボがオフです。スティッキービットをクリアするまでセットされたままです。</translation>
-    </message>
-    <message>
-        <source>Limit switch 1.</source>
-        <translation>リミットスイッチ1です。</translation>
-    </message>
-    <message>
-        <source>Limit switch 2.</source>
-        <translation>リミットスイッチ2です。</translation>
-    </message>
-    <message>
-        <source>Waiting for the home position.</source>
-        <translation>原点位置を待っています。</translation>
     </message>
     <message>
         <source>The complement of the encoder&apos;s index.</source>
@@ -6211,16 +6518,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>スティッキービットをクリア(&amp;K)</translation>
     </message>
     <message>
-        <source>Details</source>
-        <translation>詳細</translation>
-    </message>
-    <message>
         <source>Clear sticky bits of the status</source>
         <translation>スティッキービットをクリア：ステータスのビット</translation>
-    </message>
-    <message>
-        <source>Status byte</source>
-        <translation>ステータスバイト</translation>
     </message>
     <message>
         <source>Auxiliary byte</source>
@@ -6235,40 +6534,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>チップが報告する速度</translation>
     </message>
     <message>
-        <source>Raw</source>
-        <translation>生データ</translation>
-    </message>
-    <message>
-        <source>status %1</source>
-        <translation>ステータス%1</translation>
-    </message>
-    <message>
         <source>, auxiliary %1</source>
         <translation>、補助%1</translation>
     </message>
     <message>
         <source>Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing.</source>
         <translation>overcurrent、pos_error、pos_wrap、servo_overrunをクリアします。何も始動しません。</translation>
-    </message>
-    <message>
-        <source>Save as home</source>
-        <translation>原点として保存</translation>
-    </message>
-    <message>
-        <source>Save as home: the present position</source>
-        <translation>原点として保存：現在位置</translation>
-    </message>
-    <message>
-        <source>Saves the present position as home. The motor does not move.</source>
-        <translation>現在位置を原点として保存します。モーターは動きません。</translation>
-    </message>
-    <message>
-        <source>Home register</source>
-        <translation>原点レジスター</translation>
-    </message>
-    <message>
-        <source>The motor follows the points of a path.</source>
-        <translation>モーターはパスの点に追従しています。</translation>
     </message>
     <message>
         <source>Position error reported by the chip</source>
@@ -6300,10 +6571,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Changes from the machine file</source>
         <translation>マシンファイルによる変更</translation>
-    </message>
-    <message>
-        <source>Open machine</source>
-        <translation>マシンを開く</translation>
     </message>
     <message>
         <source>Differences between the file and the panel</source>
@@ -6344,10 +6611,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Apply</source>
         <translation>適用</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
     </message>
     <message>
         <source>Keeps everything as it is.</source>
@@ -6418,10 +6681,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Direction check…</source>
         <translation>方向チェック…</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
     </message>
     <message>
         <source>Direction of motor and encoder</source>
@@ -6507,10 +6766,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>アドレス</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
         <source>Expected</source>
         <translation>想定</translation>
     </message>
@@ -6521,10 +6776,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>State</source>
         <translation>状態</translation>
-    </message>
-    <message>
-        <source>&amp;Scan again</source>
-        <translation>再スキャン(&amp;S)</translation>
     </message>
     <message>
         <source>Scan again: look for modules</source>
@@ -6551,10 +6802,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ステータス要求だけでチェーンを再スキャンします。何もリセットされず、何も動きません。</translation>
     </message>
     <message>
-        <source>Resets every module and assigns new addresses. Asks first.</source>
-        <translation>全モジュールをリセットし、新しいアドレスを割り当てます。実行前に確認します。</translation>
-    </message>
-    <message>
         <source>The chain already matches.</source>
         <translation>チェーンはすでに一致しています。</translation>
     </message>
@@ -6576,10 +6823,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Stop smoothly</source>
         <translation>減速停止</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>モーターオフ</translation>
     </message>
     <message>
         <source>The chip stops watching for home.</source>
@@ -6610,14 +6853,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>台形</translation>
     </message>
     <message>
-        <source>Velocity</source>
-        <translation>速度</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
         <source>Position (counts)</source>
         <translation>位置（カウント）</translation>
     </message>
@@ -6628,10 +6863,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Acceleration (counts/tick² × 65536)</source>
         <translation>加速度（カウント/周期² × 65536）</translation>
-    </message>
-    <message>
-        <source>PWM value</source>
-        <translation>PWM値</translation>
     </message>
     <message>
         <source>Reverse (velocity and PWM)</source>
@@ -6652,14 +6883,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Amplifier only</source>
         <translation>アンプのみ</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>即停止</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>減速停止</translation>
     </message>
     <message>
         <source>At a position</source>
@@ -6710,18 +6933,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>リミット2の変化</translation>
     </message>
     <message>
-        <source>Index</source>
-        <translation>インデックス</translation>
-    </message>
-    <message>
-        <source>Position error</source>
-        <translation>位置偏差</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>電流制限</translation>
-    </message>
-    <message>
         <source>Then</source>
         <translation>その後</translation>
     </message>
@@ -6732,10 +6943,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Position (steps)</source>
         <translation>位置（ステップ）</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
     </message>
     <message>
         <source>Acceleration time (0.25 ms)</source>
@@ -6834,10 +7041,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>%1をリセットしますか？モーターはオフになり、位置、設定、グループが失われます。ほかのモジュールは変わりません。</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
-    </message>
-    <message>
         <source>Reset the module</source>
         <translation>モジュールをリセット</translation>
     </message>
@@ -6881,10 +7084,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>The position becomes this value. Nothing moves.</source>
         <translation>位置がこの値になります。何も動きません。</translation>
     </message>
-    <message>
-        <source>How</source>
-        <translation>方法</translation>
-    </message>
 </context>
 <context>
     <name>nmc::FirstSteps</name>
@@ -6911,10 +7110,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 </context>
 <context>
     <name>nmc::FrequencyPage</name>
-    <message>
-        <source>Frequency response</source>
-        <translation>周波数応答</translation>
-    </message>
     <message>
         <source>Measure</source>
         <translation>測定</translation>
@@ -6964,10 +7159,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>周波数応答の結果</translation>
     </message>
     <message>
-        <source>Export CSV…</source>
-        <translation>CSVエクスポート…</translation>
-    </message>
-    <message>
         <source>Export CSV of the frequency response</source>
         <translation>CSVエクスポート：周波数応答</translation>
     </message>
@@ -6984,10 +7175,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>開ループと閉ループの周波数、ゲイン、位相を保存します。</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
         <source>Export the frequency response</source>
         <translation>周波数応答のエクスポート</translation>
     </message>
@@ -6999,24 +7186,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ゲインを適用(&amp;A)</translation>
     </message>
     <message>
-        <source>Start&amp;ing values</source>
-        <translation>初期値(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Gains</source>
-        <translation>ゲイン</translation>
-    </message>
-    <message>
         <source>Apply gains: all</source>
         <translation>ゲインを適用：すべて</translation>
     </message>
     <message>
         <source>Revert the gains to those last sent</source>
         <translation>編集を破棄：最後に送信したゲインに戻す</translation>
-    </message>
-    <message>
-        <source>Starting values: fill in</source>
-        <translation>初期値：入力</translation>
     </message>
     <message>
         <source>Fills in values to start tuning with. Sends nothing.</source>
@@ -7154,10 +7329,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>操作項目のないモジュール</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
         <source>No status yet.</source>
         <translation>ステータスはまだありません。</translation>
     </message>
@@ -7188,10 +7359,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 </context>
 <context>
     <name>nmc::GroupsPage</name>
-    <message>
-        <source>Groups</source>
-        <translation>グループ</translation>
-    </message>
     <message>
         <source>No modules yet: connect first.</source>
         <translation>モジュールがありません。先に接続してください。</translation>
@@ -7249,10 +7416,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>移動ロード済み</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
         <source>No groups yet. Add modules to a group first.</source>
         <translation>グループがありません。先にモジュールをグループに追加してください。</translation>
     </message>
@@ -7267,10 +7430,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Name of the group</source>
         <translation>グループの名前</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名前</translation>
     </message>
     <message>
         <source>The name of this group. Saved with the machine; nothing is sent.</source>
@@ -7419,10 +7578,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>サーチを中止</translation>
     </message>
     <message>
-        <source>Homing</source>
-        <translation>原点復帰</translation>
-    </message>
-    <message>
         <source>Home: search for it</source>
         <translation>原点復帰：原点をサーチ</translation>
     </message>
@@ -7437,10 +7592,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Search settings</source>
         <translation>サーチの設定</translation>
-    </message>
-    <message>
-        <source>A search for home is running.</source>
-        <translation>原点サーチの実行中です。</translation>
     </message>
     <message>
         <source>Moves the motor to search for home, as set above.</source>
@@ -7474,10 +7625,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>このスイッチが変化する場所が原点です。開始時にオンの場合、モーターはまず反対方向に退避します。</translation>
     </message>
     <message>
-        <source>Home switch</source>
-        <translation>原点スイッチ</translation>
-    </message>
-    <message>
         <source>Limit 1 (forward)</source>
         <translation>リミット1（正方向）</translation>
     </message>
@@ -7490,32 +7637,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>原点の条件</translation>
     </message>
     <message>
-        <source>Limit 1</source>
-        <translation>リミット1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>リミット2</translation>
-    </message>
-    <message>
-        <source>Index</source>
-        <translation>インデックス</translation>
-    </message>
-    <message>
         <source>Home is at the encoder&apos;s index, which comes once per turn.</source>
         <translation>1回転に1回現れるエンコーダーのインデックスが原点です。</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>位置偏差</translation>
-    </message>
-    <message>
         <source>Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared first. The servo is switched on again only to continue to the index or to home.</source>
         <translation>メカストッパーが原点です。位置偏差上限でサーボがオフになるまで、モーターを突き当てます。先にスティッキービットをクリアします。サーボを再びオンにするのは、続けてインデックスまたは原点へ移動するときだけです。</translation>
-    </message>
-    <message>
-        <source>Current limit</source>
-        <translation>電流制限</translation>
     </message>
     <message>
         <source>Home is at a hard stop: the motor runs against it until the current limit is reached. On its own, it takes effect only at full speed; combined with other conditions, from the start, so the starting current must stay below it. Sticky bits are cleared first.</source>
@@ -7550,10 +7677,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>方向</translation>
     </message>
     <message>
-        <source>Velocity</source>
-        <translation>速度</translation>
-    </message>
-    <message>
         <source>Maximum velocity for searching, backing off and going to home.</source>
         <translation>サーチ、退避、原点への移動の最高速度です。</translation>
     </message>
@@ -7564,10 +7687,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Velocity of the second search, for the index. Slower is more exact.</source>
         <translation>インデックスを探す2回目のサーチの速度です。遅いほど正確です。</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>加速度</translation>
     </message>
     <message>
         <source>Also used for smooth stops.</source>
@@ -7582,10 +7701,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>サーチまたは退避は、この距離を超えると停止し、失敗となります。</translation>
     </message>
     <message>
-        <source>Time limit</source>
-        <translation>制限時間</translation>
-    </message>
-    <message>
         <source>Time limit of a search</source>
         <translation>サーチの制限時間</translation>
     </message>
@@ -7596,18 +7711,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>%1 of the search for home</source>
         <translation>原点サーチの%1</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>即停止</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>減速停止</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>モーターオフ</translation>
     </message>
     <message>
         <source>Abruptly: stop at home</source>
@@ -7640,10 +7743,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Set position to 0</source>
         <translation>位置を0に設定</translation>
-    </message>
-    <message>
-        <source>A search for home is running.</source>
-        <translation>原点サーチの実行中です。</translation>
     </message>
     <message>
         <source>The first search already finds the index.</source>
@@ -7701,16 +7800,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>リミットとI/O</translation>
     </message>
     <message>
-        <source>Index</source>
-        <translation>インデックス</translation>
-    </message>
-    <message>
         <source>The encoder&apos;s index pulse, once per turn with most encoders.</source>
         <translation>エンコーダーのインデックスパルスです。多くのエンコーダーでは1回転に1回です。</translation>
-    </message>
-    <message>
-        <source>Motor power</source>
-        <translation>モーター電源</translation>
     </message>
     <message>
         <source>Without motor power the servo switches off, and stays off when power returns.</source>
@@ -7719,10 +7810,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>The A/D input; with most amplifiers, the motor current. Set its scale on the Axis page.</source>
         <translation>A/D入力です。多くのアンプではモーター電流です。スケールは「軸」ページで設定します。</translation>
-    </message>
-    <message>
-        <source>A/D</source>
-        <translation>A/D</translation>
     </message>
     <message>
         <source>Amplifier enabled (&amp;AMP_EN)</source>
@@ -7749,24 +7836,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>リミット%1：入力または出力</translation>
     </message>
     <message>
-        <source>input</source>
-        <translation>入力</translation>
-    </message>
-    <message>
         <source>output, low</source>
         <translation>出力、Low</translation>
     </message>
     <message>
         <source>output, high</source>
         <translation>出力、High</translation>
-    </message>
-    <message>
-        <source>high</source>
-        <translation>High</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>Low</translation>
     </message>
     <message>
         <source>Makes the pin an input, or an output with this level. Sent at once.</source>
@@ -7793,10 +7868,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>アンプのイネーブル線だけを切り替えます。サーボはそのままです。オフにすると、サーボの動作に関係なく、モーターに電流は流れません。</translation>
     </message>
     <message>
-        <source>Fast path</source>
-        <translation>高速パス</translation>
-    </message>
-    <message>
         <source>The Amplifier page sets what the module does when a limit closes.</source>
         <translation>リミットが閉じたときのモジュールの動作は、「アンプ」ページで設定します。</translation>
     </message>
@@ -7808,20 +7879,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::IoHead</name>
     <message>
-        <source>State of the selected module</source>
-        <translation>選択したモジュールの状態</translation>
-    </message>
-    <message>
         <source>Name of this module</source>
         <translation>このモジュールの名前</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
-        <source>%1, address %2</source>
-        <translation>%1、アドレス%2</translation>
     </message>
 </context>
 <context>
@@ -7831,32 +7890,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>I/Oモジュール</translation>
     </message>
     <message>
-        <source>Pages of the module</source>
-        <translation>モジュールのページ</translation>
-    </message>
-    <message>
-        <source>A/D and PWM</source>
-        <translation>A/DとPWM</translation>
-    </message>
-    <message>
         <source>Counter</source>
         <translation>カウンター</translation>
     </message>
 </context>
 <context>
     <name>nmc::IoValuesBox</name>
-    <message>
-        <source>A/D and PWM</source>
-        <translation>A/DとPWM</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>A/D入力</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
     <message>
         <source>Reads</source>
         <translation>読み取り値</translation>
@@ -7868,14 +7907,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>At 0</source>
         <translation>0のとき</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>単位</translation>
-    </message>
-    <message>
-        <source>Name of %1</source>
-        <translation>%1の名前</translation>
     </message>
     <message>
         <source>Value of %1</source>
@@ -7894,10 +7925,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>%1、0のとき</translation>
     </message>
     <message>
-        <source>The value at an A/D reading of 0.</source>
-        <translation>A/D読み取り値が0のときの値です。</translation>
-    </message>
-    <message>
         <source>Unit of %1</source>
         <translation>%1の単位</translation>
     </message>
@@ -7912,10 +7939,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>0 to 255</source>
         <translation>0～255</translation>
-    </message>
-    <message>
-        <source>Off at stop</source>
-        <translation>停止でオフ</translation>
     </message>
     <message>
         <source>Last value sent to %1</source>
@@ -7933,48 +7956,20 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>STOP ALL switches this output off. If cleared, the output stays as it is.</source>
         <translation>全停止でこの出力をオフにします。チェックを外すと、出力はそのまま残ります。</translation>
     </message>
-    <message>
-        <source>%1 of 255</source>
-        <translation>%1 / 255</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? 不明</translation>
-    </message>
 </context>
 <context>
     <name>nmc::JogBox</name>
     <message>
-        <source>Jog</source>
-        <translation>ジョグ</translation>
-    </message>
-    <message>
         <source>Jog speed</source>
         <translation>ジョグ速度</translation>
-    </message>
-    <message>
-        <source>◂ Hold</source>
-        <translation>◂ ジョグ</translation>
     </message>
     <message>
         <source>Hold to move in reverse</source>
         <translation>◂ ジョグ：押している間、逆方向に移動</translation>
     </message>
     <message>
-        <source>Hold ▸</source>
-        <translation>ジョグ ▸</translation>
-    </message>
-    <message>
         <source>Hold to move forward</source>
         <translation>ジョグ ▸：押している間、正方向に移動</translation>
-    </message>
-    <message>
-        <source>Moves forward while held, then stops.</source>
-        <translation>押している間、正方向に動き、離すと停止します。</translation>
-    </message>
-    <message>
-        <source>Moves in reverse while held, then stops.</source>
-        <translation>押している間、逆方向に動き、離すと停止します。</translation>
     </message>
     <message>
         <source>How fast the motor turns while you hold a button, or Space on it. Returns to a low value at each connection; set the max jog speed on the Axis page.</source>
@@ -8019,26 +8014,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::LimitStopBox</name>
     <message>
-        <source>limit 1</source>
-        <translation>リミット1</translation>
-    </message>
-    <message>
-        <source>limit 2</source>
-        <translation>リミット2</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>リミット停止</translation>
-    </message>
-    <message>
-        <source>Limit 1</source>
-        <translation>リミット1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>リミット2</translation>
-    </message>
-    <message>
         <source>Arm limit stop</source>
         <translation>リミット停止を有効化</translation>
     </message>
@@ -8061,18 +8036,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>State of the limit stop</source>
         <translation>リミット停止の状態</translation>
-    </message>
-    <message>
-        <source>Abruptly</source>
-        <translation>即停止</translation>
-    </message>
-    <message>
-        <source>Smoothly</source>
-        <translation>減速停止</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>モーターオフ</translation>
     </message>
     <message>
         <source>Abruptly: stop at the limit</source>
@@ -8167,10 +8130,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>%1または%2</translation>
     </message>
     <message>
-        <source>Position error</source>
-        <translation>位置偏差</translation>
-    </message>
-    <message>
         <source>Current</source>
         <translation>電流</translation>
     </message>
@@ -8209,10 +8168,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>リミット停止は動作ごとに有効になります。先にそのチェックボックスを外してください。</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>方法</translation>
     </message>
 </context>
 <context>
@@ -8265,14 +8220,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Loop tests</source>
         <translation>ループテスト</translation>
-    </message>
-    <message>
-        <source>Square wave</source>
-        <translation>矩形波</translation>
-    </message>
-    <message>
-        <source>Frequency response</source>
-        <translation>周波数応答</translation>
     </message>
     <message>
         <source>Report…</source>
@@ -8342,14 +8289,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>マシンファイル (*.%1)</translation>
     </message>
     <message>
-        <source>All files (*)</source>
-        <translation>すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>Open machine</source>
-        <translation>マシンを開く</translation>
-    </message>
-    <message>
         <source>Save machine</source>
         <translation>マシンを保存</translation>
     </message>
@@ -8413,24 +8352,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モジュール一覧</translation>
     </message>
     <message>
-        <source>Scope</source>
-        <translation>スコープ</translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation>メッセージ</translation>
-    </message>
-    <message>
         <source>NMC Panel - Simulator</source>
         <translation>NMC Panel - シミュレーター</translation>
     </message>
     <message>
         <source>NMC Panel - %1</source>
         <translation>NMC Panel - %1</translation>
-    </message>
-    <message>
-        <source>No module</source>
-        <translation>モジュールなし</translation>
     </message>
     <message>
         <source>&amp;Stop and disconnect</source>
@@ -8465,10 +8392,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>読み取り専用 — ステータス要求だけを送信します。全停止は使用できます。</translation>
     </message>
     <message>
-        <source>Connect fully</source>
-        <translation>通常接続に切替</translation>
-    </message>
-    <message>
         <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
         <translation>コマンドを許可して、同じポートに再接続します。何も動きません。</translation>
     </message>
@@ -8493,20 +8416,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>Enterで、モジュールのページに表示します。何も送信しません。</translation>
     </message>
     <message>
-        <source>Operator mode</source>
-        <translation>オペレーターモード</translation>
-    </message>
-    <message>
         <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
         <translation>オペレーターモード — 許可された操作だけを使用できます。全停止は常に使用できます。</translation>
     </message>
     <message>
         <source>Leave…</source>
         <translation>モード終了…</translation>
-    </message>
-    <message>
-        <source>Asks for the PIN.</source>
-        <translation>PINの入力が必要です。</translation>
     </message>
     <message>
         <source>End pendant mode</source>
@@ -8527,10 +8442,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>PENDANT — %1. %2</source>
         <translation>ペンダント — %1。%2</translation>
-    </message>
-    <message>
-        <source>Module</source>
-        <translation>モジュール</translation>
     </message>
     <message>
         <source>Pendant</source>
@@ -8559,10 +8470,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Save the tuning report</source>
         <translation>調整レポートの保存</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>HTML (*.html)</source>
@@ -8623,10 +8530,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::MessageList</name>
     <message>
-        <source>Messages</source>
-        <translation>メッセージ</translation>
-    </message>
-    <message>
         <source>No messages. Problems are listed here, with the time when they ended.</source>
         <translation>メッセージはありません。問題の発生と終了がここに表示されます。</translation>
     </message>
@@ -8650,10 +8553,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>メッセージを種類で絞り込みます。</translation>
     </message>
     <message>
-        <source>All kinds</source>
-        <translation>すべての種類</translation>
-    </message>
-    <message>
         <source>Notes</source>
         <translation>注記</translation>
     </message>
@@ -8664,10 +8563,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Filters the messages by module.</source>
         <translation>メッセージをモジュールで絞り込みます。</translation>
-    </message>
-    <message>
-        <source>All modules</source>
-        <translation>全モジュール</translation>
     </message>
     <message>
         <source>Active only</source>
@@ -8713,10 +8608,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Export messages</source>
         <translation>メッセージのエクスポート</translation>
     </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>テキスト (*.txt)</translation>
-    </message>
 </context>
 <context>
     <name>nmc::MessageRow</name>
@@ -8725,10 +8616,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>
             <numerusform>%n回</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>ended at %1</source>
-        <translation>%1に終了</translation>
     </message>
 </context>
 <context>
@@ -8873,10 +8760,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>チェックすると閉じます。</translation>
     </message>
     <message>
-        <source>Motor power</source>
-        <translation>モーター電源</translation>
-    </message>
-    <message>
         <source>The motor&apos;s supply, not the module&apos;s.</source>
         <translation>モジュールではなく、モーターの電源です。</translation>
     </message>
@@ -8889,28 +8772,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>リミットスイッチ2、逆方向</translation>
     </message>
     <message>
-        <source>Home switch</source>
-        <translation>原点スイッチ</translation>
-    </message>
-    <message>
-        <source>E-stop input</source>
-        <translation>E-stop入力</translation>
-    </message>
-    <message>
         <source>Input 1</source>
         <translation>入力1</translation>
     </message>
     <message>
         <source>Input 2</source>
         <translation>入力2</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>A/D入力</translation>
-    </message>
-    <message>
-        <source>of 255</source>
-        <translation>/ 255</translation>
     </message>
     <message>
         <source>The A/D reading of the temperature sensor.</source>
@@ -9045,16 +8912,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>原点スイッチは、この位置より正方向側で閉じます。チェックを外すと、手動で設定します。</translation>
     </message>
     <message>
-        <source>Pins</source>
-        <translation>ピン一覧</translation>
-    </message>
-    <message>
         <source>%1: level</source>
         <translation>%1：レベル</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>255 is 5 V.</source>
@@ -9115,10 +8974,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>選択したモジュールの動作</translation>
     </message>
     <message>
-        <source>Motion</source>
-        <translation>動作</translation>
-    </message>
-    <message>
         <source>The pages of this module.</source>
         <translation>このモジュールのページです。</translation>
     </message>
@@ -9133,26 +8988,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::MotionBox</name>
     <message>
-        <source>Motion</source>
-        <translation>動作</translation>
-    </message>
-    <message>
-        <source>Goal position</source>
-        <translation>目標位置</translation>
-    </message>
-    <message>
-        <source>The goal position</source>
-        <translation>目標位置の値</translation>
-    </message>
-    <message>
-        <source>&amp;Go</source>
-        <translation>移動(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Go to the position</source>
-        <translation>移動：この位置へ</translation>
-    </message>
-    <message>
         <source>Ve&amp;locity</source>
         <translation>速度(&amp;L)</translation>
     </message>
@@ -9165,40 +9000,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>加速度(&amp;N)</translation>
     </message>
     <message>
-        <source>Acceleration</source>
-        <translation>加速度</translation>
-    </message>
-    <message>
         <source>Velocity of running</source>
         <translation>運転の速度</translation>
-    </message>
-    <message>
-        <source>Run &amp;reverse</source>
-        <translation>逆方向運転(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Run reverse until stopped</source>
-        <translation>逆方向運転：停止操作をするまで</translation>
-    </message>
-    <message>
-        <source>R&amp;un forward</source>
-        <translation>正方向運転(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Run forward until stopped</source>
-        <translation>正方向運転：停止操作をするまで</translation>
-    </message>
-    <message>
-        <source>Moves to the position, then holds.</source>
-        <translation>その位置へ移動し、保持します。</translation>
-    </message>
-    <message>
-        <source>Runs forward until stopped.</source>
-        <translation>停止操作をするまで正方向に運転します。</translation>
-    </message>
-    <message>
-        <source>Runs in reverse until stopped.</source>
-        <translation>停止操作をするまで逆方向に運転します。</translation>
     </message>
     <message>
         <source>Used by every motion here, and by a smooth stop.</source>
@@ -9213,10 +9016,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>位置または距離</translation>
     </message>
     <message>
-        <source>position</source>
-        <translation>位置</translation>
-    </message>
-    <message>
         <source>distance</source>
         <translation>距離</translation>
     </message>
@@ -9227,18 +9026,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>&amp;Zero here</source>
         <translation>現在位置を0に(&amp;Z)</translation>
-    </message>
-    <message>
-        <source>Zero here: set the present position to 0</source>
-        <translation>現在位置を0に：位置の値を0に設定</translation>
-    </message>
-    <message>
-        <source>Go home</source>
-        <translation>原点へ移動</translation>
-    </message>
-    <message>
-        <source>Load</source>
-        <translation>ロード</translation>
     </message>
     <message>
         <source>Load the move, start it later</source>
@@ -9301,22 +9088,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>原点へ移動します。</translation>
     </message>
     <message>
-        <source>Use nearest</source>
-        <translation>最も近い値を使用</translation>
-    </message>
-    <message>
-        <source>Use nearest allowed position</source>
-        <translation>最も近い値を使用：許可された位置</translation>
-    </message>
-    <message>
-        <source>Use %1</source>
-        <translation>%1を使用</translation>
-    </message>
-    <message>
-        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
-        <translation>目標位置を、許可された最も近い位置に設定します。何も動きません。</translation>
-    </message>
-    <message>
         <source>Runs forward until stopped, or to its highest position.</source>
         <translation>停止操作をするまで、または最大位置まで、正方向に運転します。</translation>
     </message>
@@ -9344,16 +9115,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ステップの距離の値</translation>
     </message>
     <message>
-        <source>◂| Step</source>
-        <translation>◂| ステップ</translation>
-    </message>
-    <message>
         <source>Step in reverse</source>
         <translation>◂| ステップ：逆方向に移動</translation>
-    </message>
-    <message>
-        <source>Step |▸</source>
-        <translation>ステップ |▸</translation>
     </message>
     <message>
         <source>Step forward</source>
@@ -9398,10 +9161,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>times, pause</source>
         <translation>回、休止</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
     </message>
     <message>
         <source>Repeat</source>
@@ -9465,10 +9224,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 </context>
 <context>
     <name>nmc::OperatorDialog</name>
-    <message>
-        <source>Operator mode</source>
-        <translation>オペレーターモード</translation>
-    </message>
     <message>
         <source>Select what the operator may do. STOP ALL, Esc, each motor&apos;s stops and Disconnect always work. Operator mode prevents mistakes; it is not a security feature: anyone with access to this computer&apos;s files can bypass it.</source>
         <translation>オペレーターに許可する操作を選択してください。全停止、Esc、各モーターの停止、切断は常に使用できます。オペレーターモードは誤操作を防ぐもので、セキュリティ機能ではありません。このコンピューターのファイルを扱える人なら回避できます。</translation>
@@ -9553,10 +9308,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>オペレーターモード(&amp;P)…</translation>
     </message>
     <message>
-        <source>Asks for the PIN.</source>
-        <translation>PINの入力が必要です。</translation>
-    </message>
-    <message>
         <source>Limits the panel to the actions that you select, until someone enters the PIN.</source>
         <translation>PINが入力されるまで、選択した操作だけにパネルを制限します。</translation>
     </message>
@@ -9574,10 +9325,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Purpose</source>
         <translation>目的</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>コマンド</translation>
     </message>
     <message>
         <source>Meaning</source>
@@ -9607,10 +9354,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>1つのモジュールのパケットだけを表示します（Ctrl+M）。</translation>
     </message>
     <message>
-        <source>All modules</source>
-        <translation>全モジュール</translation>
-    </message>
-    <message>
         <source>Filter packets by kind</source>
         <translation>パケットを種類で絞り込み</translation>
     </message>
@@ -9619,16 +9362,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>1種類のパケットだけを表示します（Ctrl+T）。</translation>
     </message>
     <message>
-        <source>All kinds</source>
-        <translation>すべての種類</translation>
-    </message>
-    <message>
         <source>Polls</source>
         <translation>ポーリング</translation>
-    </message>
-    <message>
-        <source>Commands</source>
-        <translation>コマンド</translation>
     </message>
     <message>
         <source>Stops</source>
@@ -9641,10 +9376,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Errors only</source>
         <translation>エラーのみ</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>一時停止</translation>
     </message>
     <message>
         <source>Stops recording; packets shown stay (%1).</source>
@@ -9665,10 +9396,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Copies the selected rows as text, or all rows if none is selected (%1).</source>
         <translation>選択した行をテキストとしてコピーします。選択がなければ全行です（%1）。</translation>
-    </message>
-    <message>
-        <source>Save as…</source>
-        <translation>名前を付けて保存…</translation>
     </message>
     <message>
         <source>Saves all recorded packets as text, or as a log that can be replayed (%1).</source>
@@ -9693,10 +9420,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Save packets</source>
         <translation>パケットの保存</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>テキスト (*.txt)</translation>
     </message>
     <message>
         <source>Replayable log (*%1)</source>
@@ -9761,20 +9484,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モーターオフ(&amp;M)</translation>
     </message>
     <message>
-        <source>Motor off: this module</source>
-        <translation>モーターオフ：このモジュール</translation>
-    </message>
-    <message>
-        <source>State of the selected module</source>
-        <translation>選択したモジュールの状態</translation>
-    </message>
-    <message>
         <source>Position unknown</source>
         <translation>位置不明</translation>
-    </message>
-    <message>
-        <source>%1, address %2</source>
-        <translation>%1、アドレス%2</translation>
     </message>
     <message>
         <source>The servo is already on.</source>
@@ -9791,10 +9502,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Stops at once, then holds.</source>
         <translation>直ちに停止し、保持します。</translation>
-    </message>
-    <message>
-        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>サーボとアンプをオフにします。モーターは自由に回り、負荷が落下することがあります。</translation>
     </message>
     <message>
         <source>&amp;Enable amplifier</source>
@@ -9837,28 +9544,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>0.2秒間の位置から測定した速度です。</translation>
     </message>
     <message>
-        <source>Motor current</source>
-        <translation>モーター電流</translation>
-    </message>
-    <message>
-        <source>A/D input</source>
-        <translation>A/D入力</translation>
-    </message>
-    <message>
-        <source>Limit switch 1.</source>
-        <translation>リミットスイッチ1です。</translation>
-    </message>
-    <message>
-        <source>Limit switch 2.</source>
-        <translation>リミットスイッチ2です。</translation>
-    </message>
-    <message>
         <source>Motor power as sensed by the module.</source>
         <translation>モジュールが検出したモーター電源です。</translation>
-    </message>
-    <message>
-        <source>Limit stop</source>
-        <translation>リミット停止</translation>
     </message>
     <message>
         <source>Limit %1 –</source>
@@ -9891,10 +9578,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Current %1</source>
         <translation>電流 %1</translation>
-    </message>
-    <message>
-        <source>A/D %1</source>
-        <translation>A/D %1</translation>
     </message>
     <message>
         <source>● Limit stop armed</source>
@@ -9944,10 +9627,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>パスの位置の時間推移</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1～%2</translation>
     </message>
@@ -9989,10 +9668,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Rate of the path to draw</source>
         <translation>作成するパスのレート</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
     </message>
     <message>
         <source>Draw path</source>
@@ -10107,24 +9782,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>パスの全軸を停止します。各軸は停止した位置で保持します。</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
         <source>A path file has a column for each axis. Axes here: %1.</source>
         <translation>パスファイルには軸ごとに1列あります。ここの軸：%1。</translation>
     </message>
     <message>
         <source>Open a path</source>
         <translation>パスを開く</translation>
-    </message>
-    <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>すべてのファイル (*)</translation>
     </message>
     <message>
         <source>Save the path</source>
@@ -10169,10 +9832,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>全ピンを入力にする</translation>
     </message>
     <message>
-        <source>Pins</source>
-        <translation>ピン一覧</translation>
-    </message>
-    <message>
         <source>Pin</source>
         <translation>ピン</translation>
     </message>
@@ -10189,44 +9848,20 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>出力</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
         <source>Ask first</source>
         <translation>確認する</translation>
-    </message>
-    <message>
-        <source>Off at stop</source>
-        <translation>停止でオフ</translation>
-    </message>
-    <message>
-        <source>input</source>
-        <translation>入力</translation>
     </message>
     <message>
         <source>output</source>
         <translation>出力</translation>
     </message>
     <message>
-        <source>? unknown</source>
-        <translation>? 不明</translation>
-    </message>
-    <message>
         <source>Direction of %1</source>
         <translation>%1の方向</translation>
     </message>
     <message>
-        <source>high</source>
-        <translation>High</translation>
-    </message>
-    <message>
         <source>high: output %1</source>
         <translation>High：出力%1</translation>
-    </message>
-    <message>
-        <source>Name of %1</source>
-        <translation>%1の名前</translation>
     </message>
     <message>
         <source>Ask first before %1 changes</source>
@@ -10243,10 +9878,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>STOP ALL takes this output low. If cleared, the output stays as it is.</source>
         <translation>全停止でこの出力をLowにします。チェックを外すと、出力はそのまま残ります。</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Switch %1 on?</source>
@@ -10293,20 +9924,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>Low（設定はHigh）</translation>
     </message>
     <message>
-        <source>low</source>
-        <translation>Low</translation>
-    </message>
-    <message>
         <source>This pin is an input.</source>
         <translation>このピンは入力です。</translation>
     </message>
     <message>
         <source>Pin directions unknown.</source>
         <translation>ピンの方向が不明です。</translation>
-    </message>
-    <message>
-        <source>Switches this output at once.</source>
-        <translation>この出力を直ちに切り替えます。</translation>
     </message>
 </context>
 <context>
@@ -10359,10 +9982,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
-    </message>
-    <message>
         <source>P&amp;rinter</source>
         <translation>プリンター(&amp;R)</translation>
     </message>
@@ -10383,10 +10002,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ページの保存</translation>
     </message>
     <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
         <source>page</source>
         <translation>page</translation>
     </message>
@@ -10400,18 +10015,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Drive forward</source>
         <translation>正方向に駆動</translation>
-    </message>
-    <message>
-        <source>Motor off</source>
-        <translation>モーターオフ</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>PWM value</source>
-        <translation>PWM値</translation>
     </message>
     <message>
         <source>The PWM value</source>
@@ -10430,10 +10033,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>正方向に駆動：このPWM値</translation>
     </message>
     <message>
-        <source>Motor off: this module</source>
-        <translation>モーターオフ：このモジュール</translation>
-    </message>
-    <message>
         <source>PWM drives the motor directly, without the servo. No position, position error or output limit protects it, and it runs until you switch it off.</source>
         <translation>PWMはサーボを使わず、モーターを直接駆動します。位置、位置偏差、出力の制限による保護はなく、オフにするまで動き続けます。</translation>
     </message>
@@ -10449,20 +10048,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Drives the motor forward until you switch it off.</source>
         <translation>オフにするまで、モーターを正方向に駆動します。</translation>
     </message>
-    <message>
-        <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>サーボとアンプをオフにします。モーターは自由に回り、負荷が落下することがあります。</translation>
-    </message>
 </context>
 <context>
     <name>nmc::RatePage</name>
     <message>
         <source>&amp;Change baud rate</source>
         <translation>ボーレートを変更(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Baud rate</source>
-        <translation>ボーレート</translation>
     </message>
     <message>
         <source>New baud rate of the chain</source>
@@ -10552,10 +10143,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>名前を付けて保存(&amp;S)…</translation>
     </message>
     <message>
-        <source>Save as…</source>
-        <translation>名前を付けて保存…</translation>
-    </message>
-    <message>
         <source>&amp;Close</source>
         <translation>閉じる(&amp;C)</translation>
     </message>
@@ -10566,10 +10153,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Save the report</source>
         <translation>レポートの保存</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>テキスト (*.txt)</translation>
     </message>
 </context>
 <context>
@@ -10591,16 +10174,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>指令を急変させる距離です。負の値は逆方向です。小さなステップではサーボの調整具合が、大きなステップではアンプの限界が分かります。</translation>
     </message>
     <message>
-        <source>Method: how the command jumps</source>
-        <translation>方式：指令の変化のしかた</translation>
-    </message>
-    <message>
         <source>The record</source>
         <translation>記録時間の値</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
     </message>
     <message>
         <source>How long to record after the step. Then the motor is commanded to hold.</source>
@@ -10621,10 +10196,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Distance</source>
         <translation>距離</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>方式</translation>
     </message>
     <message>
         <source>Record</source>
@@ -10678,20 +10249,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::ResponsePage</name>
     <message>
-        <source>Step response</source>
-        <translation>ステップ応答</translation>
-    </message>
-    <message>
         <source>Use these gains</source>
         <translation>このゲインを使用</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>削除</translation>
-    </message>
-    <message>
-        <source>Export CSV…</source>
-        <translation>CSVエクスポート…</translation>
     </message>
     <message>
         <source>Select a run in the list first.</source>
@@ -10722,10 +10281,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ステップ応答のエクスポート</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
-    </message>
-    <message>
         <source>Step</source>
         <translation>ステップ</translation>
     </message>
@@ -10752,10 +10307,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Shows the other runs of this module, older runs paler.</source>
         <translation>このモジュールのほかの測定を、古いものほど淡く表示します。</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>復元</translation>
     </message>
     <message>
         <source>No run was removed.</source>
@@ -10816,22 +10367,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>position from the start (%1)</source>
         <translation>開始点からの位置 (%1)</translation>
     </message>
-    <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>時間</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>
@@ -10840,24 +10375,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>表示中の測定の結果</translation>
     </message>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>測定</translation>
     </message>
     <message>
         <source>Rise, 10 to 90 %</source>
         <translation>立ち上がり（10～90%）</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>オーバーシュート</translation>
     </message>
     <message>
         <source>Steady-state error</source>
@@ -10892,10 +10415,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>記録の2つの位置の間の平均時間です。結果の精度を左右します。</translation>
     </message>
     <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>Settling to the goal</source>
         <translation>目標位置への整定</translation>
     </message>
@@ -10919,28 +10438,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>これまでのステップ応答</translation>
     </message>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>測定</translation>
     </message>
     <message>
-        <source>Module</source>
-        <translation>モジュール</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>時刻</translation>
-    </message>
-    <message>
-        <source>Overshoot</source>
-        <translation>オーバーシュート</translation>
     </message>
     <message>
         <source>Settling</source>
@@ -10967,10 +10470,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ステップ応答（新しいものが先頭）です。チェックボックスを2つ選択すると、曲線を比較できます。最後の%1件はマシンとともに保存され、名前または注記のあるものは最も長く残ります。</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>名前</translation>
-    </message>
-    <message>
         <source>Note</source>
         <translation>注記</translation>
     </message>
@@ -10982,32 +10481,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Note on the run. Double-click or press F2 to edit.</source>
         <translation>測定の注記です。ダブルクリックまたはF2で編集します。</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1、%2</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ResponseView</name>
     <message>
-        <source>Cursor readings</source>
-        <translation>カーソル値</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>測定</translation>
-    </message>
-    <message>
-        <source>Cursor 1</source>
-        <translation>カーソル1</translation>
-    </message>
-    <message>
-        <source>Cursor 2</source>
-        <translation>カーソル2</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>差</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -11018,44 +10497,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>動作の時間とすべての位置が収まるように表示します（グラフでA）。</translation>
     </message>
     <message>
-        <source>Cursors</source>
-        <translation>カーソル</translation>
-    </message>
-    <message>
         <source>Shows two cursors to measure with: drag them (C, in the plot).</source>
         <translation>測定用の2本のカーソルを表示します：ドラッグして動かします（グラフでC）。</translation>
     </message>
     <message>
         <source>Picture</source>
         <translation>画像</translation>
-    </message>
-    <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>画像 (PNG)(&amp;P)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>表示中のグラフの画像です。</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>ベクター画像 (SVG)(&amp;V)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>表示中のグラフを、どの大きさでも鮮明な線で保存します。</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>ページ (PDF)(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>表示中のグラフを、印刷やレポート用の1ページにします。</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>画像をコピー(&amp;C)</translation>
     </message>
     <message>
         <source>Copies the visible plot to the clipboard.</source>
@@ -11090,28 +10537,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ステップ応答の画像</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1ファイル (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>すべてのファイル (*)</translation>
-    </message>
-    <message>
         <source>step</source>
         <translation>ステップ応答</translation>
-    </message>
-    <message>
-        <source>P&amp;rint…</source>
-        <translation>印刷(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
-        <translation>表示中のグラフを、このコンピューターのプリンターで印刷します。</translation>
-    </message>
-    <message>
-        <source>SIMULATOR, no real motor moved</source>
-        <translation>シミュレーター：実際のモーターは動いていません</translation>
     </message>
 </context>
 <context>
@@ -11226,31 +10653,15 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>A/D %1が下回る</translation>
     </message>
     <message>
-        <source>%1 of 255</source>
-        <translation>%1 / 255</translation>
-    </message>
-    <message>
         <source>Within</source>
         <translation>制限時間</translation>
-    </message>
-    <message>
-        <source>How</source>
-        <translation>方法</translation>
     </message>
 </context>
 <context>
     <name>nmc::ScopeBar</name>
     <message>
-        <source>Pause</source>
-        <translation>一時停止</translation>
-    </message>
-    <message>
         <source>Freezes the display (Ctrl+P). Recording of samples continues.</source>
         <translation>表示を固定します（Ctrl+P）。サンプルの記録は続きます。</translation>
-    </message>
-    <message>
-        <source>Cursors</source>
-        <translation>カーソル</translation>
     </message>
     <message>
         <source>Shows two cursors to measure with: drag them (C).</source>
@@ -11293,10 +10704,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>表示欄に表示する信号を選択します（S）。</translation>
     </message>
     <message>
-        <source>Trigger</source>
-        <translation>トリガー</translation>
-    </message>
-    <message>
         <source>Waits for a signal or a status bit, and holds the picture around it (T).</source>
         <translation>信号またはステータスビットを待ち、その前後の画面を保持します（T）。</translation>
     </message>
@@ -11324,26 +10731,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>サンプル (CSV)(&amp;S)…</translation>
     </message>
     <message>
-        <source>&amp;Picture (PNG)…</source>
-        <translation>画像 (PNG)(&amp;P)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as an image.</source>
-        <translation>表示中のグラフの画像です。</translation>
-    </message>
-    <message>
-        <source>&amp;Vector picture (SVG)…</source>
-        <translation>ベクター画像 (SVG)(&amp;V)…</translation>
-    </message>
-    <message>
-        <source>The visible plot as lines that stay sharp at any size.</source>
-        <translation>表示中のグラフを、どの大きさでも鮮明な線で保存します。</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>画像をコピー(&amp;C)</translation>
-    </message>
-    <message>
         <source>Copies the visible plot to the clipboard, with its samples if there are only a few.</source>
         <translation>表示中のグラフをクリップボードにコピーします。サンプルが少なければ一緒にコピーします。</translation>
     </message>
@@ -11352,32 +10739,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>スコープからエクスポート</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1ファイル (*.%2)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>すべてのファイル (*)</translation>
-    </message>
-    <message>
         <source>scope</source>
         <translation>スコープ</translation>
-    </message>
-    <message>
-        <source>P&amp;age (PDF)…</source>
-        <translation>ページ (PDF)(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>The visible plot on a page for printing or a report.</source>
-        <translation>表示中のグラフを、印刷やレポート用の1ページにします。</translation>
-    </message>
-    <message>
-        <source>P&amp;rint…</source>
-        <translation>印刷(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Prints the visible plot on one of this computer&apos;s printers.</source>
-        <translation>表示中のグラフを、このコンピューターのプリンターで印刷します。</translation>
     </message>
     <message>
         <source>All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only.</source>
@@ -11409,10 +10772,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Opening</source>
         <translation>読み込み中</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
     </message>
     <message>
         <source>Cancels opening; the scope stays as it is.</source>
@@ -11455,10 +10814,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>記録 (*.%1)</translation>
     </message>
     <message>
-        <source>All files (*)</source>
-        <translation>すべてのファイル (*)</translation>
-    </message>
-    <message>
         <source>Open recording</source>
         <translation>記録を開く</translation>
     </message>
@@ -11469,10 +10824,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Overlay</source>
         <translation>重ね表示</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>削除</translation>
     </message>
     <message>
         <source>Removes the recording from the plots. Its file is kept.</source>
@@ -11502,17 +10853,9 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Overlay a recording</source>
         <translation>記録の重ね表示</translation>
     </message>
-    <message>
-        <source>Overlay: %1</source>
-        <translation>重ね表示：%1</translation>
-    </message>
 </context>
 <context>
     <name>nmc::ScopePanel</name>
-    <message>
-        <source>Scope</source>
-        <translation>スコープ</translation>
-    </message>
     <message>
         <source>Exports the visible samples or a picture.</source>
         <translation>表示中のサンプルまたは画像をエクスポートします。</translation>
@@ -11524,10 +10867,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>%1 (simulator)</source>
         <translation>%1（シミュレーター）</translation>
-    </message>
-    <message>
-        <source>Overlay: %1</source>
-        <translation>重ね表示：%1</translation>
     </message>
 </context>
 <context>
@@ -11556,14 +10895,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>スコープの表示欄%1</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1、%2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
         <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>ドラッグして表示欄の大きさを変えます。ダブルクリックで均等になります。</translation>
     </message>
@@ -11574,10 +10905,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 </context>
 <context>
     <name>nmc::SequencesPage</name>
-    <message>
-        <source>Points and sequences</source>
-        <translation>ポイントとシーケンス</translation>
-    </message>
     <message>
         <source>Rename point</source>
         <translation>ポイント名の変更</translation>
@@ -11719,16 +11046,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>下へ：選択した行を移動</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>元に戻す</translation>
-    </message>
-    <message>
         <source>Undo the last change to points and sequences</source>
         <translation>元に戻す：ポイントとシーケンスの最後の変更</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>やり直し</translation>
     </message>
     <message>
         <source>Redo the last undone change to points and sequences</source>
@@ -11761,10 +11080,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Run from row: start at the selected row</source>
         <translation>行から運転：選択した行から開始</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>一時停止</translation>
     </message>
     <message>
         <source>Pause the sequence after its row</source>
@@ -11801,10 +11116,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Select at least one axis.</source>
         <translation>軸を1つ以上選択してください。</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
     </message>
     <message>
         <source>Stores the present positions of the selected axes under this name, replacing any point of that name. Nothing moves.</source>
@@ -11871,16 +11182,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>この行を下へ移動します。</translation>
     </message>
     <message>
-        <source>Nothing to undo.</source>
-        <translation>元に戻すものがありません。</translation>
-    </message>
-    <message>
         <source>Undo: %1</source>
         <translation>元に戻す：%1</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>やり直すものがありません。</translation>
     </message>
     <message>
         <source>Redo: %1</source>
@@ -11942,40 +11245,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>サーボモジュール</translation>
     </message>
     <message>
-        <source>Gains</source>
-        <translation>ゲイン</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>詳細</translation>
-    </message>
-    <message>
-        <source>Pages of the module</source>
-        <translation>モジュールのページ</translation>
-    </message>
-    <message>
         <source>Limits &amp;&amp; I/O</source>
         <translation>リミット &amp;&amp; I/O</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>原点復帰</translation>
-    </message>
-    <message>
-        <source>PWM</source>
-        <translation>PWM</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>軸</translation>
-    </message>
-    <message>
-        <source>Expert</source>
-        <translation>エキスパート</translation>
-    </message>
-    <message>
-        <source>Amplifier</source>
-        <translation>アンプ</translation>
     </message>
 </context>
 <context>
@@ -11987,10 +11258,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Signals and their strips</source>
         <translation>信号と表示欄</translation>
-    </message>
-    <message>
-        <source>Signal</source>
-        <translation>信号</translation>
     </message>
     <message>
         <source>Strip %1</source>
@@ -12032,23 +11299,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::SimulatorBench</name>
     <message>
-        <source>Simulator</source>
-        <translation>シミュレーター</translation>
-    </message>
-    <message>
         <source>Simulated module</source>
         <translation>シミュレーションモジュール</translation>
     </message>
     <message>
         <source>Follows the module list, and includes modules that the panel did not find.</source>
         <translation>モジュール一覧に従います。パネルが検出しなかったモジュールも含みます。</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::SimulatorDock</name>
-    <message>
-        <source>Simulator</source>
-        <translation>シミュレーター</translation>
     </message>
 </context>
 <context>
@@ -12076,10 +11332,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 </context>
 <context>
     <name>nmc::SquareWavePage</name>
-    <message>
-        <source>Square wave</source>
-        <translation>矩形波</translation>
-    </message>
     <message>
         <source>Start test</source>
         <translation>テスト開始</translation>
@@ -12109,10 +11361,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>周期の値</translation>
     </message>
     <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
         <source>Periods</source>
         <translation>周期数</translation>
     </message>
@@ -12129,14 +11377,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>両端からさらに動いてよい距離です。これを超えるとテストを停止し、モーターを保持します。</translation>
     </message>
     <message>
-        <source>Method: how the command jumps</source>
-        <translation>方式：指令の変化のしかた</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>方式</translation>
-    </message>
-    <message>
         <source>Results of the edges</source>
         <translation>エッジの結果</translation>
     </message>
@@ -12149,20 +11389,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>測定として保存：エッジの中央値</translation>
     </message>
     <message>
-        <source>Rise %1</source>
-        <translation>立ち上がり %1</translation>
-    </message>
-    <message>
-        <source>Overshoot %1</source>
-        <translation>オーバーシュート %1</translation>
-    </message>
-    <message>
         <source>Settling %1</source>
         <translation>整定 %1</translation>
-    </message>
-    <message>
-        <source>Steady-state error %1</source>
-        <translation>定常偏差 %1</translation>
     </message>
     <message>
         <source>No edge recorded yet.</source>
@@ -12184,20 +11412,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>不明</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation>元に戻す</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>やり直し</translation>
-    </message>
-    <message>
         <source>Revert</source>
         <translation>編集を破棄</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? 不明</translation>
     </message>
     <message>
         <source>✓ sent</source>
@@ -12208,16 +11424,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>● 未送信</translation>
     </message>
     <message>
-        <source>Nothing to undo.</source>
-        <translation>元に戻すものがありません。</translation>
-    </message>
-    <message>
         <source>Undoes the last edit in these fields. Sends nothing.</source>
         <translation>これらの欄の最後の編集を元に戻します。何も送信しません。</translation>
-    </message>
-    <message>
-        <source>Nothing to redo.</source>
-        <translation>やり直すものがありません。</translation>
     </message>
     <message>
         <source>Redoes the edit that was undone. Sends nothing.</source>
@@ -12241,10 +11449,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Needs no hardware. Three simulated modules to try everything on; no real motor moves.</source>
         <translation>ハードウェアは不要です。3台のシミュレーションモジュールですべてを試せます。実際のモーターは動きません。</translation>
-    </message>
-    <message>
-        <source>Opens the port and looks for modules. Nothing moves.</source>
-        <translation>ポートを開いてモジュールを検索します。何も動きません。</translation>
     </message>
     <message>
         <source>Connects to the built-in simulator.</source>
@@ -12287,25 +11491,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StatusTable</name>
-    <message>
-        <source>on</source>
-        <translation>オン</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>オフ</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperDetailsBox</name>
     <message>
         <source>The module is sending step pulses.</source>
         <translation>ステップパルスが出力されています。</translation>
-    </message>
-    <message>
-        <source>The module received a garbled command and did not carry it out.</source>
-        <translation>モジュールが化けたコマンドを受信し、実行しませんでした。</translation>
     </message>
     <message>
         <source>The driver is enabled (AMP_EN is high).</source>
@@ -12326,10 +11515,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
         <translation>加減速のある位置への移動：台形プロファイルモード。</translation>
-    </message>
-    <message>
-        <source>Waiting for the home position.</source>
-        <translation>原点位置を待っています。</translation>
     </message>
     <message>
         <source>High stops the motor, unless it is ignored.</source>
@@ -12372,26 +11557,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>現在位置を0に(&amp;Z)</translation>
     </message>
     <message>
-        <source>Save as home</source>
-        <translation>原点として保存</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>詳細</translation>
-    </message>
-    <message>
-        <source>Zero here: set the present position to 0</source>
-        <translation>現在位置を0に：位置の値を0に設定</translation>
-    </message>
-    <message>
-        <source>Save as home: the present position</source>
-        <translation>原点として保存：現在位置</translation>
-    </message>
-    <message>
-        <source>Status byte</source>
-        <translation>ステータスバイト</translation>
-    </message>
-    <message>
         <source>Inputs byte</source>
         <translation>入力バイト</translation>
     </message>
@@ -12404,32 +11569,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>タイマー値</translation>
     </message>
     <message>
-        <source>A/D (temperature)</source>
-        <translation>A/D（温度）</translation>
-    </message>
-    <message>
-        <source>Raw</source>
-        <translation>生データ</translation>
-    </message>
-    <message>
         <source>%1 = %2</source>
         <translation>%1 = %2</translation>
     </message>
     <message>
-        <source>status %1</source>
-        <translation>ステータス%1</translation>
-    </message>
-    <message>
         <source>, inputs %1</source>
         <translation>、入力%1</translation>
-    </message>
-    <message>
-        <source>Saves the present position as home. The motor does not move.</source>
-        <translation>現在位置を原点として保存します。モーターは動きません。</translation>
-    </message>
-    <message>
-        <source>Home register</source>
-        <translation>原点レジスター</translation>
     </message>
     <message>
         <source>High blocks counting up, unless it is ignored.</source>
@@ -12451,10 +11596,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>入出力</translation>
     </message>
     <message>
-        <source>Outputs</source>
-        <translation>出力</translation>
-    </message>
-    <message>
         <source>OUT%1</source>
         <translation>OUT%1</translation>
     </message>
@@ -12467,20 +11608,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>入力</translation>
     </message>
     <message>
-        <source>E-stop input</source>
-        <translation>E-stop入力</translation>
-    </message>
-    <message>
-        <source>Home switch</source>
-        <translation>原点スイッチ</translation>
-    </message>
-    <message>
         <source>Name of input %1</source>
         <translation>入力%1の名前</translation>
-    </message>
-    <message>
-        <source>A/D (temperature)</source>
-        <translation>A/D（温度）</translation>
     </message>
     <message>
         <source>ignored</source>
@@ -12499,24 +11628,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>逆方向を禁止</translation>
     </message>
     <message>
-        <source>high</source>
-        <translation>High</translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation>Low</translation>
-    </message>
-    <message>
-        <source>? unknown</source>
-        <translation>? 不明</translation>
-    </message>
-    <message>
         <source>● %1, not sent</source>
         <translation>● %1、未送信</translation>
-    </message>
-    <message>
-        <source>Switches this output at once.</source>
-        <translation>この出力を直ちに切り替えます。</translation>
     </message>
     <message>
         <source>Selects the level. Choose Set all outputs to send all five.</source>
@@ -12533,14 +11646,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Outputs unknown: they cannot be read back. Select all five levels, then set them.</source>
         <translation>出力は不明です。読み出せません。5つすべてのレベルを選択してから、設定してください。</translation>
-    </message>
-    <message>
-        <source>Limit 1</source>
-        <translation>リミット1</translation>
-    </message>
-    <message>
-        <source>Limit 2</source>
-        <translation>リミット2</translation>
     </message>
 </context>
 <context>
@@ -12585,28 +11690,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::StepperMotionBox</name>
     <message>
-        <source>Motion</source>
-        <translation>動作</translation>
-    </message>
-    <message>
-        <source>Goal position</source>
-        <translation>目標位置</translation>
-    </message>
-    <message>
-        <source>The goal position</source>
-        <translation>目標位置の値</translation>
-    </message>
-    <message>
         <source>b&amp;y this distance</source>
         <translation>この距離だけ(&amp;Y)</translation>
     </message>
     <message>
         <source>By this distance from the present position</source>
         <translation>この距離だけ：現在位置から</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>速度</translation>
     </message>
     <message>
         <source>The speed</source>
@@ -12619,30 +11708,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Trave&amp;l speed</source>
         <translation>移動速度(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Go</source>
-        <translation>移動(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Go to the position</source>
-        <translation>移動：この位置へ</translation>
-    </message>
-    <message>
-        <source>Run &amp;reverse</source>
-        <translation>逆方向運転(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Run reverse until stopped</source>
-        <translation>逆方向運転：停止操作をするまで</translation>
-    </message>
-    <message>
-        <source>R&amp;un forward</source>
-        <translation>正方向運転(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Run forward until stopped</source>
-        <translation>正方向運転：停止操作をするまで</translation>
     </message>
     <message>
         <source>Load o&amp;nly</source>
@@ -12681,28 +11746,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>動作を開始せずにロードします。</translation>
     </message>
     <message>
-        <source>Load</source>
-        <translation>ロード</translation>
-    </message>
-    <message>
-        <source>Moves to the position, then holds.</source>
-        <translation>その位置へ移動し、保持します。</translation>
-    </message>
-    <message>
         <source>Load &amp;reverse</source>
         <translation>逆方向にロード(&amp;R)</translation>
     </message>
     <message>
-        <source>Runs in reverse until stopped.</source>
-        <translation>停止操作をするまで逆方向に運転します。</translation>
-    </message>
-    <message>
         <source>Load forward</source>
         <translation>正方向にロード</translation>
-    </message>
-    <message>
-        <source>Runs forward until stopped.</source>
-        <translation>停止操作をするまで正方向に運転します。</translation>
     </message>
     <message>
         <source>Starts the loaded motion.</source>
@@ -12733,26 +11782,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>減速停止し、モーターの停止を待ってから：%1</translation>
     </message>
     <message>
-        <source>Use nearest</source>
-        <translation>最も近い値を使用</translation>
-    </message>
-    <message>
-        <source>Use nearest allowed position</source>
-        <translation>最も近い値を使用：許可された位置</translation>
-    </message>
-    <message>
-        <source>Use %1</source>
-        <translation>%1を使用</translation>
-    </message>
-    <message>
-        <source>Sets the goal to the nearest allowed position. Nothing moves.</source>
-        <translation>目標位置を、許可された最も近い位置に設定します。何も動きません。</translation>
-    </message>
-    <message>
-        <source>Go home</source>
-        <translation>原点へ移動</translation>
-    </message>
-    <message>
         <source>Moves to home with a ramp, at the travel speed.</source>
         <translation>加減速しながら、「移動速度」で原点へ移動します。</translation>
     </message>
@@ -12764,32 +11793,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ステッピングモーターモジュール</translation>
     </message>
     <message>
-        <source>Pages of the module</source>
-        <translation>モジュールのページ</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>パラメーター</translation>
-    </message>
-    <message>
         <source>I/O</source>
         <translation>I/O</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>原点復帰</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>軸</translation>
-    </message>
-    <message>
-        <source>Details</source>
-        <translation>詳細</translation>
-    </message>
-    <message>
-        <source>Expert</source>
-        <translation>エキスパート</translation>
     </message>
 </context>
 <context>
@@ -12803,20 +11808,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モーターもオフになります</translation>
     </message>
     <message>
-        <source>Start&amp;ing values</source>
-        <translation>初期値(&amp;I)</translation>
-    </message>
-    <message>
         <source>&amp;Apply parameters</source>
         <translation>パラメーターを適用(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation>パラメーター</translation>
-    </message>
-    <message>
-        <source>Starting values: fill in</source>
-        <translation>初期値：入力</translation>
     </message>
     <message>
         <source>Revert the parameters to those last sent</source>
@@ -12874,20 +11867,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::StepperRampBox</name>
     <message>
-        <source>Acceleration time</source>
-        <translation>加速時間</translation>
-    </message>
-    <message>
         <source>The acceleration time</source>
         <translation>加速時間の値</translation>
     </message>
     <message>
         <source>How long a ramp stays at each speed, in units of 0.25 ms; smaller is steeper. Sent with the next motion that has a ramp, and used by smooth stops after it.</source>
         <translation>加減速が各速度に留まる時間（0.25 ms単位）です。小さいほど急になります。次の加減速のある動作とともに送信され、その後の減速停止にも使用されます。</translation>
-    </message>
-    <message>
-        <source>Max jog speed</source>
-        <translation>最高ジョグ速度</translation>
     </message>
     <message>
         <source>Jog is never faster than this. Set a speed that you can react to.</source>
@@ -12926,14 +11911,6 @@ It works only while the link works: fit a hardware stop as well.</source>
         <source>Esc</source>
         <translation>Esc</translation>
     </message>
-    <message>
-        <source>STOP ALL</source>
-        <translation>全停止</translation>
-    </message>
-    <message>
-        <source>goes to all modules</source>
-        <translation>全モジュールに送信</translation>
-    </message>
 </context>
 <context>
     <name>nmc::TestForm</name>
@@ -12953,17 +11930,9 @@ It works only while the link works: fit a hardware stop as well.</source>
         <source>The test is not running.</source>
         <translation>テストは実行していません。</translation>
     </message>
-    <message>
-        <source>The motor holds its position.</source>
-        <translation>モーターは位置を保持しています。</translation>
-    </message>
 </context>
 <context>
     <name>nmc::TravelBox</name>
-    <message>
-        <source>Travel and speed limits</source>
-        <translation>移動範囲と速度の制限</translation>
-    </message>
     <message>
         <source>State of the travel limits</source>
         <translation>移動範囲の状態</translation>
@@ -12993,16 +11962,8 @@ It works only while the link works: fit a hardware stop as well.</source>
         <translation>ここ：現在位置を最大位置に</translation>
     </message>
     <message>
-        <source>Highest velocity</source>
-        <translation>最高速度</translation>
-    </message>
-    <message>
         <source>Limits moves, runs, steps, jog and homing. Empty: the module&apos;s maximum.</source>
         <translation>移動、運転、ステップ、ジョグ、原点復帰を制限します。空欄：モジュールの最高速度。</translation>
-    </message>
-    <message>
-        <source>Backlash</source>
-        <translation>バックラッシ</translation>
     </message>
     <message>
         <source>Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none.</source>
@@ -13124,10 +12085,6 @@ It works only while the link works: fit a hardware stop as well.</source>
         <translation>待機開始</translation>
     </message>
     <message>
-        <source>Trigger</source>
-        <translation>トリガー</translation>
-    </message>
-    <message>
         <source>State of the trigger</source>
         <translation>トリガーの状態</translation>
     </message>
@@ -13146,10 +12103,6 @@ It works only while the link works: fit a hardware stop as well.</source>
     <message>
         <source>%</source>
         <translation>%</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
     </message>
     <message>
         <source>rises to</source>
@@ -13294,20 +12247,12 @@ It works only while the link works: fit a hardware stop as well.</source>
         <translation>計算した単位</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>キャンセル</translation>
-    </message>
-    <message>
         <source>Use this unit</source>
         <translation>この単位を使用</translation>
     </message>
     <message>
         <source>Enter a number above 0 in each field.</source>
         <translation>各欄に0より大きい数値を入力してください。</translation>
-    </message>
-    <message>
-        <source>steps</source>
-        <translation>ステップ</translation>
     </message>
     <message>
         <source>counts</source>

@@ -32,7 +32,7 @@ TEST(Translation, TheTableOfTextsIsGermanForAGermanLocale) {
         EXPECT_EQ(texts::safety().headline,
                   u"Einen Hardware-Not-Halt vorsehen, der die Motorversorgung trennt."_s);
         EXPECT_EQ(texts::countOfModules(3), u"3 Module"_s);
-        EXPECT_EQ(QCoreApplication::translate("nmc::StopButton", "STOP ALL"), u"ALLES STOPP"_s);
+        EXPECT_EQ(QCoreApplication::translate("Common", "STOP ALL"), u"ALLES STOPP"_s);
     }
     // Translators remove themselves from the application when they are destroyed.
     EXPECT_EQ(texts::countOfModules(3), u"3 modules"_s);

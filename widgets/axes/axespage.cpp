@@ -13,6 +13,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 
@@ -48,7 +49,7 @@ AxesPage::AxesPage(Requests& requests, QWidget* parent)
                               this, [this] { enableAll(); });
     m_homeAll = new Command({.name = u"homeAllButton"_s,
                              .icon = u"home"_s,
-                             .text = tr("Home all"),
+                             .text = Common::tr("Home all"),
                              .accessible = tr("Home all axes, one after the other")},
                             this, [this] { emit homeAllRequested(); });
     auto* head = new QHBoxLayout;
@@ -149,20 +150,20 @@ QString AxesPage::whyNotHomed() const {
     for (const ModuleIndex module : homing) {
         const QString reason = m_axes[module.value()]->context().reasonFor(IntentKind::Home);
         if (!reason.isEmpty())
-            return tr("%1: %2").arg(texts::moduleName(module), reason);
+            return Common::tr("%1: %2").arg(texts::moduleName(module), reason);
     }
     return {};
 }
 
 void AxesPage::refresh() {
-    const QString none = m_axes.empty() ? tr("No module") : QString();
+    const QString none = m_axes.empty() ? Common::tr("No module") : QString();
     QString reason = none;
     if (reason.isEmpty() && possibleToEnable().empty()) {
         reason = tr("All motors are already enabled.");
         for (const AxisRow* row : m_axes)
             if (!row->context().state().driveOn())
-                reason = tr("%1: %2").arg(texts::moduleName(row->context().state().info.index),
-                                          row->context().reasonFor(IntentKind::Enable));
+                reason = Common::tr("%1: %2").arg(texts::moduleName(row->context().state().info.index),
+                                                  row->context().reasonFor(IntentKind::Enable));
     }
     m_enableAll->setPossible(reason, tr("Enables every motor at its present position."));
     m_homeAll->setPossible(

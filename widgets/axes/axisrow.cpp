@@ -10,6 +10,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/positiontexts.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -28,24 +29,24 @@ AxisRow::AxisRow(const PanelView& view, Requests& requests, int line, QGridLayou
       m_position(new QLabel(box)) {
     const QString number = QString::number(line);
     const QString who = texts::moduleName(m_context.state().info.index);
-    look::nameText(m_name, u"axisName"_s + number, tr("Axis"));
+    look::nameText(m_name, u"axisName"_s + number, Common::tr("Axis"));
     look::nameText(m_state, u"axisState"_s + number, tr("State of %1").arg(who));
     look::nameText(m_position, u"axisPosition"_s + number, tr("Position of %1").arg(who));
     m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_position->setFont(look::tabular(m_position->font()));
-    m_holdReverse = newHold(u"axisHoldReverseButton"_s + number, tr("◂ Hold"),
+    m_holdReverse = newHold(u"axisHoldReverseButton"_s + number, Common::tr("◂ Hold"),
                             tr("Hold to move %1 in reverse").arg(who), true);
-    m_holdForward = newHold(u"axisHoldForwardButton"_s + number, tr("Hold ▸"),
+    m_holdForward = newHold(u"axisHoldForwardButton"_s + number, Common::tr("Hold ▸"),
                             tr("Hold to move %1 forward").arg(who), false);
     const auto newCommand = [&](const QString& name, const QString& text, const QString& sentence,
                                 const std::function<void()>& act) {
         return new Command({.name = name + number, .icon = {}, .text = text, .accessible = sentence}, box,
                            act);
     };
-    m_stepReverse = newCommand(u"axisStepReverseButton"_s, tr("◂| Step"), tr("Step %1 in reverse").arg(who),
-                               [this] { step(true); });
-    m_stepForward = newCommand(u"axisStepForwardButton"_s, tr("Step |▸"), tr("Step %1 forward").arg(who),
-                               [this] { step(false); });
+    m_stepReverse = newCommand(u"axisStepReverseButton"_s, Common::tr("◂| Step"),
+                               tr("Step %1 in reverse").arg(who), [this] { step(true); });
+    m_stepForward = newCommand(u"axisStepForwardButton"_s, Common::tr("Step |▸"),
+                               tr("Step %1 forward").arg(who), [this] { step(false); });
     m_earlier =
         newCommand(u"axisHomeEarlierButton"_s, tr("Home earlier"), tr("Home %1 one place earlier").arg(who),
                    [this] { emit earlierWanted(m_context.state().info.index); });
@@ -153,8 +154,9 @@ void AxisRow::refresh() {
         where += u", "_s + texts::age(0, module.positionDoubtful());  // no updates while the age grows
     look::setReadout(m_position, where);
     look::setOld(m_position, old);
-    look::setPossible(m_holdForward, whyNotHeld(false), tr("Moves forward while held, then stops."));
-    look::setPossible(m_holdReverse, whyNotHeld(true), tr("Moves in reverse while held, then stops."));
+    look::setPossible(m_holdForward, whyNotHeld(false), Common::tr("Moves forward while held, then stops."));
+    look::setPossible(m_holdReverse, whyNotHeld(true),
+                      Common::tr("Moves in reverse while held, then stops."));
     m_stepForward->setPossible(whyNotStepped(false), tr("Moves forward by the step above, then holds."));
     m_stepReverse->setPossible(whyNotStepped(true), tr("Moves in reverse by the step above, then holds."));
     const auto locked = whyNotEdited(module.rights);

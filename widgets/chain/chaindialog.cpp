@@ -14,6 +14,7 @@
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
+#include "widgets/common/sharedwords.h"
 
 namespace nmc {
 
@@ -26,15 +27,15 @@ ChainDialog::ChainDialog(Requests& requests, QWidget* parent)
       m_doctor(new DoctorPage(requests, this)),
       m_groups(new GroupsPage(requests, this)),
       m_rate(new RatePage(requests, this)) {
-    look::name(this, u"chainDialog"_s, tr("Chain"));
-    setWindowTitle(tr("Chain"));
+    look::name(this, u"chainDialog"_s, Common::tr("Chain"));
+    setWindowTitle(Common::tr("Chain"));
     setModal(false);
     look::name(m_pages, u"chainPages"_s, tr("Doctor, groups and baud rate"));
     m_pages->tabBar()->setObjectName(u"chainPagesBar"_s);
     m_pages->tabBar()->setAccessibleName(m_pages->accessibleName());
     m_pages->addTab(scrolled(m_doctor), tr("Doctor"));
-    m_pages->addTab(scrolled(m_groups), tr("Groups"));
-    m_pages->addTab(scrolled(m_rate), tr("Baud rate"));
+    m_pages->addTab(scrolled(m_groups), Common::tr("Groups"));
+    m_pages->addTab(scrolled(m_rate), Common::tr("Baud rate"));
     keepFocusOnTabs(*m_pages);
     auto* layout = new QVBoxLayout(this);
     const int unit = look::gridUnit(this);

@@ -7,6 +7,7 @@
 #include "model/intent/intent.h"
 #include "widgets/chain/chaindialog.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -26,7 +27,7 @@ ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, Requests& re
                          tr("Assigns modules to groups, and starts their loaded moves together."))),
       m_rate(newAction(u"rateAction"_s, tr("B&aud rate of the chain…"), Qt::Key_F8,
                        tr("Changes the baud rate of the whole chain."))),
-      m_scan(newAction(u"scanAction"_s, tr("&Scan again"), Qt::Key_F5,
+      m_scan(newAction(u"scanAction"_s, Common::tr("&Scan again"), Qt::Key_F5,
                        tr("Scans the chain again; nothing is reset."))),
       m_restart(newAction(u"restartNetworkAction"_s,
                           tr("&Restart the network: positions and gains are lost…"), {}, {})) {
@@ -58,7 +59,7 @@ void ChainMenu::refresh() {
     const auto refusal = whyInaccessible(m_link);
     m_restart->setEnabled(!refusal);
     m_restart->setToolTip(refusal ? texts::refusal(*refusal)
-                                  : tr("Resets every module and assigns new addresses. Asks first."));
+                                  : Common::tr("Resets every module and assigns new addresses. Asks first."));
     if (m_dialog != nullptr && m_dialog->isVisible())
         m_dialog->showChain(m_machine, m_link);
 }

@@ -6,6 +6,7 @@
 #include "model/module/modulescale.h"
 #include "widgets/common/homewords.h"
 #include "widgets/common/positiontexts.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
 
@@ -133,7 +134,8 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
         case ActivityText:
             return row.facts.rate == 0
                        ? row.activity
-                       : tr("%1 · %2").arg(row.activity, tr("%1/s").arg(texts::readout(row.facts.rate)));
+                       : tr("%1 · %2").arg(row.activity,
+                                           Common::tr("%1/s").arg(texts::readout(row.facts.rate)));
         case Position:
             return !row.facts.motor           ? QString()
                    : row.facts.scale.native() ? row.position

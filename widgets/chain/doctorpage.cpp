@@ -12,6 +12,7 @@
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -35,14 +36,16 @@ void DoctorPage::build(const Requests& requests) {
     m_advice->setWordWrap(true);
     m_table = new QTableWidget(0, Columns, this);
     look::name(m_table, u"chainTable"_s, tr("Modules expected and found, the farthest from the PC first"));
-    m_table->setHorizontalHeaderLabels({tr("Address"), tr("Name"), tr("Expected"), tr("Found"), tr("State")});
+    m_table->setHorizontalHeaderLabels(
+        {tr("Address"), Common::tr("Name"), tr("Expected"), tr("Found"), tr("State")});
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setTabKeyNavigation(false);
-    m_scan = form::newPush({u"scanButton"_s, tr("&Scan again"), tr("Scan again: look for modules")}, this);
+    m_scan =
+        form::newPush({u"scanButton"_s, Common::tr("&Scan again"), tr("Scan again: look for modules")}, this);
     m_accept = form::newPush({u"acceptChainButton"_s, tr("Accep&t as found"), tr("Accept as found")}, this);
     m_restart = form::newPush({u"restartChainButton"_s, tr("&Restart the network…"),
                                tr("Restart the network: positions and gains are lost")},
@@ -77,7 +80,7 @@ void DoctorPage::showChain(const ChainDiagnosis& chain, std::optional<Refusal> w
         m_scan, reason,
         tr("Scans the chain again with status requests only: nothing is reset, nothing moves."));
     look::setPossible(m_restart, whyNoRestart ? texts::refusal(*whyNoRestart) : QString(),
-                      tr("Resets every module and assigns new addresses. Asks first."));
+                      Common::tr("Resets every module and assigns new addresses. Asks first."));
     const bool differs = std::any_of(chain.places.begin(), chain.places.end(),
                                      [](const ChainPlace& place) { return place.expected != place.found; });
     look::setPossible(m_accept,

@@ -17,6 +17,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -34,7 +35,7 @@ constexpr int kLastAddress = 0x7F;
 }  // namespace
 
 GroupsPage::GroupsPage(Requests& requests, QWidget* parent) : QWidget(parent), m_requests(requests) {
-    look::name(this, u"groupsPage"_s, tr("Groups"));
+    look::name(this, u"groupsPage"_s, Common::tr("Groups"));
     const int unit = look::gridUnit(this);
     auto* remark = look::newMutedLabel(
         tr("A module listens to one group besides its own address. All members carry out a group command in the same tick; the leader, if any, answers for them, and the panel then checks each member. Status requests go to single modules."),
@@ -53,7 +54,7 @@ GroupsPage::GroupsPage(Requests& requests, QWidget* parent) : QWidget(parent), m
 
     m_group = form::newChoice(
         {u"groupBox"_s, tr("Group to command"), {}, tr("The group that the buttons act on.")}, this);
-    m_name = form::newText({u"groupNameField"_s, tr("Name of the group"), 40, {}, tr("Name")}, this);
+    m_name = form::newText({u"groupNameField"_s, tr("Name of the group"), 40, {}, Common::tr("Name")}, this);
     using enum bus::GroupCommand::Action;
     m_start = newCommand(tr("St&art loaded moves"), u"groupStartButton"_s,
                          tr("Start the loaded moves of this group"), StartMotion);
@@ -243,10 +244,10 @@ QString GroupsPage::whyNotAll(IntentKind kind) const {
         if (!module.info.group || module.info.group->group != group())
             continue;
         if (const auto refusal = whyNot(kind, module))
-            return tr("%1: %2").arg(texts::moduleName(module.info.index),
-                                    module.isIo() && *refusal == Refusal::NothingLoaded
-                                        ? tr("Store its outputs first.")
-                                        : texts::refusal(*refusal));
+            return Common::tr("%1: %2").arg(texts::moduleName(module.info.index),
+                                            module.isIo() && *refusal == Refusal::NothingLoaded
+                                                ? tr("Store its outputs first.")
+                                                : texts::refusal(*refusal));
     }
     return {};
 }

@@ -11,6 +11,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -30,7 +31,7 @@ RatePage::RatePage(Requests& requests, QWidget* parent)
       m_other(new QLabel(this)),
       m_change(new QPushButton(tr("&Change baud rate"), this)),
       m_reason(new QLabel(this)) {
-    look::name(this, u"ratePage"_s, tr("Baud rate"));
+    look::name(this, u"ratePage"_s, Common::tr("Baud rate"));
     look::name(m_rate, u"chainRateBox"_s, tr("New baud rate of the chain"));
     m_rate->setToolTip(tr("The new baud rate of the whole chain."));
     look::name(m_change, u"changeRateButton"_s, tr("Change baud rate of the whole chain"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/doctortexts.h"
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {
@@ -34,7 +35,7 @@ QString chainFinding(const ChainDiagnosis& chain) {
         case Finding::NobodyAnswers:
             return DoctorTexts::tr("No module answered.");
         case Finding::BreakBehind:
-            return DoctorTexts::tr("%1 of %2 modules answered.").arg(chain.found).arg(chain.expected);
+            return Common::tr("%1 of %2 modules answered.").arg(chain.found).arg(chain.expected);
         case Finding::FarEndMissing:
             return DoctorTexts::tr("%1 of %2 modules answered; the far end of the chain is missing.")
                 .arg(chain.found)
@@ -148,7 +149,7 @@ QString groupName(std::uint8_t group) {
     constexpr std::uint8_t kEverybody = 0xFF;
     if (group == kEverybody)
         return DoctorTexts::tr("no group");
-    return DoctorTexts::tr("Group %1").arg(QString::number(group, 16).toUpper());
+    return Common::tr("Group %1").arg(QString::number(group, 16).toUpper());
 }
 
 }  // namespace nmc::texts

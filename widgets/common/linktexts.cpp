@@ -2,6 +2,7 @@
 // The link's and the chain's part of the table of texts.
 #include <cmath>
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {
@@ -72,7 +73,7 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
 
 Message fewerThanExpected(int found, int expected, const QString& lastName) {
     Message m{.key = key::port(), .severity = Severity::Attention};
-    m.headline = Texts::tr("%1 of %2 modules answered.").arg(found).arg(expected);
+    m.headline = Common::tr("%1 of %2 modules answered.").arg(found).arg(expected);
     const QString last = lastName.isEmpty() ? Texts::tr("module %1").arg(found)
                                             : Texts::tr("module %1 \"%2\"").arg(found).arg(lastName);
     m.body =

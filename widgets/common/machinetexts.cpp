@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QHash>
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 #include "widgets/common/unitwords.h"
 
@@ -225,7 +226,7 @@ Message unsavedWorkLeft(const QString& machine) {
         .severity = Severity::Attention,
         .headline = Texts::tr("Unsaved changes to %1 were recovered.").arg(machineOrFile(machine)),
         .body = Texts::tr("An earlier session ended before they were saved. Restoring them sends nothing."),
-        .actions = {{MessageAction::RestoreWork, Texts::tr("Restore")},
+        .actions = {{MessageAction::RestoreWork, Common::tr("Restore")},
                     {MessageAction::DiscardWork, Texts::tr("Discard: the changes are lost")}}};
 }
 
@@ -258,43 +259,43 @@ QString machinePart(MachinePart part) {
         case MachinePart::MachineName:
             return Texts::tr("Machine");
         case MachinePart::Rate:
-            return Texts::tr("Baud rate");
+            return Common::tr("Baud rate");
         case MachinePart::Groups:
-            return Texts::tr("Groups");
+            return Common::tr("Groups");
         case MachinePart::OperatorRights:
             return Texts::tr("Operator permissions");
         case MachinePart::Program:
-            return Texts::tr("Points and sequences");
+            return Common::tr("Points and sequences");
         case MachinePart::HomeOrder:
             return Texts::tr("Order of Home all");
         case MachinePart::Hardware:
             return Texts::tr("Type and version");
         case MachinePart::AxisName:
-            return Texts::tr("Name");
+            return Common::tr("Name");
         case MachinePart::Unit:
-            return Texts::tr("Unit");
+            return Common::tr("Unit");
         case MachinePart::Motion:
-            return Texts::tr("Motion");
+            return Common::tr("Motion");
         case MachinePart::Travel:
-            return Texts::tr("Travel and speed limits");
+            return Common::tr("Travel and speed limits");
         case MachinePart::Backlash:
-            return Texts::tr("Backlash");
+            return Common::tr("Backlash");
         case MachinePart::Homing:
-            return Texts::tr("Homing");
+            return Common::tr("Homing");
         case MachinePart::LimitStop:
-            return Texts::tr("Limit stop");
+            return Common::tr("Limit stop");
         case MachinePart::Analog:
             return Texts::tr("A/D scale");
         case MachinePart::PinNames:
             return Texts::tr("Names of inputs and outputs");
         case MachinePart::AccelerationTime:
-            return Texts::tr("Acceleration time");
+            return Common::tr("Acceleration time");
         case MachinePart::Gains:
-            return Texts::tr("Gains");
+            return Common::tr("Gains");
         case MachinePart::Io:
             return Texts::tr("Limit pins");
         case MachinePart::Parameters:
-            return Texts::tr("Parameters");
+            return Common::tr("Parameters");
     }
     return {};
 }
@@ -404,7 +405,7 @@ QString machineField(const QString& key, bool reversed) {
     if (const auto found = words.constFind(key); found != words.cend())
         return Texts::tr(*found);
     if (key.startsWith(u"group"_s))
-        return Texts::tr("Group %1").arg(QString::number(key.mid(5).toInt(), 16).toUpper());
+        return Common::tr("Group %1").arg(QString::number(key.mid(5).toInt(), 16).toUpper());
     if (key.startsWith(u"leader"_s))
         return Texts::tr("Leader of group %1").arg(QString::number(key.mid(6).toInt(), 16).toUpper());
     if (key.startsWith(u"point "_s))

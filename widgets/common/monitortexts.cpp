@@ -4,6 +4,7 @@
 
 #include "model/packets/packetlog.h"
 #include "protocol/frame.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {
@@ -102,7 +103,7 @@ QString packetTarget(const bus::ExchangeRecord& record) {
     if (record.command.size() < 2 || record.command[0] != kHeader)
         return u"–"_s;
     const int address = record.command[1];
-    return address >= 0x80 ? Texts::tr("Group %1").arg(QString::number(address, 16).toUpper())
+    return address >= 0x80 ? Common::tr("Group %1").arg(QString::number(address, 16).toUpper())
                            : Texts::tr("Address %1").arg(address);
 }
 

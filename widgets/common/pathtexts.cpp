@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bus/path.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
@@ -83,7 +84,8 @@ QString pathObstacle(const PathObstacle& obstacle, servo::PathRate rate, const S
     const QString point = grouped(static_cast<qint64>(obstacle.point));
     switch (obstacle.kind) {
         case Refused:
-            return Texts::tr("%1: %2").arg(who, refusal(obstacle.refusal.value_or(Refusal::PathNotPossible)));
+            return Common::tr("%1: %2").arg(who,
+                                            refusal(obstacle.refusal.value_or(Refusal::PathNotPossible)));
         case NoPathBuffer:
             return Texts::tr("%1 has no path buffer. Only a PIC-SERVO CMC or SC can follow a path.").arg(who);
         case ControlUnknown:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The port's part of the table of texts.
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {
@@ -159,7 +160,7 @@ Message slowAdapter(int updatesPerSecond, int latencyMs) {
                 .arg(updatesPerSecond)
                 .arg(latencyMs),
         .body = Texts::tr("Set its latency timer to 1 ms."),
-        .actions = {{MessageAction::How, Texts::tr("How")}}};
+        .actions = {{MessageAction::How, Common::tr("How")}}};
 }
 
 Message latencyCure(const QString& file) {

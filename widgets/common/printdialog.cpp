@@ -11,6 +11,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/printtexts.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 
 namespace nmc {
 
@@ -51,7 +52,7 @@ PrintDialog::PrintDialog(const QString& last, Requests& requests, QWidget* windo
 }
 
 void PrintDialog::layOut() {
-    auto* cancel = form::newPush({u"printCancelButton"_s, tr("&Cancel"), tr("Cancel")}, this);
+    auto* cancel = form::newPush({u"printCancelButton"_s, tr("&Cancel"), Common::tr("Cancel")}, this);
     cancel->setAutoDefault(false);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     auto* rows = new QFormLayout;
@@ -88,7 +89,7 @@ void PrintDialog::print() {
 
 void PrintDialog::savePdf() {
     QFileDialog* dialog =
-        newFileDialog(this, u"printPdfDialog"_s, tr("Save the page"), {tr("PDF (*.pdf)")}, {});
+        newFileDialog(this, u"printPdfDialog"_s, tr("Save the page"), {Common::tr("PDF (*.pdf)")}, {});
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <array>
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 #include "widgets/common/unitwords.h"
 
@@ -40,7 +41,7 @@ QString wrong(const SequenceProblem& problem) {
         case Kind::NoSuchModule:
             return Texts::tr("%1 is not in the chain.").arg(module);
         case Kind::Refused:
-            return problem.module ? Texts::tr("%1: %2").arg(module, refusal(*problem.refusal))
+            return problem.module ? Common::tr("%1: %2").arg(module, refusal(*problem.refusal))
                                   : refusal(*problem.refusal);
         case Kind::TaughtElsewhere:
             return Texts::
@@ -88,7 +89,7 @@ QString why(const SequenceReport& report) {
         case SequenceEnd::WentOff:
             return Texts::tr("The motor of %1 switched off.").arg(module);
         case SequenceEnd::Refused:
-            return Texts::tr("%1: %2").arg(module, refusal(*report.refusal));
+            return Common::tr("%1: %2").arg(module, refusal(*report.refusal));
         case SequenceEnd::InputTimeout:
             return Texts::tr("The input of %1 did not change in time.").arg(module);
         case SequenceEnd::AnalogTimeout:
@@ -122,7 +123,7 @@ QString runName(const SequenceReport& report) {
     if (!report.point.empty())
         return Texts::tr("Move to \"%1\"").arg(QString::fromStdString(report.point));
     if (report.places.front().sequence == kHomeAll)
-        return Texts::tr("Home all");
+        return Common::tr("Home all");
     return Texts::tr("Sequence \"%1\"").arg(QString::fromStdString(report.places.front().sequence));
 }
 
@@ -153,9 +154,9 @@ QString actionWord(std::size_t action) {
 QString pinWord(InputPin pin) {
     switch (pin) {
         case InputPin::Limit1:
-            return Texts::tr("limit 1");
+            return Common::tr("limit 1");
         case InputPin::Limit2:
-            return Texts::tr("limit 2");
+            return Common::tr("limit 2");
         case InputPin::In1:
             return u"IN1"_s;
         case InputPin::In2:

@@ -2,6 +2,7 @@
 // The part of the table of texts about the program itself and the computer that it runs on.
 #include <cmath>
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {
@@ -161,7 +162,7 @@ Message withRecord(Message message) {
 }
 
 QString recordTitle(const QString& headline, const QTime& when) {
-    return Texts::tr("%1 (%2)").arg(headline, when.toString(u"HH:mm:ss"_s));
+    return Common::tr("%1 (%2)").arg(headline, when.toString(u"HH:mm:ss"_s));
 }
 
 QString stopOfAll() {

@@ -2,6 +2,7 @@
 // The part of the table of texts about states, whose messages last as long as they do.
 #include <algorithm>
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {
@@ -32,7 +33,7 @@ Message limitClosed(const ModuleState& module, int limit) {
                 .arg(number);
         m.body = Texts::tr(
             "A PIC-SERVO stops at a limit switch only while a limit stop is armed. Stop the motor, then move it the other way. Arm a limit stop on the Homing page.");
-        m.actions = {{MessageAction::StopAll, Texts::tr("STOP ALL")}};
+        m.actions = {{MessageAction::StopAll, Common::tr("STOP ALL")}};
     }
     return m;
 }
@@ -68,7 +69,7 @@ Message swings(const ModuleState& module) {
         .headline = Texts::tr("Module %1 oscillates while it holds its position.").arg(moduleNumber(index)),
         .body = Texts::tr(
             "Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them."),
-        .actions = {{MessageAction::SwitchOff, Texts::tr("Motor off")}}};
+        .actions = {{MessageAction::SwitchOff, Common::tr("Motor off")}}};
     if (module.gainsBefore)
         m.actions.append({MessageAction::GainsBefore, Texts::tr("Restore previous gains")});
     return m;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the table of texts about stops: what was sent a stop, and what is known to have stopped.
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {
@@ -159,7 +160,7 @@ Message foreignMotion(const bus::ForeignMotion& motion) {
             Texts::tr("Module %1 moves without a command from this panel.").arg(moduleNumber(motion.module)),
         .body = Texts::tr(
             "Another host on this line started it, or a load drives it. The panel does not stop it unless you do; the other host may start it again."),
-        .actions = {{MessageAction::StopAll, Texts::tr("STOP ALL")}}};
+        .actions = {{MessageAction::StopAll, Common::tr("STOP ALL")}}};
 }
 
 }  // namespace nmc::texts

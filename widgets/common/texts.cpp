@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/texts.h"
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {
@@ -20,7 +21,7 @@ Message::Action restartNetwork() {
     return {MessageAction::RestartNetwork, Texts::tr("Restart the network…")};
 }
 Message::Action connectFully() {
-    return {MessageAction::ConnectFully, Texts::tr("Connect fully")};
+    return {MessageAction::ConnectFully, Common::tr("Connect fully")};
 }
 Message::Action lookFirst() {
     return {MessageAction::LookFirst, Texts::tr("Look first (read-only)")};

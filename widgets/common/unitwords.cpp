@@ -8,6 +8,7 @@
 
 #include "model/module/holding.h"
 #include "model/module/modulestate.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc::texts {
@@ -33,7 +34,7 @@ QString offBy(const Holding& holding, const AxisScale& scale) {
 }
 
 QString nativeVelocityUnit(const AxisScale& scale) {
-    return scale.steps() ? Units::tr("steps/s") : unitVelocity();
+    return scale.steps() ? Common::tr("steps/s") : unitVelocity();
 }
 
 QString nativeAccelerationUnit(const AxisScale& scale) {
@@ -47,7 +48,7 @@ QString unitOf(const AxisScale& scale) {
         case UnitKind::Native:
             return countsOf(scale);
         case UnitKind::Turns:
-            return Units::tr("turns");
+            return Common::tr("turns");
         case UnitKind::Degrees:
             return u"°"_s;
         case UnitKind::Millimetres:
@@ -63,11 +64,11 @@ QString velocityUnitOf(const AxisScale& scale) {
 }
 
 QString measuredVelocityUnitOf(const AxisScale& scale) {
-    return Units::tr("%1/s").arg(unitOf(scale));
+    return Common::tr("%1/s").arg(unitOf(scale));
 }
 
 QString accelerationUnitOf(const AxisScale& scale) {
-    return scale.native() ? nativeAccelerationUnit(scale) : Units::tr("%1/s²").arg(unitOf(scale));
+    return scale.native() ? nativeAccelerationUnit(scale) : Common::tr("%1/s²").arg(unitOf(scale));
 }
 
 QString velocity(const AxisScale& scale, double native, int significant) {

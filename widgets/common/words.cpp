@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "link/ports/linktypes.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
 namespace nmc::texts {
@@ -65,7 +66,7 @@ QString activity(Activity activity) {
         case Activity::ServoOff:
             return Texts::tr("Servo off");
         case Activity::Tripped:
-            return Texts::tr("Position error");
+            return Common::tr("Position error");
         case Activity::PowerLost:
             return Texts::tr("Power was lost");
         case Activity::PwmMode:
@@ -95,7 +96,7 @@ QString activity(Activity activity) {
         case Activity::StoppedByLimit:
             return Texts::tr("Stopped by a limit");
         case Activity::EstopActive:
-            return Texts::tr("E-stop input");
+            return Common::tr("E-stop input");
         case Activity::Overheated:
             return Texts::tr("Too hot");
         case Activity::WentOff:
@@ -134,7 +135,7 @@ QString activityMeaning(Activity activity) {
             return Texts::tr(
                 "The shaft moves while the motor is off: a load turns it, or it is still coasting. A stop cannot hold it; use a brake, or enable the servo.");
         case Activity::Holding:
-            return Texts::tr("The motor holds its position.");
+            return Common::tr("The motor holds its position.");
         case Activity::Limited:
             return Texts::tr(
                 "The motor is at rest, but its current was limited: it may not hold its load. This stays until you clear the sticky bits.");
@@ -145,7 +146,7 @@ QString activityMeaning(Activity activity) {
         case Activity::Decelerating:
             return Texts::tr("The motor is slowing down.");
         case Activity::OnPath:
-            return Texts::tr("The motor follows the points of a path.");
+            return Common::tr("The motor follows the points of a path.");
         case Activity::Ready:
             return Texts::tr("The module answers. It has inputs and outputs, but no motor.");
         case Activity::AmplifierOff:
@@ -308,7 +309,7 @@ QString stage(bus::ConnectStage stage) {
 
 QString portName(const QString& port) {
     if (port == kSimulatorPort)
-        return Texts::tr("Simulator");
+        return Common::tr("Simulator");
     if (port.startsWith(kSimulatorPort + u'='))
         return Texts::tr("Simulator (%1)").arg(port.mid(kSimulatorPort.size() + 1));
     return port;
@@ -400,7 +401,7 @@ QString unitCounts() {
 }
 
 QString unitSteps() {
-    return Texts::tr("steps");
+    return Common::tr("steps");
 }
 
 QString unitVelocity() {

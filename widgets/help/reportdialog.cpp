@@ -11,6 +11,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/help/placing.h"
 
 namespace nmc {
@@ -40,7 +41,7 @@ ReportDialog::ReportDialog(const QString& report, Requests& requests, QWidget* p
     text->setLineWrapMode(QPlainTextEdit::NoWrap);
     text->setTabChangesFocus(true);
     text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-    auto* save = form::newPush({u"reportSaveButton"_s, tr("&Save as…"), tr("Save as…")}, this);
+    auto* save = form::newPush({u"reportSaveButton"_s, tr("&Save as…"), Common::tr("Save as…")}, this);
     auto* close = form::newPush({u"reportCloseButton"_s, tr("&Close"), tr("Close")}, this);
     connect(save, &QPushButton::clicked, this, [this, report] { chooseFile(report); });
     connect(close, &QPushButton::clicked, this, &QDialog::close);
@@ -51,7 +52,7 @@ ReportDialog::ReportDialog(const QString& report, Requests& requests, QWidget* p
 
 void ReportDialog::chooseFile(const QString& report) {
     QFileDialog* dialog =
-        newFileDialog(this, u"reportSaveDialog"_s, tr("Save the report"), {tr("Text (*.txt)")}, {});
+        newFileDialog(this, u"reportSaveDialog"_s, tr("Save the report"), {Common::tr("Text (*.txt)")}, {});
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);

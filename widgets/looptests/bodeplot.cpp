@@ -9,6 +9,7 @@
 #include "model/intent/looptestplan.h"
 #include "widgets/common/look.h"
 #include "widgets/common/plots.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -52,7 +53,7 @@ struct BodePlot::Pane {
 };
 
 BodePlot::BodePlot(QWidget* parent) : QWidget(parent) {
-    look::name(this, u"bodePlot"_s, tr("Frequency response"));
+    look::name(this, u"bodePlot"_s, Common::tr("Frequency response"));
     setToolTip(tr(
         "T: closed loop, from command to position. L: open loop; its phase above -180° where it crosses 0 dB is the phase margin. Right of the grey line the baud rate is too low to measure. Bars: two standard deviations of T."));
     setFont(look::tabular(look::scaled(font(), 0.9)));

@@ -9,6 +9,7 @@
 #include "model/intent/looptestplan.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/looptests/bodeplot.h"
 #include "widgets/looptests/looptestwords.h"
 #include "widgets/looptests/testform.h"
@@ -18,7 +19,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent) : QWidget(parent) {
-    look::name(this, u"frequencyPage"_s, tr("Frequency response"));
+    look::name(this, u"frequencyPage"_s, Common::tr("Frequency response"));
     m_form = new TestForm(
         ProcedureKind::FrequencyResponse,
         {u"frequency"_s, tr("Measure"),
@@ -43,7 +44,8 @@ FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent) : QWidget(pare
     });
     m_figures = form::newParagraph(u"frequencyFigures"_s, tr("Results of the frequency response"), this, 6);
     m_save = form::newPush(
-        {u"frequencyExportButton"_s, tr("Export CSV…"), tr("Export CSV of the frequency response")}, this);
+        {u"frequencyExportButton"_s, Common::tr("Export CSV…"), tr("Export CSV of the frequency response")},
+        this);
     m_plot = new BodePlot(this);
     auto* left = form::newColumn(this, {m_form, m_figures, form::newLine(this, {m_save, nullptr}), nullptr});
     form::fill(this, form::newLine(this, {left, {m_plot, 1}}), 0.5);
@@ -97,7 +99,7 @@ void FrequencyPage::refresh() {
 
 void FrequencyPage::chooseFile() {
     QFileDialog* dialog = newFileDialog(this, u"frequencyFileDialog"_s, tr("Export the frequency response"),
-                                        {tr("CSV (*.csv)")}, QDir::homePath());
+                                        {Common::tr("CSV (*.csv)")}, QDir::homePath());
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);

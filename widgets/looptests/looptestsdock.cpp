@@ -8,6 +8,7 @@
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/squarewavepage.h"
 
@@ -25,8 +26,8 @@ void LoopTestsDock::build() {
     look::name(m_tabs, u"loopTestsTabs"_s, tr("Loop tests"));
     m_square = new SquareWavePage(m_requests, m_tabs);
     m_frequency = new FrequencyPage(m_requests, m_tabs);
-    m_tabs->addTab(m_square, tr("Square wave"));
-    m_tabs->addTab(m_frequency, tr("Frequency response"));
+    m_tabs->addTab(m_square, Common::tr("Square wave"));
+    m_tabs->addTab(m_frequency, Common::tr("Frequency response"));
     keepFocusOnTabs(*m_tabs);
     m_report = new QPushButton(tr("Report…"), m_tabs);
     look::name(m_report, u"tuningReportButton"_s, tr("Report: save the tuning"));

@@ -11,6 +11,7 @@
 #include "model/response/edgefold.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/looptests/squareplot.h"
 #include "widgets/looptests/testform.h"
 #include "widgets/response/responsewords.h"
@@ -43,7 +44,7 @@ constexpr std::int32_t kFirstExcursion = 200;
 }  // namespace
 
 SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent) : QWidget(parent) {
-    look::name(this, u"squareWavePage"_s, tr("Square wave"));
+    look::name(this, u"squareWavePage"_s, Common::tr("Square wave"));
     m_form = new TestForm(
         ProcedureKind::SquareWave,
         {u"squareWave"_s, tr("Start test"),
@@ -53,7 +54,8 @@ SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent) : QWidget(pa
     m_counts->setNativeRange(1, kLongestStep);
     m_counts->setMeaning(tr("From side to side: half to either side of the present position."));
     m_counts->showNative(kFirstStep);
-    m_period = m_form->addNumber(u"squareWavePeriodField"_s, tr("Period"), tr("The period"), tr("s"), 2);
+    m_period =
+        m_form->addNumber(u"squareWavePeriodField"_s, tr("Period"), tr("The period"), Common::tr("s"), 2);
     m_period->setRange(kShortestPeriod, kLongestPeriod);
     m_period->showValue(kFirstPeriod);
     m_rounds = m_form->addNumber(u"squareWaveRoundsField"_s, tr("Periods"), tr("Periods to run"), {}, 0);
@@ -64,12 +66,13 @@ SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent) : QWidget(pa
     m_excursion->setMeaning(
         tr("How far the motor may move past either side. Beyond that, the test stops and the motor holds."));
     m_excursion->showNative(kFirstExcursion);
-    m_method = form::newChoice({u"squareWaveMethodBox"_s, tr("Method: how the command jumps"), {}}, this);
+    m_method =
+        form::newChoice({u"squareWaveMethodBox"_s, Common::tr("Method: how the command jumps"), {}}, this);
     for (const ResponseMethod method : {ResponseMethod::StopHere, ResponseMethod::Profile})
         m_method->addItem(texts::responseMethod(method), static_cast<int>(method));
     m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_method->setMinimumContentsLength(12);
-    m_form->addRow(tr("Method"), m_method, nullptr);
+    m_form->addRow(Common::tr("Method"), m_method, nullptr);
     m_form->setWanted([this]() -> Intent {
         return intent::SquareWave{static_cast<std::int32_t>(*m_counts->native()), *m_period->value(),
                                   static_cast<unsigned>(*m_rounds->value()),
@@ -118,10 +121,11 @@ void SquareWavePage::refresh() {
     if (m_folded) {
         const ResponseMetrics& metrics = m_folded->metrics;
         lines << tr("Edges with these gains: %1").arg(std::distance(m_edges.rbegin(), changed))
-              << tr("Rise %1").arg(texts::responseTime(metrics.rise))
-              << tr("Overshoot %1").arg(texts::responseOvershoot(metrics.overshoot))
+              << Common::tr("Rise %1").arg(texts::responseTime(metrics.rise))
+              << Common::tr("Overshoot %1").arg(texts::responseOvershoot(metrics.overshoot))
               << tr("Settling %1").arg(texts::responseTime(metrics.settling))
-              << tr("Steady-state error %1").arg(texts::responseError(metrics.steadyError, m_labels.scale));
+              << Common::tr("Steady-state error %1")
+                     .arg(texts::responseError(metrics.steadyError, m_labels.scale));
     }
     look::setText(m_results, lines.join(u'\n'));
     look::setPossible(m_keep, m_folded ? QString() : tr("No edge recorded yet."),

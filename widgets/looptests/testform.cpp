@@ -9,6 +9,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/response/holdfirstbutton.h"
 
@@ -116,7 +117,7 @@ void TestForm::refresh() {
     const QString reason = whyNotNow();
     look::setPossible(m_start, reason, m_meaning);
     look::setPossible(m_end, running() ? QString() : tr("The test is not running."),
-                      tr("The motor holds its position."));
+                      Common::tr("The motor holds its position."));
     m_hold->showFor(m_module, m_connected ? refusal() : std::nullopt);
     const bool failed = reason.isEmpty() && m_report && m_report->failure;
     look::setText(m_state, running() ? texts::procedureStage(*m_report)

@@ -9,6 +9,7 @@
 #include <QTextDocument>
 
 #include "widgets/common/picture.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/looptests/bodeplot.h"
 #include "widgets/looptests/looptestwords.h"
@@ -63,7 +64,7 @@ QString gainsTable(const servo::SetGain& gains) {
         values += u"<td align=\"right\">%1</td>"_s.arg(value ? QString::number(*value) : u"–"_s);
     }
     return u"<h3>%1</h3><table border=\"1\" cellspacing=\"0\" cellpadding=\"4\"><tr>%2</tr><tr>%3</tr></table>"_s
-        .arg(Report::tr("Gains").toHtmlEscaped(), names, values);
+        .arg(Common::tr("Gains").toHtmlEscaped(), names, values);
 }
 
 QString responseSection(const KeptResponse& kept) {
@@ -72,13 +73,13 @@ QString responseSection(const KeptResponse& kept) {
     const ResponseMetrics& metrics = kept.run.metrics;
     const ResponseTaken& taken = kept.run.taken;
     return htmlSection(
-        Report::tr("Step response"), picture(plot, kStepPicture, Report::tr("Step response")),
+        Common::tr("Step response"), picture(plot, kStepPicture, Common::tr("Step response")),
         {Report::tr("%1 counts, %2").arg(taken.goal - taken.from).arg(texts::responseMethod(taken.method)),
-         texts::gainsInShort(taken.gains), Report::tr("Rise %1").arg(texts::responseTime(metrics.rise)),
-         Report::tr("Overshoot %1").arg(texts::responseOvershoot(metrics.overshoot)),
+         texts::gainsInShort(taken.gains), Common::tr("Rise %1").arg(texts::responseTime(metrics.rise)),
+         Common::tr("Overshoot %1").arg(texts::responseOvershoot(metrics.overshoot)),
          Report::tr("Settling to ±%1 %: %2")
              .arg(QLocale().toString(kept.run.bandPercent), texts::responseTime(metrics.settling)),
-         Report::tr("Steady-state error %1").arg(texts::responseError(metrics.steadyError, kept.scale)),
+         Common::tr("Steady-state error %1").arg(texts::responseError(metrics.steadyError, kept.scale)),
          QString::fromStdString(kept.startedAt)});
 }
 
@@ -106,8 +107,8 @@ QString reportHtml(const TuningReport& report) {
     if (!report.frequencies.empty()) {
         BodePlot plot;
         plot.showPoints(report.frequencies, 0.0);
-        page += htmlSection(Report::tr("Frequency response"),
-                            picture(plot, kBodePicture, Report::tr("Frequency response")),
+        page += htmlSection(Common::tr("Frequency response"),
+                            picture(plot, kBodePicture, Common::tr("Frequency response")),
                             texts::frequencyFigures(report.frequencies));
     }
     return page + u"</body></html>\n"_s;

@@ -12,6 +12,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -87,9 +88,9 @@ DifferencesDialog::DifferencesDialog(QWidget* parent)
       m_all(form::newPush({u"tickAllButton"_s, tr("&Select all"), tr("Select all")}, this)),
       m_none(form::newPush({u"tickNoneButton"_s, tr("Clear a&ll"), tr("Clear all")}, this)),
       m_apply(form::newPush({u"applyDifferencesButton"_s, tr("&Apply"), tr("Apply")}, this)),
-      m_cancel(form::newPush({u"cancelDifferencesButton"_s, tr("&Cancel"), tr("Cancel")}, this)) {
+      m_cancel(form::newPush({u"cancelDifferencesButton"_s, tr("&Cancel"), Common::tr("Cancel")}, this)) {
     look::name(this, u"differencesDialog"_s, tr("Changes from the machine file"));
-    setWindowTitle(tr("Open machine"));
+    setWindowTitle(Common::tr("Open machine"));
     setAttribute(Qt::WA_DeleteOnClose);
     setModal(false);
     build();

@@ -12,6 +12,7 @@
 #include "widgets/common/askdialog.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -211,12 +212,12 @@ void MachineMenu::goOnAfterSaving() {
 QFileDialog* MachineMenu::newMachineDialog(const QString& objectName, const QString& title) {
     const QString last = m_file.path.isEmpty() ? m_file.recent.value(0) : m_file.path;
     return newFileDialog(m_window, objectName, title,
-                         {tr("Machine files (*.%1)").arg(kMachineSuffix), tr("All files (*)")},
+                         {tr("Machine files (*.%1)").arg(kMachineSuffix), Common::tr("All files (*)")},
                          last.isEmpty() ? QString() : QFileInfo(last).absolutePath());
 }
 
 void MachineMenu::chooseToOpen() {
-    QFileDialog* dialog = newMachineDialog(u"openMachineDialog"_s, tr("Open machine"));
+    QFileDialog* dialog = newMachineDialog(u"openMachineDialog"_s, Common::tr("Open machine"));
     if (dialog == nullptr)
         return;
     dialog->setFileMode(QFileDialog::ExistingFile);

@@ -12,6 +12,7 @@
 
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 
 namespace nmc {
 
@@ -33,9 +34,9 @@ CommandPalette::CommandPalette(QWidget* parent)
     m_words->setPlaceholderText(tr("Type what to do, for example: go home"));
     m_words->setClearButtonEnabled(true);
     QCoreApplication::instance()->installEventFilter(this);
-    look::name(m_list, u"commandList"_s, tr("Commands"));
+    look::name(m_list, u"commandList"_s, Common::tr("Commands"));
     m_list->setColumnCount(kColumns);
-    m_list->setHeaderLabels({tr("Command"), tr("Where"), tr("Key")});
+    m_list->setHeaderLabels({Common::tr("Command"), tr("Where"), tr("Key")});
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
     m_list->setFocusPolicy(Qt::NoFocus);

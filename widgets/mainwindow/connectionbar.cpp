@@ -17,6 +17,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/mainwindow/stopbutton.h"
 
@@ -47,7 +48,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     look::name(this, u"connectionBar"_s, tr("Connection and stop"));
     look::name(m_port, u"portBox"_s, tr("Port"));
     look::name(m_port->lineEdit(), u"portField"_s, tr("Port"));
-    look::name(m_baud, u"baudBox"_s, tr("Baud rate"));
+    look::name(m_baud, u"baudBox"_s, Common::tr("Baud rate"));
     look::name(m_connect, u"connectButton"_s, tr("Connect"));
     m_readOnly->setObjectName(u"connectReadOnlyAction"_s);
     look::name(m_moreWays, u"moreWaysButton"_s, tr("Other ways to connect"));
@@ -208,7 +209,7 @@ void ConnectionBar::showLink(const LinkState& state) {
     const bool open = state.phase != LinkPhase::Disconnected;
     const QString busy = tr("Disconnect first.");
     const QString whyNot = open ? busy : QString();
-    look::setPossible(m_connect, whyNot, tr("Opens the port and looks for modules. Nothing moves."));
+    look::setPossible(m_connect, whyNot, Common::tr("Opens the port and looks for modules. Nothing moves."));
     look::setPossible(m_moreWays, whyNot, tr("Other ways to connect."));
     m_readOnly->setEnabled(!open);
     m_readOnly->setToolTip(
@@ -225,7 +226,7 @@ void ConnectionBar::showLink(const LinkState& state) {
                       [](const ModuleState& m) { return !m.silent && hasStop(m.info.identity.type); }));
     // While the chain is not polled, it is unknown which modules a stop reaches.
     const bool asked = modules > 0 && state.phase == LinkPhase::Connected;
-    const QString reach = asked ? texts::stopReach(reachable, modules) : tr("goes to all modules");
+    const QString reach = asked ? texts::stopReach(reachable, modules) : Common::tr("goes to all modules");
     m_stop->showReach(open ? reach : QString());
     // The result of the last stop is out of date once something moves again or the port is closed.
     const bool moving = std::any_of(state.modules.cbegin(), state.modules.cend(),

@@ -19,6 +19,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/palettes.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
@@ -132,14 +133,14 @@ void MainWindow::buildRibbons(QWidget* top) {
         new Ribbon(u"readOnlyRibbon"_s, tr("Read-only session"),
                    tr("READ-ONLY — only status requests are sent. STOP ALL still works."), top);
     QPushButton* fully =
-        m_readOnlyRibbon->addButton(u"connectFullyButton"_s, tr("Connect fully"),
+        m_readOnlyRibbon->addButton(u"connectFullyButton"_s, Common::tr("Connect fully"),
                                     tr("Reconnects to the same port with commands allowed. Nothing moves."));
     connect(fully, &QPushButton::clicked, this, &MainWindow::connectFullyRequested);
     m_operatorRibbon =
-        new Ribbon(u"operatorRibbon"_s, tr("Operator mode"),
+        new Ribbon(u"operatorRibbon"_s, Common::tr("Operator mode"),
                    tr("OPERATOR MODE — only allowed actions are available. STOP ALL always works."), top);
     QPushButton* leave =
-        m_operatorRibbon->addButton(u"leaveOperatorButton"_s, tr("Leave…"), tr("Asks for the PIN."));
+        m_operatorRibbon->addButton(u"leaveOperatorButton"_s, tr("Leave…"), Common::tr("Asks for the PIN."));
     connect(leave, &QPushButton::clicked, m_operator, &OperatorLock::open);
     m_pendantRibbon = new Ribbon(u"pendantRibbon"_s, tr("Pendant"), {}, top);
     QPushButton* end =
@@ -325,7 +326,7 @@ QString MainWindow::nothingText() const {
             return texts::link(m_session.link());
         case LinkPhase::Connected:
         case LinkPhase::Lost:
-            return tr("No module");
+            return Common::tr("No module");
     }
     return {};
 }

@@ -7,6 +7,7 @@
 #include <QTimer>
 
 #include "widgets/chain/chainview.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/mainwindow/commandpalette.h"
 #include "widgets/mainwindow/mainwindow.h"
@@ -54,7 +55,7 @@ void MainWindow::fillModuleMenu(QMenu& menu) {
     menu.clear();
     ModulePage* page = m_panel->page();
     if (page == nullptr) {
-        menu.addAction(tr("No module"))->setEnabled(false);
+        menu.addAction(Common::tr("No module"))->setEnabled(false);
         return;
     }
     page->context().catchUp();
@@ -81,8 +82,8 @@ void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
         return;
     page->context().catchUp();
     QAction* pendant = m_pendant->action();
-    entries.push_back({pendant->text().remove(u'&'), pendant->toolTip(), tr("Module"), shortcutText(*pendant),
-                       pendant->toolTip(),
+    entries.push_back({pendant->text().remove(u'&'), pendant->toolTip(), Common::tr("Module"),
+                       shortcutText(*pendant), pendant->toolTip(),
                        [pendant] { return pendant->isEnabled() ? QString() : pendant->toolTip(); },
                        [pendant] { pendant->trigger(); }});
     for (Command* command : page->commands()) {

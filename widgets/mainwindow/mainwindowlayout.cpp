@@ -10,6 +10,7 @@
 #include "widgets/chain/chainview.h"
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/mainwindow.h"
@@ -56,7 +57,7 @@ void MainWindow::buildDocks() {
     m_layouts = new Layouts(*this, m_settings);
     m_chain = new ChainView(this);
     m_scope = new ScopePanel(*m_requests, this);
-    m_scopeDock = newDock(u"scopeDock"_s, tr("Scope"), scrolled(m_scope));
+    m_scopeDock = newDock(u"scopeDock"_s, Common::tr("Scope"), scrolled(m_scope));
     m_messages = new MessagePanel(*m_requests, this);
     m_simulator = new SimulatorDock(this);
     m_monitor = new MonitorDock(*m_requests, this);
@@ -67,7 +68,7 @@ void MainWindow::buildDocks() {
     m_axes = new AxesDock(*m_requests, this);
     for (QDockWidget* dock : std::initializer_list<QDockWidget*>{
              newDock(u"chainDock"_s, tr("Modules"), m_chain), m_scopeDock,
-             newDock(u"messagesDock"_s, tr("Messages"), scrolled(m_messages)), m_simulator, m_monitor,
+             newDock(u"messagesDock"_s, Common::tr("Messages"), scrolled(m_messages)), m_simulator, m_monitor,
              m_response, m_loopTests, m_sequences, m_paths, m_axes})
         m_layouts->add(*dock);
     connect(m_layouts, &Layouts::chosen, this, &MainWindow::showLayout);

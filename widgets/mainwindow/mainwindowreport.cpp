@@ -6,6 +6,7 @@
 #include "model/response/frequencyfile.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/looptestsdock.h"
@@ -58,7 +59,7 @@ void MainWindow::chooseReportFile() {
     if (!report)
         return;
     QFileDialog* dialog = newFileDialog(this, u"reportFileDialog"_s, tr("Save the tuning report"),
-                                        {tr("PDF (*.pdf)"), tr("HTML (*.html)")}, QDir::homePath());
+                                        {Common::tr("PDF (*.pdf)"), tr("HTML (*.html)")}, QDir::homePath());
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);

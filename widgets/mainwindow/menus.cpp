@@ -13,6 +13,7 @@
 #include "widgets/chain/chainmenu.h"
 #include "widgets/common/languages.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
@@ -46,7 +47,7 @@ void openBox(MainWindow& window, const QString& objectName, const QString& title
 void openAbout(MainWindow& window) {
     openBox(
         window, u"aboutDialog"_s, Menus::tr("About NMC Panel"),
-        Menus::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()),
+        Common::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()),
         Menus::tr(
             "A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.\n\n"
             "Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.")
@@ -108,15 +109,15 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, cons
     quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
     QObject::connect(quit, &QAction::triggered, &window, &QWidget::close);
 
-    QMenu* chain = bar.addMenu(Menus::tr("Chain"));
-    look::name(chain, u"chainMenu"_s, Menus::tr("Chain"));
+    QMenu* chain = bar.addMenu(Common::tr("Chain"));
+    look::name(chain, u"chainMenu"_s, Common::tr("Chain"));
     chain->setToolTipsVisible(true);
     chain->addAction(connectReadOnly);
     chain->addSeparator();
     window.chainMenu().addTo(*chain);
 
-    QMenu* module = bar.addMenu(Menus::tr("Module"));
-    look::name(module, u"moduleMenu"_s, Menus::tr("Module"));
+    QMenu* module = bar.addMenu(Common::tr("Module"));
+    look::name(module, u"moduleMenu"_s, Common::tr("Module"));
     module->setToolTipsVisible(true);
     QObject::connect(module, &QMenu::aboutToShow, &window,
                      [&window, module] { window.fillModuleMenu(*module); });

@@ -10,6 +10,7 @@
 
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 
 namespace nmc {
 
@@ -20,8 +21,8 @@ constexpr qsizetype kShortestPin = 4;
 }
 
 OperatorDialog::OperatorDialog(QWidget* window) : QDialog(window) {
-    look::name(this, u"operatorDialog"_s, tr("Operator mode"));
-    setWindowTitle(tr("Operator mode"));
+    look::name(this, u"operatorDialog"_s, Common::tr("Operator mode"));
+    setWindowTitle(Common::tr("Operator mode"));
     setModal(false);
     setAttribute(Qt::WA_DeleteOnClose);
     const int unit = look::gridUnit(this);

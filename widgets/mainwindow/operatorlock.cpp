@@ -6,6 +6,7 @@
 #include <QRandomGenerator>
 #include <QSettings>
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/mainwindow/operatordialog.h"
 #include "widgets/mainwindow/settingskeys.h"
 
@@ -99,7 +100,7 @@ bool OperatorLock::isPin(const QString& pin) const {
 void OperatorLock::present() {
     m_action->setText(m_locked ? tr("Leave o&perator mode…") : tr("O&perator mode…"));
     m_action->setToolTip(
-        m_locked ? tr("Asks for the PIN.")
+        m_locked ? Common::tr("Asks for the PIN.")
                  : tr("Limits the panel to the actions that you select, until someone enters the PIN."));
 }
 

@@ -7,6 +7,7 @@
 #include "link/ports/linktypes.h"
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/mainwindow/choicebutton.h"
 #include "widgets/mainwindow/connectionbar.h"
@@ -28,7 +29,7 @@ StartPage::StartPage(ConnectionBar& bar, QWidget* parent)
     m_simulator->showChoice(
         tr("Start the simulator"),
         tr("Needs no hardware. Three simulated modules to try everything on; no real motor moves."));
-    m_serial->setToolTip(tr("Opens the port and looks for modules. Nothing moves."));
+    m_serial->setToolTip(Common::tr("Opens the port and looks for modules. Nothing moves."));
     m_simulator->setToolTip(tr("Connects to the built-in simulator."));
     auto* choices = new QWidget;
     choices->setObjectName(u"startChoices"_s);

@@ -5,6 +5,7 @@
 
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 
 namespace nmc {
 
@@ -51,8 +52,8 @@ QSize StopButton::sizeHint() const {
     const int height =
         qMax(look::millimetres(this, kMinHeight), large.height() + fontMetrics().height() + unit * 2);
     const int keycap = fontMetrics().horizontalAdvance(tr("Esc")) + unit * 2;
-    const int words = qMax(large.horizontalAdvance(tr("STOP ALL")) + unit * 2 + keycap,
-                           fontMetrics().horizontalAdvance(tr("goes to all modules")));
+    const int words = qMax(large.horizontalAdvance(Common::tr("STOP ALL")) + unit * 2 + keycap,
+                           fontMetrics().horizontalAdvance(Common::tr("goes to all modules")));
     return {unit * 3 + symbolSide() + unit + words + unit, height};
 }
 
@@ -89,7 +90,7 @@ void StopButton::paintEvent(QPaintEvent* /*event*/) {
     const double top = r.center().y() - total / 2;
     painter.setPen(white);
     painter.setFont(large);
-    painter.drawText(QPointF(left, top + largeMetrics.ascent()), tr("STOP ALL"));
+    painter.drawText(QPointF(left, top + largeMetrics.ascent()), Common::tr("STOP ALL"));
 
     const QString key = tr("Esc");
     const double keyWidth = smallMetrics.horizontalAdvance(key) + unit;

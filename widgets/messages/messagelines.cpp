@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -49,7 +50,7 @@ QString messageLine(const MessageEntry& entry) {
     if (entry.count > 1)
         words << MessageLineTexts::tr("%n times", nullptr, entry.count);
     if (entry.over.isValid())
-        words << MessageLineTexts::tr("ended at %1").arg(timeText(entry.over, entry.time.date()));
+        words << Common::tr("ended at %1").arg(timeText(entry.over, entry.time.date()));
     return line(entry.time, message, words);
 }
 

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/messages/messagerow.h"
 
 namespace nmc {
@@ -17,7 +18,7 @@ constexpr qsizetype kMaxRows = 200;
 }  // namespace
 
 MessageList::MessageList(QWidget* parent) : QScrollArea(parent) {
-    look::name(this, u"messageList"_s, tr("Messages"));
+    look::name(this, u"messageList"_s, Common::tr("Messages"));
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -12,6 +12,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/messages/messagelist.h"
 
@@ -26,14 +27,15 @@ MessagePanel::MessagePanel(Requests& requests, QWidget* parent) : QWidget(parent
 }
 
 void MessagePanel::build() {
-    m_kind =
-        form::newChoice({u"messageKindBox"_s, tr("Kind of messages shown"), {{tr("All kinds"), {}}}}, this);
+    m_kind = form::newChoice(
+        {u"messageKindBox"_s, tr("Kind of messages shown"), {{Common::tr("All kinds"), {}}}}, this);
     m_kind->setToolTip(tr("Filters the messages by kind."));
     for (const Severity severity : {Severity::Fault, Severity::Attention, Severity::Normal})
         m_kind->addItem(severity == Severity::Normal ? tr("Notes") : texts::severity(severity),
                         QVariant::fromValue(static_cast<int>(severity)));
     m_module = form::newChoice(
-        {u"messageModuleBox"_s, tr("Module whose messages are shown"), {{tr("All modules"), {}}}}, this);
+        {u"messageModuleBox"_s, tr("Module whose messages are shown"), {{Common::tr("All modules"), {}}}},
+        this);
     m_module->setToolTip(tr("Filters the messages by module."));
     m_notOver = form::newCheck({u"messageNotOverBox"_s, tr("Active only")}, this);
     m_notOver->setToolTip(tr("Shows only messages whose cause persists."));
@@ -102,8 +104,8 @@ void MessagePanel::filter() {
 }
 
 void MessagePanel::saveAs() {
-    QFileDialog* dialog =
-        newFileDialog(this, u"messageExportDialog"_s, tr("Export messages"), {tr("Text (*.txt)")}, {});
+    QFileDialog* dialog = newFileDialog(this, u"messageExportDialog"_s, tr("Export messages"),
+                                        {Common::tr("Text (*.txt)")}, {});
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);

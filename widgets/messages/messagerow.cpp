@@ -8,6 +8,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -72,7 +73,7 @@ void MessageRow::present() {
     if (m_entry.count > 1)
         when << tr("%n times", nullptr, m_entry.count);
     if (m_entry.over.isValid())
-        when << tr("ended at %1").arg(timeText(m_entry.over, m_entry.time.date()));
+        when << Common::tr("ended at %1").arg(timeText(m_entry.over, m_entry.time.date()));
     m_when->setText(when.join(u" · "_s));
     m_glyph->showSeverity(m_entry.over.isValid() ? Severity::Normal : m_entry.message.severity);
     m_headline->setText(m_entry.message.headline);

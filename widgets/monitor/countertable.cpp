@@ -5,6 +5,7 @@
 #include <array>
 
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -92,7 +93,7 @@ void CounterTable::setValue(int row, const QString& value) {
 
 void CounterTable::showStatistics(const bus::LinkStatistics& statistics) {
     const auto milliseconds = [](Duration time) {
-        return tr("%1 ms").arg(texts::readout(1e3 * toSeconds(time), 3));
+        return Common::tr("%1 ms").arg(texts::readout(1e3 * toSeconds(time), 3));
     };
     const bool answered = statistics.answered > 0;
     const Duration mean =

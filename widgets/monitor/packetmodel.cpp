@@ -7,6 +7,7 @@
 
 #include "protocol/describe.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -152,7 +153,7 @@ QVariant PacketModel::headerData(int section, Qt::Orientation orientation, int r
         case Purpose:
             return tr("Purpose");
         case Command:
-            return tr("Command");
+            return Common::tr("Command");
         case Meaning:
         case ReplyMeaning:
             return tr("Meaning");

@@ -15,6 +15,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/monitor/countertable.h"
 #include "widgets/monitor/packetmodel.h"
@@ -37,9 +38,9 @@ PacketMonitor::PacketMonitor(Requests& requests, QWidget* parent)
       m_view(new PacketView(*m_model, this)),
       m_counters(new CounterTable(this)),
       m_module(form::newChoice(
-          {u"packetModuleBox"_s, tr("Filter packets by module"), {{tr("All modules"), {}}}}, this)),
-      m_kind(
-          form::newChoice({u"packetKindBox"_s, tr("Filter packets by kind"), {{tr("All kinds"), -1}}}, this)),
+          {u"packetModuleBox"_s, tr("Filter packets by module"), {{Common::tr("All modules"), {}}}}, this)),
+      m_kind(form::newChoice(
+          {u"packetKindBox"_s, tr("Filter packets by kind"), {{Common::tr("All kinds"), -1}}}, this)),
       m_summary(look::newMutedLabel({}, this)) {
     look::name(this, u"packetMonitor"_s, tr("Packet monitor"));
     buildControls();
@@ -70,19 +71,19 @@ void PacketMonitor::buildControls() {
     m_module->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_kind->setToolTip(tr("Shows only packets of one kind (Ctrl+T)."));
     m_kind->addItem(tr("Polls"), static_cast<int>(PacketKind::Poll));
-    m_kind->addItem(tr("Commands"), static_cast<int>(PacketKind::Command));
+    m_kind->addItem(Common::tr("Commands"), static_cast<int>(PacketKind::Command));
     m_kind->addItem(tr("Stops"), static_cast<int>(PacketKind::Stop));
     m_kind->addItem(tr("Connecting and link"), static_cast<int>(PacketKind::Link));
     m_kind->addItem(tr("Errors only"), kErrorsOnly);
-    m_pause = newButton(u"packetPause"_s, tr("Pause"), tr("Stops recording; packets shown stay (%1)."),
-                        Qt::CTRL | Qt::SHIFT | Qt::Key_P);
+    m_pause = newButton(u"packetPause"_s, Common::tr("Pause"),
+                        tr("Stops recording; packets shown stay (%1)."), Qt::CTRL | Qt::SHIFT | Qt::Key_P);
     m_pause->setCheckable(true);
     m_clear = newButton(u"packetClear"_s, tr("Clear"), tr("Clears the packets shown (%1)."),
                         Qt::CTRL | Qt::SHIFT | Qt::Key_K);
     m_copy = newButton(u"packetCopy"_s, tr("Copy"),
                        tr("Copies the selected rows as text, or all rows if none is selected (%1)."),
                        Qt::CTRL | Qt::SHIFT | Qt::Key_C);
-    m_save = newButton(u"packetSave"_s, tr("Save as…"),
+    m_save = newButton(u"packetSave"_s, Common::tr("Save as…"),
                        tr("Saves all recorded packets as text, or as a log that can be replayed (%1)."),
                        Qt::CTRL | Qt::Key_E);
     for (auto& [key, box] : {std::pair{Qt::Key_M, m_module}, std::pair{Qt::Key_T, m_kind}})
@@ -157,7 +158,7 @@ void PacketMonitor::applyFilter() {
 }
 
 void PacketMonitor::pause(bool paused) {
-    m_pause->setText(paused ? tr("Resume") : tr("Pause"));
+    m_pause->setText(paused ? tr("Resume") : Common::tr("Pause"));
     m_pause->setAccessibleName(m_pause->text());
     m_pause->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_P);  // a new text removes the shortcut
     updateRecording();
@@ -181,7 +182,7 @@ void PacketMonitor::copy() {
 }
 
 void PacketMonitor::chooseFile() {
-    const QString text = tr("Text (*.txt)");
+    const QString text = Common::tr("Text (*.txt)");
     const QString log = tr("Replayable log (*%1)").arg(kPacketLogSuffix);
     QFileDialog* dialog = newFileDialog(this, u"packetSaveDialog"_s, tr("Save packets"), {text, log}, {});
     if (dialog == nullptr)

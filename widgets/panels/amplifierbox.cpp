@@ -9,6 +9,7 @@
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 
@@ -20,7 +21,7 @@ namespace {
 using servo::LimitStop;
 
 QString onOrOff(bool on) {
-    return on ? AmplifierBox::tr("on") : AmplifierBox::tr("off");
+    return on ? Common::tr("on") : Common::tr("off");
 }
 }  // namespace
 
@@ -46,7 +47,7 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
                "What the module does by itself when limit 1 closes while it counts up, or limit 2 while it "
                "counts down. It stays armed.")},
           this)),
-      m_fastPath(newBox(u"fastPathBox"_s, tr("Fast path"),
+      m_fastPath(newBox(u"fastPathBox"_s, Common::tr("Fast path"),
                         tr("Path points at 60 and 120 Hz instead of 30 and 60 Hz."))),
       m_apply(new Command({.name = u"applyAmplifierButton"_s,
                            .icon = u"send"_s,
@@ -83,7 +84,7 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
                            .text = tr("Erase saved…"),
                            .accessible = tr("Erase saved configuration of the module")},
                           this, [this] { erase(); })) {
-    look::name(this, u"amplifierPage"_s, tr("Amplifier"));
+    look::name(this, u"amplifierPage"_s, Common::tr("Amplifier"));
     auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1, .down = 0.5});
     buildDrive(*grid);
     grid->addGap(1);
@@ -208,7 +209,7 @@ void AmplifierBox::question(const QString& name, const QString& title, const QSt
         {.name = name,
          .title = title,
          .text = [this, text] { return m_context.whyNot(IntentKind::ControlSc) ? QString() : text; },
-         .stay = tr("Cancel"),
+         .stay = Common::tr("Cancel"),
          .stayName = name + u"Cancel"_s,
          .stayIsDefault = true},
         {{verb, name + u"Go"_s, [this, intent] { m_context.ask(intent); }}}, this);

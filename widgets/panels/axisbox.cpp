@@ -12,6 +12,7 @@
 #include "model/module/servodefaults.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/boxparts.h"
@@ -47,7 +48,7 @@ void showNumber(NumberField* field, double value, std::optional<double> before) 
 
 AxisBox::AxisBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent), m_context(context), m_type(context.state().info.identity.type) {
-    look::name(this, m_context.named(u"axisBox"_s), tr("Axis"));
+    look::name(this, m_context.named(u"axisBox"_s), Common::tr("Axis"));
     build();
     connectControls();
     m_context.whenSeen(this, [this] { showModule(); });
@@ -104,7 +105,7 @@ void AxisBox::build() {
         {.name = m_context.named(u"axisUnitBox"_s),
          .accessible = tr("Unit of the axis"),
          .options = {{tr("native counts"), static_cast<int>(UnitKind::Native)},
-                     {tr("turns"), static_cast<int>(UnitKind::Turns)},
+                     {Common::tr("turns"), static_cast<int>(UnitKind::Turns)},
                      {tr("degrees"), static_cast<int>(UnitKind::Degrees)},
                      {tr("millimetres"), static_cast<int>(UnitKind::Millimetres)},
                      {tr("custom unit"), static_cast<int>(UnitKind::Own)}},
@@ -139,7 +140,7 @@ void AxisBox::build() {
     m_holdCap = form::newQuantity(
         {.kind = QuantityField::Kind::Velocity,
          .name = m_type == ModuleType::Servo ? u"holdCapField"_s : u"stepperAxisHoldCapField"_s,
-         .accessible = tr("Max jog speed"),
+         .accessible = Common::tr("Max jog speed"),
          .meaning = tr("Jog is never faster than this.")},
         this);
     auto* cap = form::newLine(this, {m_holdCap, m_holdCap->unitLabel(), m_holdCap->otherView(), nullptr});
@@ -150,7 +151,7 @@ void AxisBox::build() {
         form, tr("A/D scale, per count"), u"analogPerCountField"_s, kLargestAnalog,
         tr("The value of one A/D count, for example 5 V / 255, or amperes from the amplifier's current sense."));
     m_analogAtZero = addNumber(form, tr("A/D at &0"), u"analogAtZeroField"_s, kLargestAnalog,
-                               tr("The value at an A/D reading of 0."));
+                               Common::tr("The value at an A/D reading of 0."));
     m_analogUnit = form::newText({.name = m_context.named(u"analogUnitField"_s),
                                   .accessible = tr("Unit of the A/D value"),
                                   .maxLength = kLongestAxisUnit,

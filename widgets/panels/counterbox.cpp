@@ -5,6 +5,7 @@
 
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -32,7 +33,7 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
       m_mode(form::newChoice(
           {.name = u"timerModeBox"_s,
            .accessible = tr("Counter source"),
-           .options = {{tr("off")}, {tr("timer, 5 MHz")}, {tr("counter of rising edges on IO10")}}},
+           .options = {{Common::tr("off")}, {tr("timer, 5 MHz")}, {tr("counter of rising edges on IO10")}}},
           this)),
       m_prescaler(form::newChoice({.name = u"timerPrescalerBox"_s,
                                    .accessible = tr("Prescaler"),
@@ -99,7 +100,7 @@ void CounterBox::buildSynch(FormGrid& grid) {
     m_latched->setFont(look::tabular(font()));
     m_stored->setObjectName(u"storedOutputs"_s);
     grid.addLine({new QLabel(tr("Latched"), this), m_synchInput->button(), {m_latched, 1}});
-    grid.addRow(tr("Outputs"), m_outputs);
+    grid.addRow(Common::tr("Outputs"), m_outputs);
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {
         const QString label = u"PWM"_s + QString::number(i + 1);
         m_pwm.at(i) = form::newNumber({.name = u"storedPwm%1Field"_s.arg(i + 1),
@@ -142,7 +143,7 @@ QString CounterBox::rate() const {
     if (!timer)
         return tr("Counter source unknown: another program has set it.");
     if (!timer->enable)
-        return tr("off");
+        return Common::tr("off");
     const double each = divisor(timer->prescaler);
     if (!timer->counter)
         return module.latest && module.latest->counter

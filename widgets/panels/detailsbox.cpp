@@ -5,6 +5,7 @@
 
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -18,14 +19,14 @@ namespace {
 QString servoStatusMeaning(std::size_t bit) {
     const std::array<QString, 8> meanings{
         DetailsBox::tr("The move has ended; in velocity mode the goal velocity is reached."),
-        DetailsBox::tr("The module received a garbled command and did not carry it out."),
+        Common::tr("The module received a garbled command and did not carry it out."),
         DetailsBox::tr("The current limit was reached. Stays set until you clear the sticky bits."),
         DetailsBox::tr("Motor power is present."),
         DetailsBox::tr(
             "The position error exceeded its limit, or the servo is off. Stays set until you clear the sticky bits."),
-        DetailsBox::tr("Limit switch 1."),
-        DetailsBox::tr("Limit switch 2."),
-        DetailsBox::tr("Waiting for the home position.")};
+        Common::tr("Limit switch 1."),
+        Common::tr("Limit switch 2."),
+        Common::tr("Waiting for the home position.")};
     return meanings[bit];
 }
 
@@ -38,7 +39,7 @@ QString auxMeaning(std::size_t bit) {
         DetailsBox::tr("The constant phase of the move has ended."),
         DetailsBox::tr(
             "A servo tick took too long; typically not serious. Stays set until you clear the sticky bits."),
-        DetailsBox::tr("The motor follows the points of a path."),
+        Common::tr("The motor follows the points of a path."),
         QString()};
     return meanings[bit];
 }
@@ -55,11 +56,11 @@ DetailsBox::DetailsBox(ModuleContext& context, QWidget* parent)
                           this, [this] { m_context.ask(intent::ClearStickyBits{}); })),
       m_saveHome(new Command({.name = u"saveHomeButton"_s,
                               .icon = u"home"_s,
-                              .text = tr("Save as home"),
-                              .accessible = tr("Save as home: the present position")},
+                              .text = Common::tr("Save as home"),
+                              .accessible = Common::tr("Save as home: the present position")},
                              this, [this] { m_context.ask(intent::SaveAsHome{}); })) {
-    look::name(this, u"detailsBox"_s, tr("Details"));
-    addBits(Byte::First, tr("Status byte"), servo::kStatusBitNames, servoStatusMeaning, u"bit_"_s);
+    look::name(this, u"detailsBox"_s, Common::tr("Details"));
+    addBits(Byte::First, Common::tr("Status byte"), servo::kStatusBitNames, servoStatusMeaning, u"bit_"_s);
     const bool path = hasPathBuffer(context.state().info.identity);
     addBits(Byte::Second, tr("Auxiliary byte"), path ? servo::kCmcAuxBitNames : servo::kAuxBitNames,
             auxMeaning, u"bit_"_s);
@@ -69,9 +70,9 @@ DetailsBox::DetailsBox(ModuleContext& context, QWidget* parent)
         m_error = addValue(tr("Position error reported by the chip"), u"chipErrorLabel"_s);
         m_points = addValue(tr("Path points left"), u"pathPointsLabel"_s);
     }
-    m_home = addValue(tr("Home register"), u"homeLabel"_s);
+    m_home = addValue(Common::tr("Home register"), u"homeLabel"_s);
     m_home->setToolTip(texts::homeRegisterMeaning());
-    m_raw = addValue(tr("Raw"), u"rawLabel"_s);
+    m_raw = addValue(Common::tr("Raw"), u"rawLabel"_s);
     addButtons({m_clear->button(), m_saveHome->button()});
     m_context.whenSeen(this, [this] { refresh(); });
 }
@@ -95,7 +96,7 @@ void DetailsBox::refresh() {
     }
     QString raw = dash;
     if (latest) {
-        raw = tr("status %1").arg(report.status, 2, 16, QChar(u'0'));
+        raw = Common::tr("status %1").arg(report.status, 2, 16, QChar(u'0'));
         if (report.aux)
             raw += tr(", auxiliary %1").arg(*report.aux, 2, 16, QChar(u'0'));
     }
@@ -103,7 +104,7 @@ void DetailsBox::refresh() {
     m_clear->setPossible(m_context.reasonNow(IntentKind::ClearStickyBits),
                          tr("Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing."));
     m_saveHome->setPossible(m_context.reasonNow(IntentKind::SaveAsHome),
-                            tr("Saves the present position as home. The motor does not move."));
+                            Common::tr("Saves the present position as home. The motor does not move."));
 }
 
 }  // namespace nmc

@@ -9,6 +9,7 @@
 #include "widgets/common/askdialog.h"
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
@@ -26,7 +27,7 @@ DirectionCheckBox::DirectionCheckBox(ModuleContext& context, QWidget* parent)
                            .accessible = tr("Direction check of motor and encoder")},
                           this, [this] { ask(); })),
       m_cancel(new Command({.name = u"cancelDirectionCheckButton"_s,
-                            .text = tr("Cancel"),
+                            .text = Common::tr("Cancel"),
                             .accessible = tr("Cancel the direction check")},
                            this, [this] { m_context.ask(intent::CancelProcedure{}); })),
       m_state(new QLabel(this)) {

@@ -8,6 +8,7 @@
 
 #include "widgets/common/askdialog.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/directbox.h"
@@ -50,7 +51,7 @@ void takeManner(SetHoming& homing, int choice) {
 
 QStringList homingManners() {
     return {ExpertBox::tr("Capture only"), ExpertBox::tr("Stop abruptly"), ExpertBox::tr("Stop smoothly"),
-            ExpertBox::tr("Motor off")};
+            Common::tr("Motor off")};
 }
 
 template <typename SetHoming>
@@ -82,14 +83,14 @@ DirectBox* newServoLoad(ModuleContext& context, QWidget* parent) {
     const auto [slowest, fastest] = range(servo::kVelocityRange);
     QComboBox* mode =
         box->addChoice(u"Mode"_s, ExpertBox::tr("Mode"),
-                       {ExpertBox::tr("Trapezoidal"), ExpertBox::tr("Velocity"), ExpertBox::tr("PWM")});
+                       {ExpertBox::tr("Trapezoidal"), Common::tr("Velocity"), Common::tr("PWM")});
     const Value position =
         box->addValue(u"Position"_s, ExpertBox::tr("Position (counts)"), lowest, highest, true);
     const Value velocity =
         box->addValue(u"Velocity"_s, ExpertBox::tr("Velocity (counts/tick × 65536)"), slowest, fastest, true);
     const Value acceleration = box->addValue(
         u"Acceleration"_s, ExpertBox::tr("Acceleration (counts/tick² × 65536)"), slowest, fastest, true);
-    const Value pwm = box->addValue(u"Pwm"_s, ExpertBox::tr("PWM value"), 0, 255, true);
+    const Value pwm = box->addValue(u"Pwm"_s, Common::tr("PWM value"), 0, 255, true);
     QCheckBox* reverse = box->addFlag(u"Reverse"_s, ExpertBox::tr("Reverse (velocity and PWM)"));
     QCheckBox* relative = hasPathBuffer(context.state().info.identity)
                               ? box->addFlag(u"Relative"_s, ExpertBox::tr("Relative (trapezoidal)"))
@@ -133,10 +134,10 @@ DirectBox* newServoLoad(ModuleContext& context, QWidget* parent) {
 DirectBox* newServoStop(ModuleContext& context, QWidget* parent) {
     auto* box = new DirectBox(
         context, {u"expertStop"_s, ExpertBox::tr("Stop Motor"), ExpertBox::tr("Send stop")}, parent);
-    QComboBox* manner = box->addChoice(
-        u"Manner"_s, ExpertBox::tr("How"),
-        {ExpertBox::tr("Amplifier only"), ExpertBox::tr("Motor off"), ExpertBox::tr("Abruptly"),
-         ExpertBox::tr("Smoothly"), ExpertBox::tr("At a position")});
+    QComboBox* manner =
+        box->addChoice(u"Manner"_s, Common::tr("How"),
+                       {ExpertBox::tr("Amplifier only"), Common::tr("Motor off"), Common::tr("Abruptly"),
+                        Common::tr("Smoothly"), ExpertBox::tr("At a position")});
     const Value here = box->addValue(u"Position"_s, ExpertBox::tr("Position (counts)"),
                                      static_cast<double>(servo::kPositionRange.min),
                                      static_cast<double>(servo::kPositionRange.max), false);
@@ -179,9 +180,9 @@ DirectBox* newServoHoming(ModuleContext& context, QWidget* parent) {
         parent);
     QCheckBox* limit1 = box->addFlag(u"Limit1"_s, ExpertBox::tr("Change of limit 1"));
     QCheckBox* limit2 = box->addFlag(u"Limit2"_s, ExpertBox::tr("Change of limit 2"));
-    QCheckBox* index = box->addFlag(u"Index"_s, ExpertBox::tr("Index"));
-    QCheckBox* error = box->addFlag(u"PositionError"_s, ExpertBox::tr("Position error"));
-    QCheckBox* current = box->addFlag(u"CurrentLimit"_s, ExpertBox::tr("Current limit"));
+    QCheckBox* index = box->addFlag(u"Index"_s, Common::tr("Index"));
+    QCheckBox* error = box->addFlag(u"PositionError"_s, Common::tr("Position error"));
+    QCheckBox* current = box->addFlag(u"CurrentLimit"_s, Common::tr("Current limit"));
     QComboBox* manner = box->addChoice(u"Manner"_s, ExpertBox::tr("Then"), homingManners());
     box->setCommand(
         [=]() -> ModuleCommand {
@@ -211,7 +212,7 @@ DirectBox* newServoReset(ModuleContext& context, QWidget* parent) {
     QStringList choices{ExpertBox::tr("To 0"), ExpertBox::tr("Relative to home")};
     if (isSc(context.state().info.identity))
         choices << ExpertBox::tr("To a value");
-    QComboBox* how = box->addChoice(u"How"_s, ExpertBox::tr("How"), choices);
+    QComboBox* how = box->addChoice(u"How"_s, Common::tr("How"), choices);
     const Value position = box->addValue(u"Position"_s, ExpertBox::tr("Position (counts)"),
                                          static_cast<double>(servo::kPositionRange.min),
                                          static_cast<double>(servo::kPositionRange.max), false);
@@ -266,7 +267,7 @@ DirectBox* newStepperLoad(ModuleContext& context, QWidget* parent) {
                              true);
     };
     const Value position = add(u"Position"_s, ExpertBox::tr("Position (steps)"), stepper::kPositionRange);
-    const Value speed = add(u"Speed"_s, ExpertBox::tr("Speed"), stepper::kSpeedRange);
+    const Value speed = add(u"Speed"_s, Common::tr("Speed"), stepper::kSpeedRange);
     const Value acceleration =
         add(u"Acceleration"_s, ExpertBox::tr("Acceleration time (0.25 ms)"), stepper::kAccelerationTimeRange);
     const Value timer = add(u"Timer"_s, ExpertBox::tr("Initial timer count"), stepper::kTimerCountRange);
@@ -296,9 +297,9 @@ DirectBox* newStepperLoad(ModuleContext& context, QWidget* parent) {
 DirectBox* newStepperStop(ModuleContext& context, QWidget* parent) {
     auto* box = new DirectBox(
         context, {u"expertStop"_s, ExpertBox::tr("Stop Motor"), ExpertBox::tr("Send stop")}, parent);
-    QComboBox* manner = box->addChoice(
-        u"Manner"_s, ExpertBox::tr("How"),
-        {ExpertBox::tr("Amplifier only"), ExpertBox::tr("Abruptly"), ExpertBox::tr("Smoothly")});
+    QComboBox* manner =
+        box->addChoice(u"Manner"_s, Common::tr("How"),
+                       {ExpertBox::tr("Amplifier only"), Common::tr("Abruptly"), Common::tr("Smoothly")});
     QCheckBox* amplifier = box->addFlag(u"Amplifier"_s, ExpertBox::tr("Amplifier enabled"));
     amplifier->setChecked(true);
     box->setCommand(
@@ -393,7 +394,7 @@ void ExpertBox::askBeforeReset() {
                             : tr("Reset %1? Its motor switches off, and it loses its position, settings and group. The other modules are unchanged.")
                                   .arg(module);
              },
-         .stay = tr("Cancel"),
+         .stay = Common::tr("Cancel"),
          .stayName = u"resetModuleCancel"_s,
          .stayIsDefault = true},
         {{tr("Reset the module"), u"resetModuleGo"_s, [this] { m_context.ask(intent::ResetModule{}); }}},

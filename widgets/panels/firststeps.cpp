@@ -7,6 +7,7 @@
 
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 
 namespace nmc {
 
@@ -29,7 +30,7 @@ QString stepTitle(FirstStep step) {
         case FirstStep::Enable:
             return FirstStepTexts::tr("Enable servo");
         case FirstStep::Jog:
-            return FirstStepTexts::tr("Jog");
+            return Common::tr("Jog");
     }
     return {};
 }

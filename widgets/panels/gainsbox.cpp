@@ -8,6 +8,7 @@
 #include "model/settings/startinggains.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -29,7 +30,7 @@ GainsBox::GainsBox(ModuleContext& context, QWidget* parent)
                   .sentOnes = tr("Restores the gains last sent. Sends nothing."),
                   .none = tr("Clears the fields: no gains have been sent yet. Sends nothing.")},
                  parent) {
-    look::name(this, u"gainsBox"_s, tr("Gains"));
+    look::name(this, u"gainsBox"_s, Common::tr("Gains"));
     auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 0.5});
     for (const Gain gain : kAllGains) {
         const QString letters = gainLetters(gain);
@@ -80,8 +81,8 @@ void GainsBox::addButtons(FormGrid* grid) {
         tr("Fills the fields with 0, to start tuning. Sends nothing. Once applied, the motor no longer holds."));
     auto* start = new Command({.name = u"fillGainsButton"_s,
                                .icon = u"wand"_s,
-                               .text = tr("Start&ing values"),
-                               .accessible = tr("Starting values: fill in")},
+                               .text = Common::tr("Start&ing values"),
+                               .accessible = Common::tr("Starting values: fill in")},
                               this, [this] { stage(startingGains(context().settings().unit)); });
     start->setPossible({}, tr("Fills in values to start tuning with. Sends nothing."));
     m_apply = new Command({.name = u"applyGainsButton"_s,

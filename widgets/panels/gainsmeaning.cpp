@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "base/time.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -115,7 +116,7 @@ QString gainName(Gain gain) {
         case Gain::Ol:
             return Gains::tr("Output limit");
         case Gain::Cl:
-            return Gains::tr("Current limit");
+            return Common::tr("Current limit");
         case Gain::El:
             return Gains::tr("Position error limit");
         case Gain::Sr:
@@ -182,12 +183,12 @@ QString gainRemark(Gain gain, int value) {
             return Gains::tr("%1 %").arg(qRound(value * 100.0 / 255.0));
         case Gain::Cl:
             if (value == 0)
-                return Gains::tr("off");
+                return Common::tr("off");
             return value % 2 != 0 ? Gains::tr("A/D above") : Gains::tr("A/D below");
         case Gain::El:
             return texts::unitCounts();
         case Gain::Sr:
-            return Gains::tr("%1 Hz").arg(texts::readout(ticksPerSecond(value), 4));
+            return Common::tr("%1 Hz").arg(texts::readout(ticksPerSecond(value), 4));
     }
     return {};
 }

@@ -7,6 +7,7 @@
 
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -43,8 +44,8 @@ GenericPanel::GenericPanel(Requests& requests, QWidget* parent)
 void GenericPanel::showModule(const PanelView& view) {
     const ModuleState& module = view.module;
     m_module = module.info.index;
-    look::setText(m_name, tr("%1: %2").arg(texts::moduleName(module.info.index),
-                                           texts::moduleType(module.info.identity)));
+    look::setText(m_name, Common::tr("%1: %2").arg(texts::moduleName(module.info.index),
+                                                   texts::moduleType(module.info.identity)));
     look::setText(
         m_text,
         tr("The panel does not support this type and version (supported: PIC-SERVO v1 to v5 and v10, PIC-STEP v1, PIC-I/O v1), so it only shows the module's status. STOP ALL might not stop its motor: use the hardware stop."));

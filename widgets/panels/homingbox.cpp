@@ -10,6 +10,7 @@
 #include "module/stepperspeed.h"
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/panels/command.h"
@@ -84,7 +85,7 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
                             .accessible = tr("Cancel search for home"),
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_H},
                            this, [this] { m_context.ask(intent::CancelProcedure{}); });
-    look::name(this, named(u"homingBox"_s), tr("Homing"));
+    look::name(this, named(u"homingBox"_s), Common::tr("Homing"));
     look::nameText(m_stages, named(u"homingStagesLabel"_s), tr("Progress of the search"));
     look::nameText(m_result, named(u"homingResultLabel"_s), tr("Progress of the search"));
     m_hint->setObjectName(named(u"homingHint"_s));
@@ -163,7 +164,7 @@ QString HomingBox::whyNotNow() const {
     if (!m_context.connected())
         return texts::refusal(Refusal::NotConnected);
     if (running())
-        return tr("A search for home is running.");
+        return Common::tr("A search for home is running.");
     if (const auto refusal = whyNotHome(m_context.state()))
         return texts::refusal(*refusal);
     if (!m_form->problemText().isEmpty())

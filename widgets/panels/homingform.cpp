@@ -11,6 +11,7 @@
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -69,22 +70,23 @@ void HomingForm::buildConditions(FormGrid* grid) {
     const QString change = tr(
         "Home is where this switch changes. If it is active at the start, the motor first backs off in the other direction.");
     if (m_type == ModuleType::Stepper) {
-        conditions << addBox(u"onHomeSwitchBox"_s, tr("Home switch"), &HomingRecipe::onHomeSwitch, change)
+        conditions << addBox(u"onHomeSwitchBox"_s, Common::tr("Home switch"), &HomingRecipe::onHomeSwitch,
+                             change)
                    << addBox(u"onLimit1Box"_s, tr("Limit 1 (forward)"), &HomingRecipe::onLimit1, change)
                    << addBox(u"onLimit2Box"_s, tr("Limit 2 (reverse)"), &HomingRecipe::onLimit2, change);
         grid->addTitled(tr("Home is at"), row(conditions));
         return;
     }
     conditions
-        << addBox(u"onLimit1Box"_s, tr("Limit 1"), &HomingRecipe::onLimit1, change)
-        << addBox(u"onLimit2Box"_s, tr("Limit 2"), &HomingRecipe::onLimit2, change)
-        << addBox(u"onIndexBox"_s, tr("Index"), &HomingRecipe::onIndex,
+        << addBox(u"onLimit1Box"_s, Common::tr("Limit 1"), &HomingRecipe::onLimit1, change)
+        << addBox(u"onLimit2Box"_s, Common::tr("Limit 2"), &HomingRecipe::onLimit2, change)
+        << addBox(u"onIndexBox"_s, Common::tr("Index"), &HomingRecipe::onIndex,
                   tr("Home is at the encoder's index, which comes once per turn."))
         << addBox(
-               u"onPositionErrorBox"_s, tr("Position error"), &HomingRecipe::onPositionError,
+               u"onPositionErrorBox"_s, Common::tr("Position error"), &HomingRecipe::onPositionError,
                tr("Home is at a hard stop: the motor runs against it until the position error limit switches the servo off. Sticky bits are cleared first. The servo is switched on again only to continue to the index or to home."))
         << addBox(
-               u"onCurrentLimitBox"_s, tr("Current limit"), &HomingRecipe::onCurrentLimit,
+               u"onCurrentLimitBox"_s, Common::tr("Current limit"), &HomingRecipe::onCurrentLimit,
                tr("Home is at a hard stop: the motor runs against it until the current limit is reached. On its own, it takes effect only at full speed; combined with other conditions, from the start, so the starting current must stay below it. Sticky bits are cleared first."));
     grid->addTitled(tr("Home is at"), row(conditions));
     grid->addTitled(
@@ -113,20 +115,21 @@ void HomingForm::buildMotion(FormGrid* grid) {
     grid->addTitled(tr("Direction"), row({m_reverse, m_forward}));
 
     using Kind = QuantityField::Kind;
-    addQuantity(grid, Kind::Velocity, u"homingVelocityField"_s, tr("Velocity"), &HomingRecipe::velocity,
+    addQuantity(grid, Kind::Velocity, u"homingVelocityField"_s, Common::tr("Velocity"),
+                &HomingRecipe::velocity,
                 tr("Maximum velocity for searching, backing off and going to home."));
     if (m_type != ModuleType::Stepper)
         addQuantity(grid, Kind::Velocity, u"homingIndexVelocityField"_s, tr("Index velocity"),
                     &HomingRecipe::indexVelocity,
                     tr("Velocity of the second search, for the index. Slower is more exact."));
-    addQuantity(grid, Kind::Acceleration, u"homingAccelerationField"_s, tr("Acceleration"),
+    addQuantity(grid, Kind::Acceleration, u"homingAccelerationField"_s, Common::tr("Acceleration"),
                 &HomingRecipe::acceleration, tr("Also used for smooth stops."));
     addQuantity(grid, Kind::Distance, u"homingTravelField"_s, tr("Search distance"),
                 &HomingRecipe::travelLimit,
                 tr("A search, or backing off, stops and fails after this distance."));
     m_timeLimit = form::newNumber({.name = named(u"homingTimeField"_s),
                                    .accessible = tr("Time limit of a search"),
-                                   .words = tr("Time limit"),
+                                   .words = Common::tr("Time limit"),
                                    .unit = u"s"_s,
                                    .min = 0.1,
                                    .max = kLongestTime,
@@ -134,7 +137,7 @@ void HomingForm::buildMotion(FormGrid* grid) {
                                    .digits = kFieldDigits,
                                    .meaning = tr("A search stops and fails after this time.")},
                                   this);
-    grid->addRow(tr("Time limit"), m_timeLimit, {new QLabel(u"s"_s, this)});
+    grid->addRow(Common::tr("Time limit"), m_timeLimit, {new QLabel(u"s"_s, this)});
     connect(m_timeLimit, &NumberField::edited, this, [this] {
         m_recipe.timeLimit = m_timeLimit->value().value_or(m_recipe.timeLimit);
         tell();
@@ -159,7 +162,7 @@ void HomingForm::addQuantity(FormGrid* grid, QuantityField::Kind kind, const QSt
 
 void HomingForm::buildEnd(FormGrid* grid) {
     const std::array names{u"homingAbruptlyButton"_s, u"homingSmoothlyButton"_s, u"homingMotorOffButton"_s};
-    const std::array texts{tr("Abruptly"), tr("Smoothly"), tr("Motor off")};
+    const std::array texts{Common::tr("Abruptly"), Common::tr("Smoothly"), Common::tr("Motor off")};
     const std::array accessible{tr("Abruptly: stop at home"), tr("Smoothly: stop at home"),
                                 tr("Motor off at home")};
     auto* group = new QButtonGroup(this);
@@ -243,7 +246,7 @@ void HomingForm::tell() {
 }
 
 void HomingForm::refresh() {
-    const QString locked = m_locked ? tr("A search for home is running.") : QString();
+    const QString locked = m_locked ? Common::tr("A search for home is running.") : QString();
     for (const Box& box : m_boxes) {
         const QSignalBlocker blocker(box.button);
         box.button->setChecked(m_recipe.*box.flag);
@@ -272,7 +275,7 @@ void HomingForm::refresh() {
 
 void HomingForm::refreshStops() {
     const Stop stop = effective(m_recipe, {m_type, 0}).stop;
-    QString reason = m_locked ? tr("A search for home is running.") : QString();
+    QString reason = m_locked ? Common::tr("A search for home is running.") : QString();
     if (reason.isEmpty() && m_recipe.onPositionError && m_type == ModuleType::Servo)
         reason = tr("A position error switches the servo off.");
     const bool hostStops =

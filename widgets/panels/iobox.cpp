@@ -8,6 +8,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 
 namespace nmc {
@@ -31,20 +32,20 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
     m_pins[1] = addPin(grid, 2);
     if (const ModuleIdentity& module = context.state().info.identity;
         hasPathBuffer(module) && !isSc(module)) {
-        m_fastPath = form::newCheck({.name = u"ioFastPathBox"_s, .text = tr("Fast path")}, this);
+        m_fastPath = form::newCheck({.name = u"ioFastPathBox"_s, .text = Common::tr("Fast path")}, this);
         connect(m_fastPath, &QCheckBox::clicked, this, &IoBox::control);
         grid->addWide(m_fastPath);
     }
-    m_index = addInput(grid, tr("Index"), u"indexValue"_s,
+    m_index = addInput(grid, Common::tr("Index"), u"indexValue"_s,
                        tr("The encoder's index pulse, once per turn with most encoders."));
-    m_power = addInput(grid, tr("Motor power"), u"powerValue"_s,
+    m_power = addInput(grid, Common::tr("Motor power"), u"powerValue"_s,
                        tr("Without motor power the servo switches off, and stays off when power returns."));
     m_analog = new QLabel(u"–"_s, this);
     m_analog->setObjectName(u"analogValue"_s);
     m_analog->setFont(look::tabular(font()));
     m_analog->setToolTip(
         tr("The A/D input; with most amplifiers, the motor current. Set its scale on the Axis page."));
-    grid->addLine({new QLabel(tr("A/D"), this), nullptr, {m_analog, 1}});
+    grid->addLine({new QLabel(Common::tr("A/D"), this), nullptr, {m_analog, 1}});
     m_amplifier = form::newCheck({.name = u"amplifierBox"_s,
                                   .text = tr("Amplifier enabled (&AMP_EN)"),
                                   .accessible = tr("Amplifier enabled (AMP_EN)")},
@@ -68,11 +69,12 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
 
 IoBox::Pin IoBox::addPin(FormGrid* grid, int number) {
     Pin pin;
-    pin.use = form::newChoice(
-        {.name = u"limit%1UseBox"_s.arg(number),
-         .accessible = tr("Limit %1: input or output").arg(number),
-         .options = {{tr("input"), Input}, {tr("output, low"), OutputLow}, {tr("output, high"), OutputHigh}}},
-        this);
+    pin.use = form::newChoice({.name = u"limit%1UseBox"_s.arg(number),
+                               .accessible = tr("Limit %1: input or output").arg(number),
+                               .options = {{Common::tr("input"), Input},
+                                           {tr("output, low"), OutputLow},
+                                           {tr("output, high"), OutputHigh}}},
+                              this);
     pin.glyph = new GlyphLabel(this);
     pin.value = new QLabel(u"–"_s, this);
     pin.value->setObjectName(u"limit%1Value"_s.arg(number));
@@ -131,7 +133,7 @@ void IoBox::refresh() {
                                                     status([](auto s) { return s.limit2(); })};
     const QString io = m_context.reasonNow(IntentKind::ControlIo);
     for (std::size_t i = 0; i < m_pins.size(); ++i) {
-        show({m_pins[i].glyph, m_pins[i].value}, limits[i], tr("high"), tr("low"));
+        show({m_pins[i].glyph, m_pins[i].value}, limits[i], Common::tr("high"), Common::tr("low"));
         look::setPossible(m_pins[i].use, io,
                           tr("Makes the pin an input, or an output with this level. Sent at once."));
     }

@@ -8,6 +8,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/boxparts.h"
 
@@ -24,7 +25,7 @@ IoHead::IoHead(ModuleContext& context, QWidget* parent)
       m_state(new QLabel(this)),
       m_meaning(new QLabel(this)),
       m_name(newNameField(u"ioNameField"_s, tr("Name of this module"), this)) {
-    look::name(this, u"ioHead"_s, tr("State of the selected module"));
+    look::name(this, u"ioHead"_s, Common::tr("State of the selected module"));
     m_module->setObjectName(u"ioModuleName"_s);
     m_type->setObjectName(u"ioModuleType"_s);
     m_state->setObjectName(u"ioStateLabel"_s);
@@ -38,7 +39,7 @@ IoHead::IoHead(ModuleContext& context, QWidget* parent)
     auto* who = new FlowLayout(unit);
     who->addWidget(m_module);
     who->addWidget(m_type);
-    auto* label = new QLabel(tr("Name"), this);
+    auto* label = new QLabel(Common::tr("Name"), this);
     label->setBuddy(m_name);
     who->addWidget(label);
     who->addWidget(m_name);
@@ -57,9 +58,9 @@ void IoHead::refresh() {
     const ModuleState& module = m_context.state();
     const Activity activity = module.activity();
     look::setText(m_module, texts::moduleName(module.info.index));
-    look::setText(
-        m_type,
-        tr("%1, address %2").arg(texts::moduleType(module.info.identity)).arg(module.info.address.value()));
+    look::setText(m_type, Common::tr("%1, address %2")
+                              .arg(texts::moduleType(module.info.identity))
+                              .arg(module.info.address.value()));
     look::setText(m_state, texts::activity(activity));
     look::setText(m_meaning, texts::activityMeaning(activity));
     m_glyph->showActivity(activity);

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/panels/counterbox.h"
 #include "widgets/panels/iohead.h"
 #include "widgets/panels/iovaluesbox.h"
@@ -22,8 +23,8 @@ IoPanel::IoPanel(const PanelView& view, Requests& requests, QWidget* parent)
     pins->addWidget(new PinBox(m_context, this));
     pins->addStretch(1);
     auto* pages = new QTabWidget(this);
-    look::name(pages, u"ioPages"_s, tr("Pages of the module"));
-    pages->addTab(new IoValuesBox(m_context, this), tr("A/D and PWM"));
+    look::name(pages, u"ioPages"_s, Common::tr("Pages of the module"));
+    pages->addTab(new IoValuesBox(m_context, this), Common::tr("A/D and PWM"));
     pages->addTab(new CounterBox(m_context, this), tr("Counter"));
     layOut(head, pins, pages);
 }

@@ -8,6 +8,7 @@
 #include "model/settings/pinsof.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/panels/boxparts.h"
 
@@ -24,7 +25,7 @@ constexpr int kDigits = 8;  // width of a field
 }  // namespace
 
 IoValuesBox::IoValuesBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_context(context) {
-    look::name(this, u"ioValuesBox"_s, tr("A/D and PWM"));
+    look::name(this, u"ioValuesBox"_s, Common::tr("A/D and PWM"));
     const int unit = look::gridUnit(this);
     auto* grid = new FoldingGrid(this, FoldingGrid::Kind::Table);
     grid->setContentsMargins(unit, unit, unit, unit);
@@ -57,22 +58,22 @@ NumberField* IoValuesBox::newNumber(const QString& objectName, const QString& ac
 }
 
 void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
-    const std::array<QString, 6> headings{tr("A/D input"), tr("Name"), tr("Reads"),
-                                          tr("Per count"), tr("At 0"), tr("Unit")};
+    const std::array<QString, 6> headings{Common::tr("A/D input"), Common::tr("Name"), tr("Reads"),
+                                          tr("Per count"),         tr("At 0"),         Common::tr("Unit")};
     for (int i = 0; i < static_cast<int>(headings.size()); ++i)
         grid.addWidget(look::newMutedLabel(headings.at(static_cast<std::size_t>(i)), this), row, i);
     for (std::size_t i = 0; i < m_analog.size(); ++i) {
         Analog& input = m_analog.at(i);
         const QString number = QString::number(i + 1);
         const QString label = u"AD"_s + number;
-        input.name = newText(u"analog%1Name"_s.arg(number), tr("Name of %1").arg(label));
+        input.name = newText(u"analog%1Name"_s.arg(number), Common::tr("Name of %1").arg(label));
         input.value = new QLabel(this);
         look::nameText(input.value, u"analog%1Value"_s.arg(number), tr("Value of %1").arg(label));
         input.value->setFont(look::tabular(font()));
         input.perCount = newNumber(u"analog%1PerCount"_s.arg(number), tr("%1 per count").arg(label),
                                    tr("The value of one A/D count."));
         input.atZero = newNumber(u"analog%1AtZero"_s.arg(number), tr("%1 at 0").arg(label),
-                                 tr("The value at an A/D reading of 0."));
+                                 Common::tr("The value at an A/D reading of 0."));
         input.unit = newText(u"analog%1Unit"_s.arg(number), tr("Unit of %1").arg(label));
         input.unit->setPlaceholderText(u"V"_s);
         input.unit->setMaxLength(kLongestAnalogUnit);
@@ -103,15 +104,15 @@ void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
 }
 
 void IoValuesBox::buildPwm(QGridLayout& grid, int row) {
-    const std::array<QString, 5> headings{tr("PWM output"), tr("Name"), tr("Now"), tr("0 to 255"),
-                                          tr("Off at stop")};
+    const std::array<QString, 5> headings{tr("PWM output"), Common::tr("Name"), tr("Now"), tr("0 to 255"),
+                                          Common::tr("Off at stop")};
     for (int i = 0; i < static_cast<int>(headings.size()); ++i)
         grid.addWidget(look::newMutedLabel(headings.at(static_cast<std::size_t>(i)), this), row, i);
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {
         Pwm& output = m_pwm.at(i);
         const QString number = QString::number(i + 1);
         const QString label = u"PWM"_s + number;
-        output.name = newText(u"ioPwm%1Name"_s.arg(number), tr("Name of %1").arg(label));
+        output.name = newText(u"ioPwm%1Name"_s.arg(number), Common::tr("Name of %1").arg(label));
         output.state = new QLabel(this);
         look::nameText(output.state, u"ioPwm%1State"_s.arg(number), tr("Last value sent to %1").arg(label));
         output.field = form::newNumber({.name = u"ioPwm%1Field"_s.arg(number),
@@ -190,8 +191,8 @@ void IoValuesBox::refresh() {
     const auto pwm = module.pins.pwm;
     const QString reason = m_context.reasonNow(IntentKind::SetOutputs);
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {
-        look::setText(m_pwm.at(i).state,
-                      pwm ? tr("%1 of 255").arg(static_cast<int>(pwm->at(i))) : tr("? unknown"));
+        look::setText(m_pwm.at(i).state, pwm ? Common::tr("%1 of 255").arg(static_cast<int>(pwm->at(i)))
+                                             : Common::tr("? unknown"));
         m_pwm.at(i).field->setPossible(reason, tr("255 is always on. Press Enter to send."));
     }
 }

@@ -5,6 +5,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/holdbutton.h"
@@ -20,7 +21,7 @@ JogBox::JogBox(ModuleContext& context, QWidget* parent)
       m_reverse(newHold(true)),
       m_forward(newHold(false)),
       m_outcome(new ElidedLabel(1, this)) {
-    look::name(this, m_context.named(u"jogBox"_s), tr("Jog"));
+    look::name(this, m_context.named(u"jogBox"_s), Common::tr("Jog"));
     m_speed = form::newQuantity({.kind = QuantityField::Kind::Velocity,
                                  .name = m_context.named(u"holdVelocityField"_s),
                                  .accessible = tr("Jog speed"),
@@ -45,7 +46,7 @@ JogBox::JogBox(ModuleContext& context, QWidget* parent)
 HoldButton* JogBox::newHold(bool reverse) {
     auto* button = new HoldButton(this);
     button->setIcon(icons::tinted(u"hand-stop"_s));
-    button->setText(reverse ? tr("◂ Hold") : tr("Hold ▸"));
+    button->setText(reverse ? Common::tr("◂ Hold") : Common::tr("Hold ▸"));
     look::name(button, m_context.named(reverse ? u"holdReverseButton"_s : u"holdForwardButton"_s),
                reverse ? tr("Hold to move in reverse") : tr("Hold to move forward"));
     button->setDirection(reverse ? HoldButton::Direction::Reverse : HoldButton::Direction::Forward);
@@ -96,8 +97,8 @@ void JogBox::showModule() {
 
 void JogBox::refresh() {
     // Never "busy": a hold in progress must not end because it waits for the answers to its own commands.
-    look::setPossible(m_forward, reasonFor(false), tr("Moves forward while held, then stops."));
-    look::setPossible(m_reverse, reasonFor(true), tr("Moves in reverse while held, then stops."));
+    look::setPossible(m_forward, reasonFor(false), Common::tr("Moves forward while held, then stops."));
+    look::setPossible(m_reverse, reasonFor(true), Common::tr("Moves in reverse while held, then stops."));
     look::setText(m_outcome, outcome());
 }
 

@@ -9,6 +9,7 @@
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 
@@ -24,9 +25,9 @@ constexpr std::array kManners{Stop::Abruptly, Stop::Smoothly, Stop::MotorOff};
 QString limits(const HomeWatch& watch) {
     QStringList names;
     if (watch.onLimit1())
-        names << LimitStopBox::tr("limit 1");
+        names << Common::tr("limit 1");
     if (watch.onLimit2())
-        names << LimitStopBox::tr("limit 2");
+        names << Common::tr("limit 2");
     if (watch.onPositionError())
         names << LimitStopBox::tr("the position error limit");
     if (watch.onCurrentLimit())
@@ -39,14 +40,16 @@ QString limits(const HomeWatch& watch) {
 }  // namespace
 
 LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
-    : QGroupBox(tr("Limit stop"), parent),
+    : QGroupBox(Common::tr("Limit stop"), parent),
       m_context(context),
       m_limit1(form::newCheck(
-          {.name = u"armLimit1Box"_s, .text = tr("Limit 1"), .accessible = tr("Limit 1: stop there")}, this)),
+          {.name = u"armLimit1Box"_s, .text = Common::tr("Limit 1"), .accessible = tr("Limit 1: stop there")},
+          this)),
       m_limit2(form::newCheck(
-          {.name = u"armLimit2Box"_s, .text = tr("Limit 2"), .accessible = tr("Limit 2: stop there")}, this)),
+          {.name = u"armLimit2Box"_s, .text = Common::tr("Limit 2"), .accessible = tr("Limit 2: stop there")},
+          this)),
       m_positionError(form::newCheck({.name = u"armPositionErrorBox"_s,
-                                      .text = tr("Position error"),
+                                      .text = Common::tr("Position error"),
                                       .accessible = tr("Position error stops the motor")},
                                      this)),
       m_currentLimit(form::newCheck(
@@ -67,13 +70,13 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_D},
                            this, [this] { m_context.ask(intent::ArmLimitStop{}); })),
       m_state(form::newParagraph(u"limitStopState"_s, tr("State of the limit stop"), this)) {
-    look::name(this, u"limitStopBox"_s, tr("Limit stop"));
+    look::name(this, u"limitStopBox"_s, Common::tr("Limit stop"));
     const int unit = look::gridUnit(this);
     auto* limitRow = new FlowLayout(unit * 2);
     for (QAbstractButton* box : conditions())
         limitRow->addWidget(box);
     const std::array names{u"armAbruptlyButton"_s, u"armSmoothlyButton"_s, u"armMotorOffButton"_s};
-    const std::array texts{tr("Abruptly"), tr("Smoothly"), tr("Motor off")};
+    const std::array texts{Common::tr("Abruptly"), Common::tr("Smoothly"), Common::tr("Motor off")};
     const std::array accessible{tr("Abruptly: stop at the limit"), tr("Smoothly: stop at the limit"),
                                 tr("Motor off at the limit")};
     auto* mannerRow = new FlowLayout(unit * 2);
@@ -85,7 +88,7 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     }
     auto* grid = new FormGrid(this, 2, {.across = 1});
     grid->addTitled(tr("Stop at"), limitRow);
-    grid->addTitled(tr("How"), mannerRow);
+    grid->addTitled(Common::tr("How"), mannerRow);
     grid->addTitled(tr("Armed"), m_each);
     grid->addWide(m_state);
     grid->addWide(form::newLine(this, {nullptr, m_disarm->button(), m_arm->button()}));

@@ -19,6 +19,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/palettes.h"
 #include "widgets/common/scrolled.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/detailsbox.h"
 #include "widgets/panels/holdbutton.h"
@@ -134,7 +135,7 @@ void ModulePage::resizeEvent(QResizeEvent* event) {
         // As a page it scrolls in both directions, because a button that is cut off cannot be reached.
         m_motions->setMinimumWidth(0);
         m_motions->setMaximumWidth(QWIDGETSIZE_MAX);
-        m_pages->insertTab(0, m_motions, tr("Motion"));
+        m_pages->insertTab(0, m_motions, Common::tr("Motion"));
         m_pages->setCurrentIndex(0);
         if (m_tuning)
             revealTuning();

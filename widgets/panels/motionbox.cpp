@@ -11,6 +11,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
@@ -27,7 +28,7 @@ constexpr double kMostCounts = std::numeric_limits<std::int32_t>::max();
 
 MotionBox::MotionBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(parent), m_context(context), m_motion(servodefaults::motionOf(context.settings())) {
-    look::name(this, u"motionBox"_s, tr("Motion"));
+    look::name(this, u"motionBox"_s, Common::tr("Motion"));
     auto* grid = new FormGrid(this);
     buildMove(grid);
     buildRun(grid);
@@ -65,8 +66,8 @@ void MotionBox::buildMove(FormGrid* grid) {
     m_goal = form::newQuantity(
         {.kind = QuantityField::Kind::Position,
          .name = u"goalField"_s,
-         .accessible = tr("Goal position"),
-         .words = tr("The goal position"),
+         .accessible = Common::tr("Goal position"),
+         .words = Common::tr("The goal position"),
          .min = static_cast<double>(servo::kPositionRange.min),
          .max = static_cast<double>(servo::kPositionRange.max),
          .step = 100,
@@ -75,13 +76,13 @@ void MotionBox::buildMove(FormGrid* grid) {
     m_goalKind = form::newChoice(
         {.name = u"goalKindBox"_s,
          .accessible = tr("Position or distance"),
-         .options = {{tr("position"), Absolute}, {tr("distance"), Relative}},
+         .options = {{Common::tr("position"), Absolute}, {tr("distance"), Relative}},
          .meaning = tr("Whether the number is a position, or a distance from the present position.")},
         this);
     m_velocity = newField(u"velocityField"_s, tr("Velocity of the move"), tr("How fast the motor turns."),
                           &MotionSettings::velocity);
     m_acceleration =
-        newField(u"accelerationField"_s, tr("Acceleration"),
+        newField(u"accelerationField"_s, Common::tr("Acceleration"),
                  tr("Used by every motion here, and by a smooth stop."), &MotionSettings::acceleration);
     form::setBold(grid->addRow(tr("Go to &position"), m_goal, {m_goalKind}));
     grid->addRow(tr("Ve&locity"), m_velocity);
@@ -89,8 +90,8 @@ void MotionBox::buildMove(FormGrid* grid) {
     m_forecast = newMutedLine(this);
     m_forecast->setObjectName(u"forecastLabel"_s);
     m_nearest = new Command({.name = u"nearestGoalButton"_s,
-                             .text = tr("Use nearest"),
-                             .accessible = tr("Use nearest allowed position")},
+                             .text = Common::tr("Use nearest"),
+                             .accessible = Common::tr("Use nearest allowed position")},
                             this, [this] { takeNearest(); });
     look::keepRoom(m_nearest->button());
     grid->addWide(form::newLine(this, {{m_forecast, 1}, m_nearest->button()}), 1);
@@ -98,17 +99,17 @@ void MotionBox::buildMove(FormGrid* grid) {
     m_zero = new Command({.name = u"zeroHereButton"_s,
                           .icon = u"eraser"_s,
                           .text = tr("&Zero here"),
-                          .accessible = tr("Zero here: set the present position to 0")},
+                          .accessible = Common::tr("Zero here: set the present position to 0")},
                          this, [this] { m_context.ask(intent::ResetPosition{}); });
     m_goHome = new Command({.name = u"goHomeButton"_s,
                             .icon = u"home"_s,
-                            .text = tr("Go home"),
-                            .accessible = tr("Go home"),
+                            .text = Common::tr("Go home"),
+                            .accessible = Common::tr("Go home"),
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
                            this, [this] { goHome(); });
     m_load = new Command({.name = u"loadButton"_s,
                           .icon = u"download"_s,
-                          .text = tr("Load"),
+                          .text = Common::tr("Load"),
                           .accessible = tr("Load the move, start it later"),
                           .key = Qt::CTRL | Qt::Key_D},
                          this, [this] { move(true); });
@@ -120,8 +121,8 @@ void MotionBox::buildMove(FormGrid* grid) {
                           this, [this] { m_context.ask(intent::StartLoaded{}); });
     m_go = new Command({.name = u"goButton"_s,
                         .icon = u"arrow-bar-to-right"_s,
-                        .text = tr("&Go"),
-                        .accessible = tr("Go to the position")},
+                        .text = Common::tr("&Go"),
+                        .accessible = Common::tr("Go to the position")},
                        this, [this] { move(false); });
     grid->addWide(form::newLine(this, {m_zero->button(), m_goHome->button(), nullptr, m_load->button(),
                                        m_start->button(), m_go->button()}));
@@ -137,13 +138,13 @@ void MotionBox::buildRun(FormGrid* grid) {
                  &MotionSettings::runVelocity);
     m_runReverse = new Command({.name = u"runReverseButton"_s,
                                 .icon = u"arrow-left"_s,
-                                .text = tr("Run &reverse"),
-                                .accessible = tr("Run reverse until stopped")},
+                                .text = Common::tr("Run &reverse"),
+                                .accessible = Common::tr("Run reverse until stopped")},
                                this, [this] { run(true); });
     m_runForward = new Command({.name = u"runForwardButton"_s,
                                 .icon = u"arrow-right"_s,
-                                .text = tr("R&un forward"),
-                                .accessible = tr("Run forward until stopped")},
+                                .text = Common::tr("R&un forward"),
+                                .accessible = Common::tr("Run forward until stopped")},
                                this, [this] { run(false); });
     form::setBold(grid->addRow(tr("Run at velocit&y"), m_runVelocity,
                                {form::newLine(this, {m_runReverse->button(), m_runForward->button()})}));
@@ -271,8 +272,8 @@ void MotionBox::offerNearest() {
     m_nearest->setVisible(offers);
     if (!offers)
         return;
-    m_nearest->setText(tr("Use %1").arg(texts::position(m_goal->scale(), problem->nearest)));
-    m_nearest->setPossible({}, tr("Sets the goal to the nearest allowed position. Nothing moves."));
+    m_nearest->setText(Common::tr("Use %1").arg(texts::position(m_goal->scale(), problem->nearest)));
+    m_nearest->setPossible({}, Common::tr("Sets the goal to the nearest allowed position. Nothing moves."));
 }
 
 void MotionBox::takeNearest() {
@@ -325,7 +326,7 @@ void MotionBox::refresh() {
         return reason;
     };
     offerNearest();
-    m_go->setPossible(whyNo(IntentKind::Move, false), tr("Moves to the position, then holds."));
+    m_go->setPossible(whyNo(IntentKind::Move, false), Common::tr("Moves to the position, then holds."));
     // While the motor moves, a distance has no definite start.
     m_load->setPossible(whyNo(relative() ? IntentKind::Move : IntentKind::Load, true),
                         tr("Loads the move without starting it. Choose Start, or start the module's group."));
@@ -340,11 +341,11 @@ void MotionBox::refresh() {
     refreshRun(*m_runForward, false,
                travelEnd(module, m_context.chipReverse(false))
                    ? tr("Runs forward until stopped, or to its highest position.")
-                   : tr("Runs forward until stopped."));
+                   : Common::tr("Runs forward until stopped."));
     refreshRun(*m_runReverse, true,
                travelEnd(module, m_context.chipReverse(true))
                    ? tr("Runs in reverse until stopped, or to its lowest position.")
-                   : tr("Runs in reverse until stopped."));
+                   : Common::tr("Runs in reverse until stopped."));
 
     QString hint;
     for (const QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})

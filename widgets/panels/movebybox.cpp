@@ -8,6 +8,7 @@
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/panels/command.h"
 
@@ -43,11 +44,11 @@ void MoveByBox::buildDistance(FormGrid* grid) {
                                     .meaning = tr("Distance per click, at the velocity of Go to.")},
                                    this);
     m_reverse = new Command({.name = m_context.named(u"moveByReverseButton"_s),
-                             .text = tr("◂| Step"),
+                             .text = Common::tr("◂| Step"),
                              .accessible = tr("Step in reverse")},
                             this, [this] { step(true); });
     m_forward = new Command({.name = m_context.named(u"moveByForwardButton"_s),
-                             .text = tr("Step |▸"),
+                             .text = Common::tr("Step |▸"),
                              .accessible = tr("Step forward")},
                             this, [this] { step(false); });
     form::setBold(grid->addRow(tr("Step by"), m_distance,
@@ -96,8 +97,9 @@ void MoveByBox::buildRepeat(FormGrid* grid) {
     auto* pause = new QLabel(tr("times, pause"), this);
     pause->setBuddy(m_pause);
     auto* repeat = new FlowLayout(look::gridUnit(this));
-    for (QWidget* part : std::initializer_list<QWidget*>{m_rounds, pause, m_pause, new QLabel(tr("s"), this),
-                                                         m_backAndForth, m_end->button(), m_progress})
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{m_rounds, pause, m_pause, new QLabel(Common::tr("s"), this),
+                                         m_backAndForth, m_end->button(), m_progress})
         repeat->addWidget(part);
     auto* title = new QLabel(tr("Repeat"), this);
     // The title is beside the first row if there are two.

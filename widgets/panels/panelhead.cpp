@@ -12,6 +12,7 @@
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
 #include "widgets/common/positiontexts.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
@@ -43,7 +44,7 @@ PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
       m_velocity(new QLabel(this)),
       m_home(new ElidedLabel(1, this)),
       m_current(new QLabel(this)) {
-    look::name(this, m_context.named(u"panelHead"_s), tr("State of the selected module"));
+    look::name(this, m_context.named(u"panelHead"_s), Common::tr("State of the selected module"));
     m_name->setObjectName(m_context.named(u"moduleName"_s));
     m_type->setObjectName(m_context.named(u"moduleType"_s));
     m_state->setObjectName(m_context.named(u"stateLabel"_s));
@@ -56,7 +57,7 @@ PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
     m_velocity->setToolTip(tr("Velocity measured from positions over 0.2 s."));
     m_home->setObjectName(m_context.named(u"homeState"_s));
     look::nameText(m_current, m_context.named(u"currentLabel"_s),
-                   isServo() ? tr("Motor current") : tr("A/D input"));
+                   isServo() ? Common::tr("Motor current") : Common::tr("A/D input"));
     const bool servo = isServo();
     m_enable = servo ? addCommand(u"power"_s, tr("&Enable servo"), u"enableButton"_s,
                                   tr("Enable servo of this module"), intent::Enable{})
@@ -70,8 +71,8 @@ PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
         m_stopHere = addCommand(u"player-stop"_s, tr("Stop here"), u"stopHereButton"_s,
                                 tr("Stop here: hold this module at its present position"), intent::StopHere{},
                                 Qt::CTRL | Qt::Key_U);
-    m_motorOff = addCommand(u"bolt"_s, tr("&Motor off"), u"motorOffButton"_s, tr("Motor off: this module"),
-                            intent::MotorOff{});
+    m_motorOff = addCommand(u"bolt"_s, tr("&Motor off"), u"motorOffButton"_s,
+                            Common::tr("Motor off: this module"), intent::MotorOff{});
     build();
     m_context.whenSeen(this, [this] { refresh(); });
 }
@@ -100,11 +101,11 @@ void PanelHead::build() {
         words->setMinimumWidth(1);
     if (isServo()) {
         m_limitStop = new QLabel(this);
-        look::nameText(m_limitStop, u"headLimitStop"_s, tr("Limit stop"));
+        look::nameText(m_limitStop, u"headLimitStop"_s, Common::tr("Limit stop"));
     }
-    m_limits[0] = newSign(u"headLimit1"_s, isServo() ? tr("Limit switch 1.")
+    m_limits[0] = newSign(u"headLimit1"_s, isServo() ? Common::tr("Limit switch 1.")
                                                      : tr("Limit switch 1: high blocks the way to it."));
-    m_limits[1] = newSign(u"headLimit2"_s, isServo() ? tr("Limit switch 2.")
+    m_limits[1] = newSign(u"headLimit2"_s, isServo() ? Common::tr("Limit switch 2.")
                                                      : tr("Limit switch 2: high blocks the way to it."));
     m_power = newSign(u"headPower"_s, tr("Motor power as sensed by the module."));
     arrange(false);
@@ -236,9 +237,9 @@ void PanelHead::refresh() {
     const ModuleState& module = m_context.state();
     const Activity activity = module.activity();
     look::setText(m_name, texts::moduleName(module.info.index));
-    look::setText(
-        m_type,
-        tr("%1, address %2").arg(texts::moduleType(module.info.identity)).arg(module.info.address.value()));
+    look::setText(m_type, Common::tr("%1, address %2")
+                              .arg(texts::moduleType(module.info.identity))
+                              .arg(module.info.address.value()));
     const auto procedure = m_context.runningProcedure();
     const bool driven = activity == Activity::Holding && procedure && movesAround(procedure->kind);
     look::setText(m_state, driven ? tr("Driven by a test") : texts::activity(activity));
@@ -306,7 +307,7 @@ void PanelHead::refreshSigns() {
     if (isServo() && module.currentWasLimited())
         current = tr("Current was limited: %1").arg(current);
     else if (!current.isEmpty())
-        current = isServo() ? tr("Current %1").arg(current) : tr("A/D %1").arg(current);
+        current = isServo() ? tr("Current %1").arg(current) : Common::tr("A/D %1").arg(current);
     look::setReadout(m_current, current);
     const auto& home = module.home.place();
     look::setText(m_home, texts::home(home, m_context.scale()));
@@ -343,7 +344,7 @@ void PanelHead::refreshCommands() {
     m_motorOff->setPossible(
         m_context.reasonFor(IntentKind::MotorOff),
         isServo()
-            ? tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall.")
+            ? Common::tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall.")
             : tr("Stops at once and switches the amplifier off: the motor is free to turn, and a load may fall."));
 }
 

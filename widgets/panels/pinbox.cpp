@@ -13,6 +13,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/panels/boxparts.h"
 #include "widgets/panels/command.h"
 
@@ -29,7 +30,7 @@ PinBox::PinBox(ModuleContext& context, QWidget* parent)
                                .accessible = tr("Make all pins inputs")},
                               this, [this] { m_context.ask(iointent::SetDirection{io::kAllPins}); })),
       m_hint(look::newMutedLabel({}, this)) {
-    look::name(this, u"pinBox"_s, tr("Pins"));
+    look::name(this, u"pinBox"_s, Common::tr("Pins"));
     m_hint->setObjectName(u"pinsHint"_s);
     m_hint->setWordWrap(true);
     const int unit = look::gridUnit(this);
@@ -42,8 +43,9 @@ PinBox::PinBox(ModuleContext& context, QWidget* parent)
 }
 
 void PinBox::build(QGridLayout& grid) {
-    const std::array<QString, 7> headings{tr("Pin"),  tr("Direction"), tr("Level"),      tr("Output"),
-                                          tr("Name"), tr("Ask first"), tr("Off at stop")};
+    const std::array<QString, 7> headings{
+        tr("Pin"),       tr("Direction"),          tr("Level"), tr("Output"), Common::tr("Name"),
+        tr("Ask first"), Common::tr("Off at stop")};
     for (int i = 0; i < static_cast<int>(headings.size()); ++i)
         grid.addWidget(look::newMutedLabel(headings.at(static_cast<std::size_t>(i)), this), 0, i);
     for (unsigned i = 0; i < io::kPins; ++i)
@@ -60,18 +62,19 @@ void PinBox::buildPin(QGridLayout& grid, unsigned number) {
     const QString digits = QString::number(number + 1);
     const QString label = u"IO"_s + digits;
     const int row = static_cast<int>(number) + 1;
-    pin.direction = form::newChoice({.name = u"pin%1Direction"_s.arg(digits),
-                                     .accessible = tr("Direction of %1").arg(label),
-                                     .options = {{tr("input")}, {tr("output")}, {tr("? unknown")}}},
-                                    this);
+    pin.direction =
+        form::newChoice({.name = u"pin%1Direction"_s.arg(digits),
+                         .accessible = tr("Direction of %1").arg(label),
+                         .options = {{Common::tr("input")}, {tr("output")}, {Common::tr("? unknown")}}},
+                        this);
     pin.glyph = new GlyphLabel(this);
     pin.level = new QLabel(this);
     pin.level->setObjectName(u"pin%1Level"_s.arg(digits));
     pin.high = form::newCheck({.name = u"pin%1Box"_s.arg(digits),
-                               .text = tr("high"),
+                               .text = Common::tr("high"),
                                .accessible = tr("high: output %1").arg(label)},
                               this);
-    pin.name = newNameField(u"pin%1Name"_s.arg(digits), tr("Name of %1").arg(label), this);
+    pin.name = newNameField(u"pin%1Name"_s.arg(digits), Common::tr("Name of %1").arg(label), this);
     pin.asks = form::newCheck({.name = u"pin%1Asks"_s.arg(digits),
                                .text = {},
                                .accessible = tr("Ask first before %1 changes").arg(label),
@@ -132,7 +135,7 @@ QString PinBox::nameOf(unsigned pin) const {
     const PinSettings& settings = pinsOf(m_context.settings());
     const QString name = QString::fromStdString(PinSettings::of(settings.pins, pin).name);
     const QString label = u"IO"_s + QString::number(pin + 1);
-    return name.isEmpty() ? label : tr("%1 (%2)").arg(name, label);
+    return name.isEmpty() ? label : Common::tr("%1 (%2)").arg(name, label);
 }
 
 void PinBox::askBefore(unsigned pin, bool high) {
@@ -208,14 +211,14 @@ void PinBox::refreshPin(unsigned number) {
     pin.glyph->showBit(level ? std::optional(high) : std::nullopt);
     look::setText(pin.level, !level    ? u"–"_s
                              : differs ? high ? tr("high, set low") : tr("low, set high")
-                             : high ? tr("high")
-                                       : tr("low"));
+                             : high ? Common::tr("high")
+                                       : Common::tr("low"));
     const QSignalBlocker box(pin.high);
     pin.high->setChecked(output && toldHigh);
     QString why = m_context.reasonNow(IntentKind::SetOutputs);
     if (why.isEmpty() && !output)
         why = inputs ? tr("This pin is an input.") : tr("Pin directions unknown.");
-    look::setPossible(pin.high, why, tr("Switches this output at once."));
+    look::setPossible(pin.high, why, Common::tr("Switches this output at once."));
 }
 
 }  // namespace nmc

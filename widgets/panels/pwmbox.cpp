@@ -7,6 +7,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/panels/command.h"
 
 namespace nmc {
@@ -18,7 +19,7 @@ PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
       m_context(context),
       m_value(form::newNumber(
           {.name = u"pwmField"_s,
-           .accessible = tr("PWM value"),
+           .accessible = Common::tr("PWM value"),
            .words = tr("The PWM value"),
            .min = servo::kByteRange.min,
            .max = servo::kByteRange.max,
@@ -38,10 +39,10 @@ PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
                             this, [this] { drive(false); })),
       m_off(new Command({.name = u"pwmOffButton"_s,
                          .icon = u"bolt"_s,
-                         .text = tr("Motor off"),
-                         .accessible = tr("Motor off: this module")},
+                         .text = Common::tr("Motor off"),
+                         .accessible = Common::tr("Motor off: this module")},
                         this, [this] { m_context.ask(intent::MotorOff{}); })) {
-    look::name(this, u"pwmBox"_s, tr("PWM"));
+    look::name(this, u"pwmBox"_s, Common::tr("PWM"));
     m_value->showValue(0);
 
     auto* sign = new GlyphLabel(this);
@@ -57,7 +58,7 @@ PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
     auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1, .down = 1});
     grid->addWidget(sign, 0, 0, Qt::AlignTop | Qt::AlignRight);
     grid->addWide(warning, 1);
-    grid->addRow(tr("PWM value"), m_value, {m_percent});
+    grid->addRow(Common::tr("PWM value"), m_value, {m_percent});
     grid->addWide(buttons);
     grid->end();
 
@@ -85,7 +86,7 @@ void PwmBox::refresh() {
     m_forward->setPossible(reasonOf(false), tr("Drives the motor forward until you switch it off."));
     m_off->setPossible(
         m_context.reasonFor(IntentKind::MotorOff),
-        tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall."));
+        Common::tr("Switches servo and amplifier off: the motor is free to turn, and a load may fall."));
 }
 
 }  // namespace nmc

@@ -6,6 +6,7 @@
 
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/panels/amplifierbox.h"
 #include "widgets/panels/axisbox.h"
 #include "widgets/panels/detailsbox.h"
@@ -43,20 +44,20 @@ ServoPanel::ServoPanel(const PanelView& view, Requests& requests, QWidget* paren
     left->addStretch(1);
 
     m_pages = new QTabWidget(this);
-    look::name(m_pages, u"servoPages"_s, tr("Pages of the module"));
+    look::name(m_pages, u"servoPages"_s, Common::tr("Pages of the module"));
     m_gains = new GainsBox(m_context, this);
-    m_pages->addTab(m_gains, tr("Gains"));
+    m_pages->addTab(m_gains, Common::tr("Gains"));
     m_pages->addTab(new IoBox(m_context, this), tr("Limits && I/O"));
-    m_pages->addTab(new HomingBox(m_context, this), tr("Homing"));
-    m_pages->addTab(new PwmBox(m_context, this), tr("PWM"));
+    m_pages->addTab(new HomingBox(m_context, this), Common::tr("Homing"));
+    m_pages->addTab(new PwmBox(m_context, this), Common::tr("PWM"));
     auto* axis = new AxisBox(m_context, this);
     axis->addBelowUnit(new DirectionCheckBox(m_context, axis));
     axis->addBelow(new TravelBox(m_context, axis));
-    m_pages->addTab(axis, tr("Axis"));
+    m_pages->addTab(axis, Common::tr("Axis"));
     if (isSc(m_context.state().info.identity))
-        m_pages->addTab(new AmplifierBox(m_context, this), tr("Amplifier"));
-    m_pages->addTab(new DetailsBox(m_context, this), tr("Details"));
-    m_pages->addTab(new ExpertBox(m_context, this), tr("Expert"));
+        m_pages->addTab(new AmplifierBox(m_context, this), Common::tr("Amplifier"));
+    m_pages->addTab(new DetailsBox(m_context, this), Common::tr("Details"));
+    m_pages->addTab(new ExpertBox(m_context, this), Common::tr("Expert"));
     layOut(head, left, m_pages);
     m_steps = new FirstSteps(m_context, this);
     layout()->addWidget(m_steps);

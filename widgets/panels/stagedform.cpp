@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/panels/command.h"
 
 namespace nmc {
@@ -126,13 +127,13 @@ void StagedForm::addField(FormGrid* grid, const Row& row, QCheckBox* control) {
 void StagedForm::buildCommands() {
     m_undo = new Command({.name = m_context.named(u"undo%1Button"_s.arg(m_words.what)),
                           .icon = u"arrow-back-up"_s,
-                          .text = tr("Undo"),
+                          .text = Common::tr("Undo"),
                           .accessible = m_words.undo,
                           .key = QKeySequence::Undo},
                          this, [this] { m_edits.undo(); });
     m_redo = new Command({.name = m_context.named(u"redo%1Button"_s.arg(m_words.what)),
                           .icon = u"arrow-forward-up"_s,
-                          .text = tr("Redo"),
+                          .text = Common::tr("Redo"),
                           .accessible = m_words.redo,
                           .key = QKeySequence::Redo},
                          this, [this] { m_edits.redo(); });
@@ -269,7 +270,7 @@ void StagedForm::fitInto(int width) {
 }
 
 void StagedForm::showMark(QLabel* label, Mark mark, bool narrow) {
-    const QString words = mark == Mark::Unknown ? tr("? unknown")
+    const QString words = mark == Mark::Unknown ? Common::tr("? unknown")
                           : mark == Mark::Sent  ? tr("✓ sent")
                                                 : tr("● not sent");
     look::setText(label, narrow ? words.section(u' ', 0, 0) : words);
@@ -304,9 +305,9 @@ void StagedForm::refreshRow(std::size_t number) {
 }
 
 void StagedForm::refreshUndo() {
-    m_undo->setPossible(m_edits.canUndo() ? QString() : tr("Nothing to undo."),
+    m_undo->setPossible(m_edits.canUndo() ? QString() : Common::tr("Nothing to undo."),
                         tr("Undoes the last edit in these fields. Sends nothing."));
-    m_redo->setPossible(m_edits.canRedo() ? QString() : tr("Nothing to redo."),
+    m_redo->setPossible(m_edits.canRedo() ? QString() : Common::tr("Nothing to redo."),
                         tr("Redoes the edit that was undone. Sends nothing."));
     m_revert->setPossible(contents() != contentsOf(m_sent) ? QString() : tr("No changes to apply."),
                           m_sent ? m_words.sentOnes : m_words.none);

@@ -9,6 +9,7 @@
 #include "widgets/common/foldinggrid.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 
 namespace nmc {
 
@@ -91,7 +92,7 @@ void StatusTable::showBits(Byte byte, std::optional<std::uint8_t> value) {
             continue;
         const auto set = value ? std::optional((unsigned{*value} >> i & 1U) != 0) : std::nullopt;
         bits[i].glyph->showBit(set);
-        look::setText(bits[i].value, !set ? u"–"_s : *set ? tr("on") : tr("off"));
+        look::setText(bits[i].value, !set ? u"–"_s : *set ? Common::tr("on") : Common::tr("off"));
     }
 }
 

@@ -6,6 +6,7 @@
 #include "model/module/stepperdefaults.h"
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -20,13 +21,13 @@ namespace {
 QString stepperStatusMeaning(std::size_t bit) {
     const std::array<QString, 8> meanings{
         StepperDetailsBox::tr("The module is sending step pulses."),
-        StepperDetailsBox::tr("The module received a garbled command and did not carry it out."),
+        Common::tr("The module received a garbled command and did not carry it out."),
         StepperDetailsBox::tr("The driver is enabled (AMP_EN is high)."),
         StepperDetailsBox::tr("Motor power is present (PWR_SENSE is high)."),
         StepperDetailsBox::tr("The motor has reached its commanded speed."),
         StepperDetailsBox::tr("Runs with a ramp: velocity profile mode."),
         StepperDetailsBox::tr("Moves to a position with a ramp: trapezoidal profile mode."),
-        StepperDetailsBox::tr("Waiting for the home position.")};
+        Common::tr("Waiting for the home position.")};
     return meanings[bit];
 }
 
@@ -69,22 +70,23 @@ StepperDetailsBox::StepperDetailsBox(ModuleContext& context, QWidget* parent)
       m_zero(new Command({.name = u"stepperZeroHereButton"_s,
                           .icon = u"eraser"_s,
                           .text = tr("&Zero here"),
-                          .accessible = tr("Zero here: set the present position to 0")},
+                          .accessible = Common::tr("Zero here: set the present position to 0")},
                          this, [this] { m_context.ask(intent::ResetPosition{}); })),
       m_saveHome(new Command({.name = u"stepperSaveHomeButton"_s,
                               .icon = u"home"_s,
-                              .text = tr("Save as home"),
-                              .accessible = tr("Save as home: the present position")},
+                              .text = Common::tr("Save as home"),
+                              .accessible = Common::tr("Save as home: the present position")},
                              this, [this] { m_context.ask(intent::SaveAsHome{}); })) {
-    look::name(this, u"stepperDetailsBox"_s, tr("Details"));
-    addBits(Byte::First, tr("Status byte"), stepper::kStatusBitNames, stepperStatusMeaning, u"stepperBit_"_s);
+    look::name(this, u"stepperDetailsBox"_s, Common::tr("Details"));
+    addBits(Byte::First, Common::tr("Status byte"), stepper::kStatusBitNames, stepperStatusMeaning,
+            u"stepperBit_"_s);
     addBits(Byte::Second, tr("Inputs byte"), stepper::kInputBitNames, inputMeaning, u"stepperBit_"_s);
     m_mode = addValue(tr("Mode"), u"stepperModeLabel"_s);
     m_timer = addValue(tr("Timer count"), u"stepperTimerLabel"_s);
-    m_analog = addValue(tr("A/D (temperature)"), u"stepperAnalogLabel"_s);
-    m_home = addValue(tr("Home register"), u"stepperHomeLabel"_s);
+    m_analog = addValue(Common::tr("A/D (temperature)"), u"stepperAnalogLabel"_s);
+    m_home = addValue(Common::tr("Home register"), u"stepperHomeLabel"_s);
     m_home->setToolTip(texts::homeRegisterMeaning());
-    m_raw = addValue(tr("Raw"), u"stepperRawLabel"_s);
+    m_raw = addValue(Common::tr("Raw"), u"stepperRawLabel"_s);
     addButtons({m_zero->button(), m_saveHome->button()});
     m_context.whenSeen(this, [this] { refresh(); });
 }
@@ -115,7 +117,7 @@ void StepperDetailsBox::refresh() {
     look::setText(m_home, report.home ? texts::position(m_context.scale(), *report.home) : dash);
     QString raw = dash;
     if (module.latest) {
-        raw = tr("status %1").arg(report.status, 2, 16, QChar(u'0'));
+        raw = Common::tr("status %1").arg(report.status, 2, 16, QChar(u'0'));
         if (report.aux)
             raw += tr(", inputs %1").arg(*report.aux, 2, 16, QChar(u'0'));
     }
@@ -123,7 +125,7 @@ void StepperDetailsBox::refresh() {
     m_zero->setPossible(m_context.reasonNow(IntentKind::ResetPosition),
                         texts::zeroMeaning(module, m_context.scale()));
     m_saveHome->setPossible(m_context.reasonNow(IntentKind::SaveAsHome),
-                            tr("Saves the present position as home. The motor does not move."));
+                            Common::tr("Saves the present position as home. The motor does not move."));
 }
 
 }  // namespace nmc

@@ -8,6 +8,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/panels/boxparts.h"
 #include "widgets/panels/command.h"
@@ -61,7 +62,7 @@ QLineEdit* StepperIoBox::newName(const QString& objectName, const QString& acces
 }
 
 void StepperIoBox::buildOutputs(FormGrid* grid) {
-    grid->addWide(form::newHeading(tr("Outputs"), this));
+    grid->addWide(form::newHeading(Common::tr("Outputs"), this));
     for (std::size_t i = 0; i < kOutputs; ++i) {
         Output& output = m_outputs[i];
         const QString number = QString::number(i + 1);
@@ -82,8 +83,9 @@ void StepperIoBox::buildOutputs(FormGrid* grid) {
 
 void StepperIoBox::buildInputs(FormGrid* grid) {
     grid->addWide(form::newHeading(tr("Inputs"), this));
-    const std::array<QString, kInputs> names{tr("E-stop input"), u"IN1"_s,      u"IN2"_s,
-                                             tr("Limit 1"),      tr("Limit 2"), tr("Home switch")};
+    const std::array<QString, kInputs> names{
+        Common::tr("E-stop input"), u"IN1"_s, u"IN2"_s, Common::tr("Limit 1"), Common::tr("Limit 2"),
+        Common::tr("Home switch")};
     const std::array<QString, kInputs> objects{u"stepperEstopInput"_s,  u"stepperIn1Input"_s,
                                                u"stepperIn2Input"_s,    u"stepperLimit1Input"_s,
                                                u"stepperLimit2Input"_s, u"stepperHomeInput"_s};
@@ -107,7 +109,7 @@ void StepperIoBox::buildInputs(FormGrid* grid) {
                        input.state,
                        {last, 1}});
     }
-    grid->addTitled(tr("A/D (temperature)"), m_analog);
+    grid->addTitled(Common::tr("A/D (temperature)"), m_analog);
 }
 
 void StepperIoBox::showNames() {
@@ -180,10 +182,12 @@ void StepperIoBox::refresh() {
         const QSignalBlocker blocker(output.box);
         output.box->setTristate(!on);
         output.box->setCheckState(!on ? Qt::PartiallyChecked : *on ? Qt::Checked : Qt::Unchecked);
-        const QString level = on ? *on ? tr("high") : tr("low") : QString();
-        look::setText(output.state, !on ? tr("? unknown") : known ? level : tr("● %1, not sent").arg(level));
+        const QString level = on ? *on ? Common::tr("high") : Common::tr("low") : QString();
+        look::setText(output.state, !on     ? Common::tr("? unknown")
+                                    : known ? level
+                                            : tr("● %1, not sent").arg(level));
         look::setPossible(output.box, reason,
-                          known ? tr("Switches this output at once.")
+                          known ? Common::tr("Switches this output at once.")
                                 : tr("Selects the level. Choose Set all outputs to send all five."));
     }
     m_send->setVisible(!known);
@@ -201,7 +205,7 @@ void StepperIoBox::refresh() {
         const Input& input = m_inputs[i];
         const bool active = inputs && bitOf(*inputs, i);
         input.glyph->showBit(inputs ? std::optional(active) : std::nullopt);
-        look::setText(input.state, !inputs ? u"–"_s : active ? tr("high") : tr("low"));
+        look::setText(input.state, !inputs ? u"–"_s : active ? Common::tr("high") : Common::tr("low"));
         if (input.effect != nullptr)
             look::setText(input.effect, inputs ? effectOf(i, active) : QString());
     }

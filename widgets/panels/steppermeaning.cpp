@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include "widgets/common/sharedwords.h"
+
 namespace nmc {
 
 using namespace Qt::StringLiterals;
@@ -80,7 +82,7 @@ QString stepperParameterName(StepperParameter parameter) {
         case StepperParameter::IgnoreLimits:
             return StepperMeaning::tr("Limit switches");
         case StepperParameter::IgnoreEstop:
-            return StepperMeaning::tr("E-stop input");
+            return Common::tr("E-stop input");
         case StepperParameter::MotorOff:
             return StepperMeaning::tr("On limit or E-stop");
     }
@@ -121,7 +123,7 @@ QString stepperParameterRemark(StepperParameter parameter, std::optional<int> va
                                std::optional<std::uint8_t> analog) {
     const QString now = analog ? StepperMeaning::tr("A/D now %1").arg(*analog) : QString();
     if (parameter == StepperParameter::ThermalLimit && value == 0)
-        return now.isEmpty() ? StepperMeaning::tr("off") : StepperMeaning::tr("off; %1").arg(now);
+        return now.isEmpty() ? Common::tr("off") : StepperMeaning::tr("off; %1").arg(now);
     if (parameter == StepperParameter::ThermalLimit)
         return now;
     if (!value)

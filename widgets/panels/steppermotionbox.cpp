@@ -10,6 +10,7 @@
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
@@ -22,8 +23,8 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 StepperMotionBox::StepperMotionBox(ModuleContext& context, QWidget* parent)
-    : QGroupBox(tr("Motion"), parent), m_context(context) {
-    look::name(this, u"stepperMotionBox"_s, tr("Motion"));
+    : QGroupBox(Common::tr("Motion"), parent), m_context(context) {
+    look::name(this, u"stepperMotionBox"_s, Common::tr("Motion"));
     auto* grid = new FormGrid(this);
     m_mode = new StepperModeChoice(this);
     grid->addWide(m_mode);
@@ -40,8 +41,8 @@ StepperMotionBox::StepperMotionBox(ModuleContext& context, QWidget* parent)
 void StepperMotionBox::buildFields(FormGrid* grid) {
     m_goal = form::newQuantity({.kind = QuantityField::Kind::Position,
                                 .name = u"stepperGoalField"_s,
-                                .accessible = tr("Goal position"),
-                                .words = tr("The goal position"),
+                                .accessible = Common::tr("Goal position"),
+                                .words = Common::tr("The goal position"),
                                 .min = static_cast<double>(stepper::kPositionRange.min),
                                 .max = static_cast<double>(stepper::kPositionRange.max),
                                 .step = 100},
@@ -52,7 +53,7 @@ void StepperMotionBox::buildFields(FormGrid* grid) {
                                 this);
     m_speed = form::newQuantity({.kind = QuantityField::Kind::Velocity,
                                  .name = u"stepperSpeedField"_s,
-                                 .accessible = tr("Speed"),
+                                 .accessible = Common::tr("Speed"),
                                  .words = tr("The speed"),
                                  .step = 25},
                                 this);
@@ -68,8 +69,8 @@ void StepperMotionBox::buildFields(FormGrid* grid) {
     m_forecast = newMutedLine(this);
     m_forecast->setObjectName(u"stepperForecast"_s);
     m_nearest = new Command({.name = u"stepperNearestGoalButton"_s,
-                             .text = tr("Use nearest"),
-                             .accessible = tr("Use nearest allowed position")},
+                             .text = Common::tr("Use nearest"),
+                             .accessible = Common::tr("Use nearest allowed position")},
                             this, [this] { takeNearest(); });
     look::keepRoom(m_nearest->button());
     grid->addWide(form::newLine(this, {{m_forecast, 1}, m_nearest->button()}), 1);
@@ -78,24 +79,24 @@ void StepperMotionBox::buildFields(FormGrid* grid) {
 void StepperMotionBox::buildButtons(FormGrid* grid) {
     m_go = new Command({.name = u"stepperGoButton"_s,
                         .icon = u"arrow-bar-to-right"_s,
-                        .text = tr("&Go"),
-                        .accessible = tr("Go to the position")},
+                        .text = Common::tr("&Go"),
+                        .accessible = Common::tr("Go to the position")},
                        this, [this] { request(false); });
     m_goHome = new Command({.name = u"stepperGoHomeButton"_s,
                             .icon = u"home"_s,
-                            .text = tr("Go home"),
-                            .accessible = tr("Go home"),
+                            .text = Common::tr("Go home"),
+                            .accessible = Common::tr("Go home"),
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
                            this, [this] { m_context.ask(intent::GoHome{movePace()}); });
     m_runReverse = new Command({.name = u"stepperRunReverseButton"_s,
                                 .icon = u"arrow-left"_s,
-                                .text = tr("Run &reverse"),
-                                .accessible = tr("Run reverse until stopped")},
+                                .text = Common::tr("Run &reverse"),
+                                .accessible = Common::tr("Run reverse until stopped")},
                                this, [this] { request(true); });
     m_runForward = new Command({.name = u"stepperRunForwardButton"_s,
                                 .icon = u"arrow-right"_s,
-                                .text = tr("R&un forward"),
-                                .accessible = tr("Run forward until stopped")},
+                                .text = Common::tr("R&un forward"),
+                                .accessible = Common::tr("Run forward until stopped")},
                                this, [this] { request(false); });
     m_loadOnly = form::newCheck(
         {.name = u"stepperLoadOnlyBox"_s,
@@ -285,8 +286,8 @@ void StepperMotionBox::offerNearest() {
     m_nearest->setVisible(goal.has_value());
     if (!goal)
         return;
-    m_nearest->setText(tr("Use %1").arg(texts::position(m_goal->scale(), *goal)));
-    m_nearest->setPossible({}, tr("Sets the goal to the nearest allowed position. Nothing moves."));
+    m_nearest->setText(Common::tr("Use %1").arg(texts::position(m_goal->scale(), *goal)));
+    m_nearest->setPossible({}, Common::tr("Sets the goal to the nearest allowed position. Nothing moves."));
 }
 
 void StepperMotionBox::request(bool reverse) {
@@ -356,12 +357,12 @@ void StepperMotionBox::refreshCommands() {
     m_go->setVisible(m_mode->hasGoal());
     m_runReverse->setVisible(!m_mode->hasGoal());
     m_runForward->setVisible(!m_mode->hasGoal());
-    refreshCommand(*m_go, false, load ? tr("Load") : tr("&Go"),
-                   load ? later : tr("Moves to the position, then holds."));
-    refreshCommand(*m_runReverse, true, load ? tr("Load &reverse") : tr("Run &reverse"),
-                   load ? later : tr("Runs in reverse until stopped."));
-    refreshCommand(*m_runForward, false, load ? tr("Load forward") : tr("R&un forward"),
-                   load ? later : tr("Runs forward until stopped."));
+    refreshCommand(*m_go, false, load ? Common::tr("Load") : Common::tr("&Go"),
+                   load ? later : Common::tr("Moves to the position, then holds."));
+    refreshCommand(*m_runReverse, true, load ? tr("Load &reverse") : Common::tr("Run &reverse"),
+                   load ? later : Common::tr("Runs in reverse until stopped."));
+    refreshCommand(*m_runForward, false, load ? tr("Load forward") : Common::tr("R&un forward"),
+                   load ? later : Common::tr("Runs forward until stopped."));
     QString reason = m_context.reasonNow(IntentKind::GoHome);
     if (reason.isEmpty())
         reason = m_context.reasonFor(Intent(intent::GoHome{movePace()}));

@@ -6,6 +6,7 @@
 
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/panels/axisbox.h"
 #include "widgets/panels/expertbox.h"
 #include "widgets/panels/homingbox.h"
@@ -37,16 +38,16 @@ StepperPanel::StepperPanel(const PanelView& view, Requests& requests, QWidget* p
     FormGrid::align({motion, jog, moveBy});
     left->addStretch(1);
     auto* pages = new QTabWidget(this);
-    look::name(pages, u"stepperPages"_s, tr("Pages of the module"));
+    look::name(pages, u"stepperPages"_s, Common::tr("Pages of the module"));
     m_parameters = new StepperParametersBox(m_context, this);
-    pages->addTab(m_parameters, tr("Parameters"));
+    pages->addTab(m_parameters, Common::tr("Parameters"));
     pages->addTab(new StepperIoBox(m_context, this), tr("I/O"));
-    pages->addTab(new HomingBox(m_context, this), tr("Homing"));
+    pages->addTab(new HomingBox(m_context, this), Common::tr("Homing"));
     auto* axis = new AxisBox(m_context, this);
     axis->addBelow(new TravelBox(m_context, axis));
-    pages->addTab(axis, tr("Axis"));
-    pages->addTab(new StepperDetailsBox(m_context, this), tr("Details"));
-    pages->addTab(new ExpertBox(m_context, this), tr("Expert"));
+    pages->addTab(axis, Common::tr("Axis"));
+    pages->addTab(new StepperDetailsBox(m_context, this), Common::tr("Details"));
+    pages->addTab(new ExpertBox(m_context, this), Common::tr("Expert"));
     layOut(head, left, pages);
 }
 

@@ -6,6 +6,7 @@
 #include "model/intent/stepperplan.h"
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/stepperrampbox.h"
@@ -24,14 +25,14 @@ StepperParametersBox::StepperParametersBox(ModuleContext& context, QWidget* pare
                   .sentOnes = tr("Restores the parameters last sent. Sends nothing."),
                   .none = tr("Clears the fields: no parameters have been sent yet. Sends nothing.")},
                  parent) {
-    look::name(this, u"stepperParametersBox"_s, tr("Parameters"));
+    look::name(this, u"stepperParametersBox"_s, Common::tr("Parameters"));
     auto* grid = new FormGrid(this, 4, {.ends = 1});
     addFields(grid);
     buildCommands();
     auto* start = new Command({.name = u"stepperFillParametersButton"_s,
                                .icon = u"wand"_s,
-                               .text = tr("Start&ing values"),
-                               .accessible = tr("Starting values: fill in")},
+                               .text = Common::tr("Start&ing values"),
+                               .accessible = Common::tr("Starting values: fill in")},
                               this, [this] { fill(*valuesOf(stepperStartingValues())); });
     start->setPossible({}, tr("Fills in low speeds and currents to start with. Sends nothing."));
     m_apply = new Command({.name = u"stepperApplyParametersButton"_s,

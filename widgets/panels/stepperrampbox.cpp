@@ -6,6 +6,7 @@
 #include "model/module/stepperdefaults.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/panels/boxparts.h"
 #include "widgets/panels/stagedform.h"
 #include "widgets/panels/stepperwords.h"
@@ -19,7 +20,7 @@ StepperRampBox::StepperRampBox(ModuleContext& context, QWidget* parent)
       m_context(context),
       m_time(form::newNumber(
           {.name = u"stepperAccelerationTimeField"_s,
-           .accessible = tr("Acceleration time"),
+           .accessible = Common::tr("Acceleration time"),
            .words = tr("The acceleration time"),
            .min = static_cast<double>(stepper::kAccelerationTimeRange.min),
            .max = static_cast<double>(stepper::kAccelerationTimeRange.max),
@@ -32,7 +33,7 @@ StepperRampBox::StepperRampBox(ModuleContext& context, QWidget* parent)
       m_cap(form::newQuantity(
           {.kind = QuantityField::Kind::Velocity,
            .name = u"stepperHoldCapField"_s,
-           .accessible = tr("Max jog speed"),
+           .accessible = Common::tr("Max jog speed"),
            .step = 100,
            .meaning = tr("Jog is never faster than this. Set a speed that you can react to.")},
           this)) {
@@ -40,9 +41,9 @@ StepperRampBox::StepperRampBox(ModuleContext& context, QWidget* parent)
     m_state->setObjectName(u"stepperAccelerationTimeState"_s);
     auto* grid = new FormGrid(this, 5, {.sides = 0, .ends = 0, .across = 1});
     grid->addWide(form::newHeading(tr("With every motion"), this));
-    grid->addRow(tr("Acceleration time"), m_time,
+    grid->addRow(Common::tr("Acceleration time"), m_time,
                  {new QLabel(tr("× 0.25 ms"), this), m_acceleration, m_state});
-    grid->addRow(tr("Max jog speed"), m_cap);
+    grid->addRow(Common::tr("Max jog speed"), m_cap);
     grid->setColumnStretch(3, 0);
     grid->setColumnStretch(4, 1);
 

@@ -12,6 +12,7 @@
 #include "widgets/common/askdialog.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -25,8 +26,8 @@ constexpr int kDigits = 8;  // width of each field
 }  // namespace
 
 TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
-    : QGroupBox(tr("Travel and speed limits"), parent), m_context(context) {
-    look::name(this, m_context.named(u"travelBox"_s), tr("Travel and speed limits"));
+    : QGroupBox(Common::tr("Travel and speed limits"), parent), m_context(context) {
+    look::name(this, m_context.named(u"travelBox"_s), Common::tr("Travel and speed limits"));
     auto* grid = new FormGrid(this, 5, {.across = 0.5, .down = 0.5});
     buildLimit(grid, Lowest);
     buildLimit(grid, Highest);
@@ -72,11 +73,11 @@ void TravelBox::buildFastest(FormGrid* grid) {
     m_fastest = form::newQuantity(
         {.kind = QuantityField::Kind::Velocity,
          .name = m_context.named(u"fastestField"_s),
-         .accessible = tr("Highest velocity"),
+         .accessible = Common::tr("Highest velocity"),
          .digits = kDigits,
          .meaning = tr("Limits moves, runs, steps, jog and homing. Empty: the module's maximum.")},
         this);
-    grid->addRow(tr("Highest velocity"), m_fastest);
+    grid->addRow(Common::tr("Highest velocity"), m_fastest);
     connect(m_fastest, &QuantityField::nativeEdited, this, &TravelBox::refresh);
     connect(m_fastest, &QuantityField::editingFinished, this, &TravelBox::keep);
 }
@@ -85,7 +86,7 @@ void TravelBox::buildBacklash(FormGrid* grid) {
     m_backlash = form::newQuantity(
         {.kind = QuantityField::Kind::Distance,
          .name = m_context.named(u"backlashField"_s),
-         .accessible = tr("Backlash"),
+         .accessible = Common::tr("Backlash"),
          .min = 1,
          .max = layout::kPlace.max,
          .digits = kDigits,
@@ -99,7 +100,7 @@ void TravelBox::buildBacklash(FormGrid* grid) {
          .meaning = tr(
              "Go to, Go home and Step approach their goal from this side. A loaded move goes straight to its goal.")},
         this);
-    grid->addRow(tr("Backlash"), m_backlash, {m_side});
+    grid->addRow(Common::tr("Backlash"), m_backlash, {m_side});
     connect(m_backlash, &QuantityField::nativeEdited, this, &TravelBox::keepBacklash);
     connect(m_side, &QComboBox::currentIndexChanged, this, &TravelBox::keepBacklash);
 }

@@ -9,6 +9,7 @@
 
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 
@@ -57,7 +58,7 @@ UnitDialog::UnitDialog(ModuleContext& context, QWidget* parent)
     m_result->setWordWrap(true);
     m_form->addRow(m_result);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    look::name(buttons->button(QDialogButtonBox::Cancel), u"unitDialogCancel"_s, tr("Cancel"));
+    look::name(buttons->button(QDialogButtonBox::Cancel), u"unitDialogCancel"_s, Common::tr("Cancel"));
     m_use = buttons->addButton(tr("Use this unit"), QDialogButtonBox::AcceptRole);
     look::name(m_use, u"unitDialogUse"_s, tr("Use this unit"));
     m_form->addRow(buttons);
@@ -103,7 +104,7 @@ void UnitDialog::refresh() {
         const AxisScale scale =
             m_context.state().isStepper() ? AxisScale::step(unit) : AxisScale::servo(unit, 1);
         const QString symbol = texts::unitOf(scale);
-        const QString native = m_context.state().isStepper() ? tr("steps") : tr("counts");
+        const QString native = m_context.state().isStepper() ? Common::tr("steps") : tr("counts");
         text = tr("1 %1 is %2 %3. The smallest step is %4 %1.")
                    .arg(symbol, texts::readout(*counts, 6), native, texts::readout(1 / *counts, 7));
     }

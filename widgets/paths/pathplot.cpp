@@ -8,6 +8,7 @@
 
 #include "widgets/common/look.h"
 #include "widgets/common/plots.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 
 namespace nmc {
@@ -23,7 +24,7 @@ void PathPlot::showPath(const PathTable& table, const std::vector<PathColumn>& a
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const PathColumn& axis = axes[i];
         Lane lane;
-        lane.title = tr("%1 (%2)").arg(QString::fromStdString(axis.name), texts::unitOf(axis.scale));
+        lane.title = Common::tr("%1 (%2)").arg(QString::fromStdString(axis.name), texts::unitOf(axis.scale));
         for (const std::int32_t point : table.columns[i].points)
             lane.points.push_back(axis.scale.position(point));
         const auto reach = std::ranges::minmax(table.columns[i].points);

@@ -22,6 +22,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/pathtexts.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -78,7 +79,7 @@ QWidget* PathsPage::buildChoice() {
     m_sequence->setMinimumContentsLength(10);
     m_rate = form::newChoice({u"pathRateBox"_s, tr("Rate of the path to draw"), {}}, box);
     for (const auto rate : {servo::PathRate::Hz30, servo::PathRate::Hz60, servo::PathRate::Hz120})
-        m_rate->addItem(tr("%1 Hz").arg(servo::nominalHertz(rate)), static_cast<int>(rate));
+        m_rate->addItem(Common::tr("%1 Hz").arg(servo::nominalHertz(rate)), static_cast<int>(rate));
     m_rate->setCurrentIndex(1);
     m_draw = new Command({.name = u"drawPathButton"_s,
                           .icon = u"wand"_s,
@@ -304,7 +305,7 @@ void PathsPage::refresh() {
     if (!m_problems.isEmpty())
         summary << m_problems;
     if (m_path) {
-        summary << tr("%1: %2").arg(m_path->name, m_about.join(u'\n'));
+        summary << Common::tr("%1: %2").arg(m_path->name, m_about.join(u'\n'));
     } else if (m_problems.isEmpty() && whyNoAxes().isEmpty()) {
         QStringList names;
         for (const PathColumn& axis : axesNow())
@@ -332,8 +333,9 @@ void PathsPage::refreshProgress(const QString& notRun) {
 // ---- actions of the user ----
 
 void PathsPage::chooseFile() {
-    QFileDialog* dialog = newFileDialog(this, u"openPathDialog"_s, tr("Open a path"),
-                                        {tr("CSV (*.csv)"), tr("All files (*)")}, QDir::homePath());
+    QFileDialog* dialog =
+        newFileDialog(this, u"openPathDialog"_s, tr("Open a path"),
+                      {Common::tr("CSV (*.csv)"), Common::tr("All files (*)")}, QDir::homePath());
     if (dialog == nullptr)
         return;
     dialog->setFileMode(QFileDialog::ExistingFile);
@@ -345,8 +347,8 @@ void PathsPage::chooseFile() {
 }
 
 void PathsPage::chooseTarget() {
-    QFileDialog* dialog =
-        newFileDialog(this, u"savePathDialog"_s, tr("Save the path"), {tr("CSV (*.csv)")}, QDir::homePath());
+    QFileDialog* dialog = newFileDialog(this, u"savePathDialog"_s, tr("Save the path"),
+                                        {Common::tr("CSV (*.csv)")}, QDir::homePath());
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/gainsmeaning.h"
 #include "widgets/response/responsewords.h"
@@ -27,7 +28,7 @@ QStringList motorFound(const Identified& found) {
     QStringList lines{
         ModelTexts::tr("Gain %1").arg(plusMinus(motor.gain, ModelTexts::tr("counts/s per PWM count"))),
         ModelTexts::tr("Time constant %1")
-            .arg(plusMinus(inMilliseconds(motor.timeConstant), ModelTexts::tr("ms"))),
+            .arg(plusMinus(inMilliseconds(motor.timeConstant), Common::tr("ms"))),
         ModelTexts::tr("Friction %1").arg(plusMinus(motor.friction, ModelTexts::tr("of 255 PWM"))),
         ModelTexts::tr("Load %1").arg(plusMinus(motor.load, ModelTexts::tr("of 255 PWM"))),
         ModelTexts::tr("Model error %1 counts RMS; encoder and timing account for %2.")

@@ -5,14 +5,14 @@
 #include <utility>
 
 #include "widgets/common/scrolled.h"
+#include "widgets/common/sharedwords.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
 ResponseDock::ResponseDock(Requests& requests, QWidget* parent)
-    : LazyDock(u"responseDock"_s, ResponsePage::tr("Step response"), Qt::Key_F9, parent),
-      m_requests(requests) {}
+    : LazyDock(u"responseDock"_s, Common::tr("Step response"), Qt::Key_F9, parent), m_requests(requests) {}
 
 ResponsePage& ResponseDock::page() {
     if (m_page == nullptr) {

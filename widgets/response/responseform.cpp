@@ -14,6 +14,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/panels/gainsmeaning.h"
 #include "widgets/response/holdfirstbutton.h"
@@ -51,7 +52,8 @@ void ResponseForm::buildFields(FormGrid* grid) {
              "How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.")},
         this);
     m_distance->showNative(kFirstStep);
-    m_method = form::newChoice({u"responseMethodBox"_s, tr("Method: how the command jumps"), {}}, this);
+    m_method =
+        form::newChoice({u"responseMethodBox"_s, Common::tr("Method: how the command jumps"), {}}, this);
     for (const ResponseMethod method : {ResponseMethod::Profile, ResponseMethod::StopHere}) {
         m_method->addItem(texts::responseMethod(method), static_cast<int>(method));
         m_method->setItemData(m_method->count() - 1, texts::responseMethodMeaning(method), Qt::ToolTipRole);
@@ -63,7 +65,7 @@ void ResponseForm::buildFields(FormGrid* grid) {
     m_record = form::newNumber(
         {.name = u"responseRecordField"_s,
          .accessible = tr("The record"),
-         .unit = tr("s"),
+         .unit = Common::tr("s"),
          .min = kShortestRecord,
          .max = kLongestRecord,
          .decimals = 2,
@@ -84,8 +86,8 @@ void ResponseForm::buildFields(FormGrid* grid) {
         this);
     m_band->showValue(kFirstBand);
     grid->addRow(tr("Distance"), m_distance);
-    grid->addTitled(tr("Method"), m_method)->setBuddy(m_method);
-    grid->addRow(tr("Record"), m_record, {new QLabel(tr("s"), this)});
+    grid->addTitled(Common::tr("Method"), m_method)->setBuddy(m_method);
+    grid->addRow(tr("Record"), m_record, {new QLabel(Common::tr("s"), this)});
     grid->addRow(tr("Settling band"), m_band, {new QLabel(tr("% of the step"), this)});
     connect(m_distance, &QuantityField::nativeEdited, this, &ResponseForm::edited);
     connect(m_method, &QComboBox::currentIndexChanged, this, &ResponseForm::edited);

@@ -17,6 +17,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/response/responseform.h"
 #include "widgets/response/responseplot.h"
@@ -39,7 +40,7 @@ ResponsePage::ResponsePage(Requests& requests, QWidget* parent)
       m_model(new ModelBox(m_kept, *m_form, this)),
       m_view(new ResponseView(requests, this)),
       m_table(new ResponseTable(this)) {
-    look::name(this, u"responsePage"_s, tr("Step response"));
+    look::name(this, u"responsePage"_s, Common::tr("Step response"));
     m_runs = newRunsPart();
     m_findings = new QTabWidget(this);
     look::name(m_findings, u"responseFindings"_s, tr("Step results"));
@@ -71,9 +72,11 @@ QPushButton* ResponsePage::newButton(const QString& objectName, const QString& t
 
 QWidget* ResponsePage::newRunsPart() {
     m_use = newButton(u"responseUseGainsButton"_s, tr("Use these gains"), Qt::CTRL | Qt::SHIFT | Qt::Key_U);
-    m_remove = newButton(u"responseRemoveButton"_s, tr("Remove"), Qt::CTRL | Qt::Key_Delete);
-    m_putBack = newButton(u"responsePutBackButton"_s, tr("Restore"), Qt::CTRL | Qt::SHIFT | Qt::Key_Delete);
-    m_save = newButton(u"responseExportButton"_s, tr("Export CSV…"), Qt::CTRL | Qt::SHIFT | Qt::Key_X);
+    m_remove = newButton(u"responseRemoveButton"_s, Common::tr("Remove"), Qt::CTRL | Qt::Key_Delete);
+    m_putBack =
+        newButton(u"responsePutBackButton"_s, Common::tr("Restore"), Qt::CTRL | Qt::SHIFT | Qt::Key_Delete);
+    m_save =
+        newButton(u"responseExportButton"_s, Common::tr("Export CSV…"), Qt::CTRL | Qt::SHIFT | Qt::Key_X);
     m_all = new QCheckBox(tr("All runs"), this);
     look::name(m_all, u"responseAllRunsBox"_s, tr("All runs of this module in the plot"));
     m_all->setToolTip(tr("Shows the other runs of this module, older runs paler."));
@@ -324,8 +327,8 @@ void ResponsePage::putBack() {
 }
 
 void ResponsePage::chooseFile() {
-    QFileDialog* dialog =
-        newFileDialog(this, kSaveDialog, tr("Export step responses"), {tr("CSV (*.csv)")}, QDir::homePath());
+    QFileDialog* dialog = newFileDialog(this, kSaveDialog, tr("Export step responses"),
+                                        {Common::tr("CSV (*.csv)")}, QDir::homePath());
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);

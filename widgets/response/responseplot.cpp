@@ -13,6 +13,7 @@
 #include "model/tuning/predict.h"
 #include "widgets/common/look.h"
 #include "widgets/common/plots.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/response/plotline.h"
@@ -372,9 +373,9 @@ std::vector<std::array<QString, 4>> ResponsePlot::readings() const {
     const auto& [first, second] = *m_cursors;
     const double between = second - first;
     const QString frequency =
-        between == 0 ? QString() : tr(" (%1 Hz)").arg(texts::readout(std::abs(1 / between)));
-    rows.push_back(
-        {tr("time"), texts::stretch(first), texts::stretch(second), texts::stretch(between) + frequency});
+        between == 0 ? QString() : Common::tr(" (%1 Hz)").arg(texts::readout(std::abs(1 / between)));
+    rows.push_back({Common::tr("time"), texts::stretch(first), texts::stretch(second),
+                    texts::stretch(between) + frequency});
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         if (!m_curves[i])
             continue;
@@ -383,7 +384,7 @@ std::vector<std::array<QString, 4>> ResponsePlot::readings() const {
         };
         const auto from = m_curves[i]->at(first);
         const auto to = m_curves[i]->at(second);
-        rows.push_back({i == 0 ? tr("A") : tr("B"), text(from), text(to),
+        rows.push_back({i == 0 ? Common::tr("A") : Common::tr("B"), text(from), text(to),
                         text(from && to ? std::optional(*to - *from) : std::nullopt)});
     }
     return rows;

@@ -4,6 +4,7 @@
 #include <QHeaderView>
 
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/response/responsewords.h"
 
@@ -17,10 +18,10 @@ enum Row { Number, Rise, Overshoot, Settling, AtRest, SteadyError, PeakPwm, Inte
 
 ResponseResults::ResponseResults(QWidget* parent) : QTableWidget(kRows, 2, parent) {
     look::name(this, u"responseResults"_s, tr("Results of the runs shown"));
-    setHorizontalHeaderLabels({tr("A"), tr("B")});
-    setVerticalHeaderLabels({tr("Run"), tr("Rise, 10 to 90 %"), tr("Overshoot"), tr("Settling to the goal"),
-                             tr("Settling to rest position"), tr("Steady-state error"),
-                             tr("Peak PWM, of 255"), tr("Sample interval")});
+    setHorizontalHeaderLabels({Common::tr("A"), Common::tr("B")});
+    setVerticalHeaderLabels({tr("Run"), tr("Rise, 10 to 90 %"), Common::tr("Overshoot"),
+                             tr("Settling to the goal"), tr("Settling to rest position"),
+                             tr("Steady-state error"), tr("Peak PWM, of 255"), tr("Sample interval")});
     verticalHeaderItem(Rise)->setToolTip(tr("Time from 10 % to 90 % of the step."));
     verticalHeaderItem(Overshoot)->setToolTip(tr("How far the motor went past its goal, in % of the step."));
     verticalHeaderItem(Settling)->setToolTip(tr(
@@ -56,7 +57,7 @@ void ResponseResults::showRun(int column, const KeptResponse* kept) {
         cells[AtRest] = texts::responseTime(metrics.settlingAtRest);
         cells[SteadyError] = texts::responseError(metrics.steadyError, kept->scale);
         cells[PeakPwm] = texts::peakPwm(kept->run.pwm);
-        cells[Interval] = tr("%1 ms").arg(texts::readout(metrics.interval * 1e3, 3));
+        cells[Interval] = Common::tr("%1 ms").arg(texts::readout(metrics.interval * 1e3, 3));
     }
     for (int row = 0; row < kRows; ++row) {
         auto* item = new QTableWidgetItem(cells[row]);

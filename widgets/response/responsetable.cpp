@@ -10,6 +10,7 @@
 
 #include "model/machinefile/responsestore.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/response/responsewords.h"
 
@@ -22,8 +23,9 @@ ResponseTable::ResponseTable(QWidget* parent) : QTableWidget(0, kColumns, parent
     setToolTip(
         tr("Step responses, newest first. Select two check boxes to compare the curves. The last %1 are saved with the machine; those with a name or a note are kept longest.")
             .arg(kMaxKeptRuns));
-    setHorizontalHeaderLabels({tr("A"), tr("B"), tr("Run"), tr("Name"), tr("Module"), tr("Time"), u"Kp"_s,
-                               u"Kd"_s, u"Ki"_s, tr("Overshoot"), tr("Settling"), tr("Note")});
+    setHorizontalHeaderLabels({Common::tr("A"), Common::tr("B"), tr("Run"), Common::tr("Name"),
+                               Common::tr("Module"), tr("Time"), u"Kp"_s, u"Kd"_s, u"Ki"_s,
+                               Common::tr("Overshoot"), tr("Settling"), tr("Note")});
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setMinimumSectionSize(fontMetrics().height());
     horizontalHeader()->setHighlightSections(false);
@@ -90,8 +92,8 @@ void ResponseTable::showRun(int row, const KeptResponse& kept, const ShownRuns& 
     const bool today = started.date() == QDate::currentDate();
     cell(row, Time)->setText(today ? QLocale().toString(started.time(), u"HH:mm:ss"_s)
                                    : QLocale().toString(started, QLocale::ShortFormat));
-    cell(row, Time)->setToolTip(tr("%1, %2").arg(QLocale().toString(started, QLocale::LongFormat),
-                                                 texts::portName(QString::fromStdString(kept.port))));
+    cell(row, Time)->setToolTip(Common::tr("%1, %2").arg(QLocale().toString(started, QLocale::LongFormat),
+                                                         texts::portName(QString::fromStdString(kept.port))));
     cell(row, Kp)->setText(QString::number(gains.kp));
     cell(row, Kd)->setText(QString::number(gains.kd));
     cell(row, Ki)->setText(QString::number(gains.ki));

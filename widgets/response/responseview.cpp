@@ -16,6 +16,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/picture.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/response/responseplot.h"
 #include "widgets/response/responsewords.h"
@@ -31,8 +32,9 @@ ResponseView::ResponseView(Requests& requests, QWidget* parent)
       m_readings(new QTableWidget(0, 4, this)),
       m_bar(new QHBoxLayout),
       m_folder(QDir::homePath()) {
-    look::name(m_readings, u"responseCursorTable"_s, tr("Cursor readings"));
-    m_readings->setHorizontalHeaderLabels({tr("Run"), tr("Cursor 1"), tr("Cursor 2"), tr("Difference")});
+    look::name(m_readings, u"responseCursorTable"_s, Common::tr("Cursor readings"));
+    m_readings->setHorizontalHeaderLabels(
+        {tr("Run"), Common::tr("Cursor 1"), Common::tr("Cursor 2"), Common::tr("Difference")});
     m_readings->verticalHeader()->hide();
     m_readings->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_readings->setSelectionMode(QAbstractItemView::NoSelection);
@@ -45,7 +47,7 @@ ResponseView::ResponseView(Requests& requests, QWidget* parent)
     m_bar->addStretch(1);
     auto* fit = newButton(u"responseFitButton"_s, tr("Fit"),
                           tr("Fits the view to the motion and all positions (A, in the plot)."));
-    m_cursors = newButton(u"responseCursorsButton"_s, tr("Cursors"),
+    m_cursors = newButton(u"responseCursorsButton"_s, Common::tr("Cursors"),
                           tr("Shows two cursors to measure with: drag them (C, in the plot)."));
     m_cursors->setCheckable(true);
     buildMenu();
@@ -85,17 +87,17 @@ void ResponseView::buildMenu() {
         action->setToolTip(meaning);
         connect(action, &QAction::triggered, this, act);
     };
-    add(u"responsePngAction"_s, tr("&Picture (PNG)…"), tr("The visible plot as an image."),
+    add(u"responsePngAction"_s, Common::tr("&Picture (PNG)…"), Common::tr("The visible plot as an image."),
         [this] { choose(Kind::Png); });
-    add(u"responseSvgAction"_s, tr("&Vector picture (SVG)…"),
-        tr("The visible plot as lines that stay sharp at any size."), [this] { choose(Kind::Svg); });
-    add(u"responsePdfAction"_s, tr("P&age (PDF)…"),
-        tr("The visible plot on a page for printing or a report."), [this] { choose(Kind::Pdf); });
+    add(u"responseSvgAction"_s, Common::tr("&Vector picture (SVG)…"),
+        Common::tr("The visible plot as lines that stay sharp at any size."), [this] { choose(Kind::Svg); });
+    add(u"responsePdfAction"_s, Common::tr("P&age (PDF)…"),
+        Common::tr("The visible plot on a page for printing or a report."), [this] { choose(Kind::Pdf); });
     m_menu->addSeparator();
-    add(u"responsePrintAction"_s, tr("P&rint…"),
-        tr("Prints the visible plot on one of this computer's printers."),
+    add(u"responsePrintAction"_s, Common::tr("P&rint…"),
+        Common::tr("Prints the visible plot on one of this computer's printers."),
         [this] { emit m_requests.print(pdfOf(picture())); });
-    add(u"responseCopyAction"_s, tr("&Copy picture"), tr("Copies the visible plot to the clipboard."),
+    add(u"responseCopyAction"_s, Common::tr("&Copy picture"), tr("Copies the visible plot to the clipboard."),
         [this] { copy(); });
     QToolButton* button = newButton(u"responsePictureButton"_s, tr("Picture"),
                                     tr("Exports the visible plot, with a description of the runs."));
@@ -116,7 +118,7 @@ void ResponseView::showRuns(const KeptResponse* a, const KeptResponse* b,
                                  QString::fromStdString(kept->startedAt),
                                  texts::portName(QString::fromStdString(kept->port)));
         if (kept->simulated)
-            words += u" · "_s + tr("SIMULATOR, no real motor moved");
+            words += u" · "_s + Common::tr("SIMULATOR, no real motor moved");
         for (const std::string* own : {&kept->name, &kept->note})
             if (!own->empty())
                 words += u" · "_s + QString::fromStdString(*own);
@@ -164,9 +166,9 @@ Picture ResponseView::picture() const {
 
 void ResponseView::choose(Kind kind) {
     const QString suffix = kind == Kind::Png ? u"png"_s : kind == Kind::Svg ? u"svg"_s : u"pdf"_s;
-    QFileDialog* dialog =
-        newFileDialog(this, u"responsePicture%1Dialog"_s.arg(suffix), tr("Picture of the step response"),
-                      {tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix), tr("All files (*)")}, m_folder);
+    QFileDialog* dialog = newFileDialog(
+        this, u"responsePicture%1Dialog"_s.arg(suffix), tr("Picture of the step response"),
+        {Common::tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix), Common::tr("All files (*)")}, m_folder);
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 
@@ -88,8 +89,8 @@ QString plusMinus(const Measured& measured, const QString& unit) {
 QString responseTime(const ResponseMetrics::Result<Measured>& seconds) {
     if (!seconds)
         return unmeasured(seconds.error());
-    return seconds->value < 1 ? plusMinus(times(*seconds, 1e3), ResponseTexts::tr("ms"))
-                              : plusMinus(*seconds, ResponseTexts::tr("s"));
+    return seconds->value < 1 ? plusMinus(times(*seconds, 1e3), Common::tr("ms"))
+                              : plusMinus(*seconds, Common::tr("s"));
 }
 
 QString responseSettling(const ResponseMetrics& metrics) {

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/scope/cursortable.h"
 
 namespace nmc {
@@ -13,7 +14,7 @@ using namespace Qt::StringLiterals;
 
 CursorPanel::CursorPanel(QWidget* parent)
     : QWidget(parent), m_fold(new QToolButton(this)), m_table(new CursorTable(this)) {
-    look::name(m_fold, u"scopeCursorFoldButton"_s, tr("Cursor readings"));
+    look::name(m_fold, u"scopeCursorFoldButton"_s, Common::tr("Cursor readings"));
     m_fold->setToolTip(tr("Shows or hides the cursor readings."));
     m_fold->setCheckable(true);
     m_fold->setAutoRaise(true);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -19,9 +20,10 @@ const QString kNothing = u"–"_s;
 }  // namespace
 
 CursorTable::CursorTable(QWidget* parent) : QTableWidget(0, 9, parent) {
-    look::name(this, u"scopeCursorTable"_s, tr("Cursor readings"));
-    setHorizontalHeaderLabels({tr("Signal"), tr("Cursor 1"), tr("Cursor 2"), tr("Difference"), tr("Mean"),
-                               tr("RMS"), tr("Peak to peak"), tr("Slope, per s"), tr("Frequency")});
+    look::name(this, u"scopeCursorTable"_s, Common::tr("Cursor readings"));
+    setHorizontalHeaderLabels({Common::tr("Signal"), Common::tr("Cursor 1"), Common::tr("Cursor 2"),
+                               Common::tr("Difference"), tr("Mean"), tr("RMS"), tr("Peak to peak"),
+                               tr("Slope, per s"), tr("Frequency")});
     verticalHeader()->hide();
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::NoSelection);
@@ -104,7 +106,7 @@ const std::optional<StretchFigures>& CursorTable::figures(const ScopePlot::Trace
 QString CursorTable::between(const CursorTimes& times) {
     const double between = times[1] - times[0];
     return texts::stretch(between) +
-           (between == 0.0 ? QString() : tr(" (%1 Hz)").arg(texts::readout(std::abs(1 / between))));
+           (between == 0.0 ? QString() : Common::tr(" (%1 Hz)").arg(texts::readout(std::abs(1 / between))));
 }
 
 bool CursorTable::showReadings(const ScopeStrips& strips, const History& history) {
@@ -126,7 +128,7 @@ bool CursorTable::showReadings(const ScopeStrips& strips, const History& history
         ++row;
     };
     constexpr double kTimeStep = 1e-4;
-    add({tr("time"), tr("%1 s").arg(texts::numberAt(times[0], kTimeStep)),
+    add({Common::tr("time"), tr("%1 s").arg(texts::numberAt(times[0], kTimeStep)),
          tr("%1 s").arg(texts::numberAt(times[1], kTimeStep)), between(times)});
     for (const ScopePlot* plot : strips.shownPlots()) {
         for (const ScopePlot::Trace& trace : plot->traces()) {
@@ -152,7 +154,8 @@ bool CursorTable::showReadings(const ScopeStrips& strips, const History& history
                   << (made ? texts::numberAt(made->rms, step / 10) : kNothing)
                   << (made ? texts::numberAt(made->peakToPeak, step) : kNothing)
                   << (made && made->slope ? texts::readout(*made->slope) : kNothing)
-                  << (made && made->hertz ? tr("%1 Hz").arg(texts::readout(*made->hertz, 3)) : kNothing);
+                  << (made && made->hertz ? Common::tr("%1 Hz").arg(texts::readout(*made->hertz, 3))
+                                          : kNothing);
             add(cells);
         }
     }

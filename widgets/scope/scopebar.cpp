@@ -10,6 +10,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 
 namespace nmc {
 
@@ -22,10 +23,10 @@ ScopeBar::ScopeBar(QWidget* parent)
       m_which(look::newMutedLabel({}, this)),
       m_record(new QLabel(this)),
       m_recordRow(new QWidget(this)),
-      m_pause(newAction(u"scopePauseAction"_s, tr("Pause"),
+      m_pause(newAction(u"scopePauseAction"_s, Common::tr("Pause"),
                         tr("Freezes the display (Ctrl+P). Recording of samples continues."),
                         QKeySequence(Qt::CTRL | Qt::Key_P))),
-      m_cursors(newAction(u"scopeCursorsAction"_s, tr("Cursors"),
+      m_cursors(newAction(u"scopeCursorsAction"_s, Common::tr("Cursors"),
                           tr("Shows two cursors to measure with: drag them (C)."), QKeySequence(Qt::Key_C))),
       m_lane(newAction(u"scopeLaneAction"_s, tr("Status bits"),
                        tr("Shows the status bits of the selected module over time (B)."),
@@ -93,7 +94,7 @@ void ScopeBar::buildButtons() {
     addButton(choose, u"scopeSignalsButton"_s);
 
     QAction* trigger =
-        newAction(u"scopeTriggerAction"_s, tr("Trigger"),
+        newAction(u"scopeTriggerAction"_s, Common::tr("Trigger"),
                   tr("Waits for a signal or a status bit, and holds the picture around it (T)."),
                   QKeySequence(Qt::Key_T));
     trigger->setCheckable(true);

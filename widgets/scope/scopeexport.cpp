@@ -16,6 +16,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/picture.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/scope/scopestrips.h"
 
@@ -96,12 +97,11 @@ std::string fewSamples(const SeenHistory& seen, const std::vector<ScopeModule>& 
 }
 
 QStringList captionOf(const ScopeOrigin& origin, const QString& title, double left) {
-    const QString program =
-        ExportTexts::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()).trimmed();
+    const QString program = Common::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()).trimmed();
     QStringList words{title.isEmpty() ? program : ExportTexts::tr("%1, by %2").arg(title, program)};
     words << texts::portName(origin.port);
     if (origin.simulated)
-        words << ExportTexts::tr("SIMULATOR, no real motor moved");
+        words << Common::tr("SIMULATOR, no real motor moved");
     words.removeAll(QString());
     QStringList lines{words.join(u" · "_s)};
     if (origin.zero.isValid())
@@ -120,17 +120,17 @@ ScopeExport::ScopeExport(Requests& requests, QWidget* panel)
     addAction(
         Kind::Csv, u"scopeExportCsvAction"_s, tr("&Samples (CSV)…"),
         tr("All samples of all modules in the visible time. A file with one row per reply can be reopened here; one with a column per signal is for other programs only."));
-    addAction(Kind::Png, u"scopeExportPngAction"_s, tr("&Picture (PNG)…"),
-              tr("The visible plot as an image."));
-    addAction(Kind::Svg, u"scopeExportSvgAction"_s, tr("&Vector picture (SVG)…"),
-              tr("The visible plot as lines that stay sharp at any size."));
-    addAction(Kind::Pdf, u"scopeExportPdfAction"_s, tr("P&age (PDF)…"),
-              tr("The visible plot on a page for printing or a report."));
+    addAction(Kind::Png, u"scopeExportPngAction"_s, Common::tr("&Picture (PNG)…"),
+              Common::tr("The visible plot as an image."));
+    addAction(Kind::Svg, u"scopeExportSvgAction"_s, Common::tr("&Vector picture (SVG)…"),
+              Common::tr("The visible plot as lines that stay sharp at any size."));
+    addAction(Kind::Pdf, u"scopeExportPdfAction"_s, Common::tr("P&age (PDF)…"),
+              Common::tr("The visible plot on a page for printing or a report."));
     m_menu->addSeparator();
-    addAction(Kind::Clipboard, u"scopeCopyAction"_s, tr("&Copy picture"),
+    addAction(Kind::Clipboard, u"scopeCopyAction"_s, Common::tr("&Copy picture"),
               tr("Copies the visible plot to the clipboard, with its samples if there are only a few."));
-    addAction(Kind::Printer, u"scopePrintAction"_s, tr("P&rint…"),
-              tr("Prints the visible plot on one of this computer's printers."));
+    addAction(Kind::Printer, u"scopePrintAction"_s, Common::tr("P&rint…"),
+              Common::tr("Prints the visible plot on one of this computer's printers."));
 }
 
 void ScopeExport::addAction(Kind kind, const QString& objectName, const QString& text,
@@ -148,9 +148,9 @@ void ScopeExport::choose(Kind kind) {
                            : kind == Kind::Png ? u"png"_s
                            : kind == Kind::Svg ? u"svg"_s
                                                : u"pdf"_s;
-    QFileDialog* dialog =
-        newFileDialog(m_panel, u"scopeExport%1Dialog"_s.arg(suffix), tr("Export from the scope"),
-                      {tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix), tr("All files (*)")}, m_folder);
+    QFileDialog* dialog = newFileDialog(
+        m_panel, u"scopeExport%1Dialog"_s.arg(suffix), tr("Export from the scope"),
+        {Common::tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix), Common::tr("All files (*)")}, m_folder);
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);

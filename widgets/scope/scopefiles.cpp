@@ -14,6 +14,7 @@
 #include "model/recording/recording.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -41,9 +42,9 @@ ScopeFiles::ScopeFiles(Requests& requests, QWidget* panel)
     layout->setSpacing(0);
     m_recordingRow = addRow(u"scopeRecording"_s, tr("Recording"), tr("Stop recording"),
                             tr("Ends the recording and closes its file (Ctrl+Shift+R)."));
-    m_openingRow = addRow(u"scopeOpening"_s, tr("Opening"), tr("Cancel"),
+    m_openingRow = addRow(u"scopeOpening"_s, tr("Opening"), Common::tr("Cancel"),
                           tr("Cancels opening; the scope stays as it is."));
-    m_underRow = addRow(u"scopeUnder"_s, tr("Overlay"), tr("Remove"),
+    m_underRow = addRow(u"scopeUnder"_s, tr("Overlay"), Common::tr("Remove"),
                         tr("Removes the recording from the plots. Its file is kept."));
     addMoveButton(u"scopeUnderEarlierButton"_s, tr("◂ Earlier"), tr("Moves the recording to the left."),
                   -kMove);
@@ -123,7 +124,7 @@ void ScopeFiles::showOpening(const std::optional<Opening>& opening) {
 }
 
 void ScopeFiles::showUnder(const QString& title) {
-    look::setText(m_underRow.label, tr("Overlay: %1").arg(title));
+    look::setText(m_underRow.label, Common::tr("Overlay: %1").arg(title));
     m_underRow.widget->setVisible(!title.isEmpty());
 }
 
@@ -146,9 +147,9 @@ void ScopeFiles::recordOrEnd() {
 }
 
 void ScopeFiles::chooseToRecord() {
-    QFileDialog* dialog =
-        newFileDialog(m_panel, u"scopeRecordDialog"_s, tr("Record to a file"),
-                      {tr("Recordings (*.%1)").arg(kRecordingFileSuffix), tr("All files (*)")}, m_folder);
+    QFileDialog* dialog = newFileDialog(
+        m_panel, u"scopeRecordDialog"_s, tr("Record to a file"),
+        {tr("Recordings (*.%1)").arg(kRecordingFileSuffix), Common::tr("All files (*)")}, m_folder);
     if (dialog == nullptr)
         return;
     dialog->setAcceptMode(QFileDialog::AcceptSave);  // also asks before a file is replaced
@@ -163,9 +164,9 @@ void ScopeFiles::chooseToRecord() {
 
 void ScopeFiles::choose(const QString& objectName, const QString& title,
                         void (ScopeFiles::*wanted)(const QString&)) {
-    QFileDialog* dialog =
-        newFileDialog(m_panel, objectName, title,
-                      {tr("Recordings (*.%1)").arg(kRecordingFileSuffix), tr("All files (*)")}, m_folder);
+    QFileDialog* dialog = newFileDialog(
+        m_panel, objectName, title,
+        {tr("Recordings (*.%1)").arg(kRecordingFileSuffix), Common::tr("All files (*)")}, m_folder);
     if (dialog == nullptr)
         return;
     dialog->setFileMode(QFileDialog::ExistingFile);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/scope/cursorpanel.h"
 #include "widgets/scope/scopebar.h"
 #include "widgets/scope/scopefiles.h"
@@ -38,7 +39,7 @@ ScopePanel::ScopePanel(Requests& requests, QWidget* parent)
       m_bar(new ScopeBar(this)),
       m_files(new ScopeFiles(requests, this)),
       m_trigger(new TriggerControl(new TriggerBar(this))) {
-    look::name(this, u"scopePanel"_s, tr("Scope"));
+    look::name(this, u"scopePanel"_s, Common::tr("Scope"));
     setAcceptDrops(true);
     const int unit = look::gridUnit(this);
     m_layout->setContentsMargins(unit, unit / 2, unit, 0);
@@ -202,7 +203,7 @@ void ScopePanel::addLaneBits(QMenu& menu) {
 
 void ScopePanel::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu(this);
-    look::name(&menu, u"scopeMenu"_s, tr("Scope"));
+    look::name(&menu, u"scopeMenu"_s, Common::tr("Scope"));
     menu.addActions(m_menuActions);
     addLaneBits(menu);
     menu.addSeparator();
@@ -393,7 +394,7 @@ void ScopePanel::draw(const History& history, double now) {
     if (!upToDate || m_strips->isBehind())
         touch();
     const QString title = m_record  ? m_record->title
-                          : m_under ? tr("Overlay: %1").arg(m_under->record().title)
+                          : m_under ? Common::tr("Overlay: %1").arg(m_under->record().title)
                                     : QString();
     m_files->exporting().take(*m_strips, history, now,
                               m_record && m_record->origin ? *m_record->origin : m_origin, title);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/scope/statuslane.h"
 
 namespace nmc {
@@ -168,9 +169,9 @@ bool ScopeStrips::eventFilter(QObject* watched, QEvent* event) {
 QString ScopeStrips::labelOf(const SignalRef& signal, const ScopeModule& module) const {
     const bool reported = signal.signal == ScopeSignal::Error && hasPathBuffer(module.identity);
     const QString words =
-        tr("%1, %2").arg(reported ? tr("error, reported") : texts::signalName(signal.signal, module),
-                         texts::signalUnit(signal.signal, module));
-    return signal.module ? tr("%1: %2").arg(module.name, words) : words;
+        Common::tr("%1, %2").arg(reported ? tr("error, reported") : texts::signalName(signal.signal, module),
+                                 texts::signalUnit(signal.signal, module));
+    return signal.module ? Common::tr("%1: %2").arg(module.name, words) : words;
 }
 
 /// Updates names, units and the achieved rates.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 
@@ -41,7 +42,7 @@ namespace texts {
 QString signalName(ScopeSignal signal) {
     switch (signal) {
         case ScopeSignal::Position:
-            return SignalTexts::tr("position");
+            return Common::tr("position");
         case ScopeSignal::Command:
             return SignalTexts::tr("command, calculated");
         case ScopeSignal::Error:
@@ -49,7 +50,7 @@ QString signalName(ScopeSignal signal) {
         case ScopeSignal::Velocity:
             return SignalTexts::tr("velocity");
         case ScopeSignal::Analog:
-            return SignalTexts::tr("A/D");
+            return Common::tr("A/D");
         case ScopeSignal::Acceleration:
             return SignalTexts::tr("acceleration");
         case ScopeSignal::Pwm:
@@ -71,7 +72,7 @@ QString signalName(ScopeSignal signal, const ScopeModule& module) {
     if (!module.isIo() || !input)
         return signalName(signal);
     const std::string name = PinSettings::of(module.pins.analog, *input).name;
-    return name.empty() ? SignalTexts::tr("A/D %1").arg(*input + 1) : QString::fromStdString(name);
+    return name.empty() ? Common::tr("A/D %1").arg(*input + 1) : QString::fromStdString(name);
 }
 
 QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
@@ -81,11 +82,11 @@ QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
         case SignalInfo::Unit::Velocity:
             return measuredVelocityUnitOf(module.scale);
         case SignalInfo::Unit::Acceleration:
-            return SignalTexts::tr("%1/s²").arg(unitOf(module.scale));
+            return Common::tr("%1/s²").arg(unitOf(module.scale));
         case SignalInfo::Unit::Analog:
             return QString::fromStdString(module.analogOf(signal).unit);
         case SignalInfo::Unit::Pwm:
-            return SignalTexts::tr("of 255");
+            return Common::tr("of 255");
         case SignalInfo::Unit::Count:
             return SignalTexts::tr("counts");
         case SignalInfo::Unit::CountRate:
@@ -110,7 +111,7 @@ QString numberAt(double value, double step) {
 }
 
 QString stretch(double seconds) {
-    return std::abs(seconds) < 1 ? SignalTexts::tr("%1 ms").arg(readout(seconds * 1e3))
+    return std::abs(seconds) < 1 ? Common::tr("%1 ms").arg(readout(seconds * 1e3))
                                  : SignalTexts::tr("%1 s").arg(readout(seconds));
 }
 

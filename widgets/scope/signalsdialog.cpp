@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/scope/scopewords.h"
 
 namespace nmc {
@@ -41,7 +42,7 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
     m_filter->setPlaceholderText(tr("Filter by module or signal"));
     m_filter->setClearButtonEnabled(true);
     connect(m_filter, &QLineEdit::textChanged, this, &SignalsDialog::filter);
-    QStringList titles{tr("Signal")};
+    QStringList titles{Common::tr("Signal")};
     for (std::size_t strip = 1; strip <= ScopeSetup::kStrips; ++strip)
         titles << tr("Strip %1").arg(strip);
     m_table->setHeaderLabels(titles);

@@ -8,6 +8,7 @@
 
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/scope/scopewords.h"
 
 namespace nmc {
@@ -61,7 +62,7 @@ TriggerBar::TriggerBar(QWidget* parent)
                                this)),
       m_arm(form::newPush({u"triggerArmButton"_s, tr("Arm")}, this)),
       m_state(new QLabel(this)) {
-    look::name(this, u"triggerBar"_s, tr("Trigger"));
+    look::name(this, u"triggerBar"_s, Common::tr("Trigger"));
     look::name(m_state, u"triggerStateLabel"_s, tr("State of the trigger"));
     m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_source->setMinimumContentsLength(12);
@@ -146,7 +147,7 @@ void TriggerBar::listSources() {
 void TriggerBar::addSources(const std::optional<ModuleIndex>& module, const ScopeModule& of) {
     const auto add = [&](const Source& source, const QString& name) {
         m_sources.push_back(source);
-        m_source->addItem(module ? tr("%1: %2").arg(of.name, name) : name);
+        m_source->addItem(module ? Common::tr("%1: %2").arg(of.name, name) : name);
     };
     for (const SignalInfo& info : kSignals) {
         // A derived signal needs the signals from which it is derived.

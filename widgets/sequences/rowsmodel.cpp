@@ -8,6 +8,7 @@
 #include "model/sequence/sequencecheck.h"
 #include "protocol/iocommands.h"
 #include "widgets/common/sequencetexts.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/sequences/tablerows.h"
 
@@ -239,7 +240,7 @@ RowsModel::Cell RowsModel::number(const Action& action) {
         cell.text = tr("within %1 s").arg(texts::readout(input->timeout));
     } else if (const auto* analog = std::get_if<action::WaitForAnalog>(&action)) {
         cell = {.number = analog->level, .min = 0, .max = 255};
-        cell.text = tr("%1 of 255").arg(analog->level);
+        cell.text = Common::tr("%1 of 255").arg(analog->level);
     } else if (const auto* repeat = std::get_if<action::Repeat>(&action)) {
         cell = {.number = repeat->times, .min = 0, .max = 1'000'000};
         cell.text = repeat->times == 0 ? tr("forever")
@@ -348,7 +349,7 @@ QVariant RowsModel::headerData(int section, Qt::Orientation orientation, int rol
         case What:
             return tr("Target");
         case How:
-            return tr("How");
+            return Common::tr("How");
         case Number:
             return tr("Value");
         default:

@@ -5,13 +5,14 @@
 
 #include "widgets/common/scrolled.h"
 #include "widgets/common/sequencetexts.h"
+#include "widgets/common/sharedwords.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
 SequencesDock::SequencesDock(QWidget* parent)
-    : LazyDock(u"sequencesDock"_s, SequencesPage::tr("Points and sequences"), Qt::Key_F3, parent) {}
+    : LazyDock(u"sequencesDock"_s, Common::tr("Points and sequences"), Qt::Key_F3, parent) {}
 
 SequencesPage& SequencesDock::page() {
     if (m_page == nullptr) {

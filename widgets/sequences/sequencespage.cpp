@@ -20,6 +20,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sequencetexts.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 #include "widgets/sequences/pointsmodel.h"
@@ -75,7 +76,7 @@ FlowLayout* inARow(const QWidget* box, Commands*... commands) {
 
 SequencesPage::SequencesPage(QWidget* parent)
     : QWidget(parent), m_points(new PointsModel(this)), m_rows(new RowsModel(this)) {
-    look::name(this, u"sequencesPage"_s, tr("Points and sequences"));
+    look::name(this, u"sequencesPage"_s, Common::tr("Points and sequences"));
     setLayout(form::newLine(this, {{buildPoints(), 2}, {buildSequences(), 3}}, form::kUsual));
     connect(m_points, &PointsModel::renameWanted, this,
             [this](const std::string& from, const std::string& to) {
@@ -239,11 +240,11 @@ QWidget* SequencesPage::buildRowButtons(QGroupBox* box) {
         u"rowDownButton"_s, {}, tr("Down"), tr("Down: move the selected row"), [this] { moveRow(1); },
         Qt::CTRL | Qt::SHIFT | Qt::Key_Down);
     m_undo = newCommand(
-        u"undoEditButton"_s, u"arrow-back-up"_s, tr("Undo"),
+        u"undoEditButton"_s, u"arrow-back-up"_s, Common::tr("Undo"),
         tr("Undo the last change to points and sequences"), [this] { m_edits.undo(); },
         Qt::CTRL | Qt::ALT | Qt::Key_Z);
     m_redo = newCommand(
-        u"redoEditButton"_s, u"arrow-forward-up"_s, tr("Redo"),
+        u"redoEditButton"_s, u"arrow-forward-up"_s, Common::tr("Redo"),
         tr("Redo the last undone change to points and sequences"), [this] { m_edits.redo(); },
         Qt::CTRL | Qt::ALT | Qt::Key_Y);
     auto* row = new QWidget(box);
@@ -276,7 +277,7 @@ QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
     m_startHere =
         newCommand(u"runFromRowButton"_s, u"player-play"_s, tr("Run from row"),
                    tr("Run from row: start at the selected row"), [this] { start(*chosenRow(), false); });
-    m_pause = newCommand(u"pauseSequenceButton"_s, u"player-pause"_s, tr("Pause"),
+    m_pause = newCommand(u"pauseSequenceButton"_s, u"player-pause"_s, Common::tr("Pause"),
                          tr("Pause the sequence after its row"), [this] {
                              if (m_run->stage == SequenceStage::Paused)
                                  emit resumeRequested();
@@ -457,7 +458,8 @@ QString SequencesPage::whyNotTaught() const {
         return tr("Select at least one axis.");
     for (const ModuleIndex axis : chosenAxes())
         if (nmc::teach({axis}, m_link.modules).empty())
-            return tr("%1: %2").arg(texts::moduleName(axis), texts::refusal(Refusal::PositionUnknown));
+            return Common::tr("%1: %2").arg(texts::moduleName(axis),
+                                            texts::refusal(Refusal::PositionUnknown));
     return {};
 }
 
@@ -518,11 +520,11 @@ void SequencesPage::refreshRows() {
     m_rowDown->setPossible(whyNotMoved(1), tr("Moves this row down."));
     m_undo->setPossible(!free               ? reason
                         : m_edits.canUndo() ? QString()
-                                            : tr("Nothing to undo."),
+                                            : Common::tr("Nothing to undo."),
                         tr("Undo: %1").arg(m_edits.undoText()));
     m_redo->setPossible(!free               ? reason
                         : m_edits.canRedo() ? QString()
-                                            : tr("Nothing to redo."),
+                                            : Common::tr("Nothing to redo."),
                         tr("Redo: %1").arg(m_edits.redoText()));
 }
 
@@ -548,7 +550,7 @@ void SequencesPage::refreshRun() {
             .arg(name));
     const QString nothing = running() ? QString() : tr("No sequence is running.");
     const bool paused = running() && m_run->stage == SequenceStage::Paused;
-    m_pause->setText(paused ? tr("Continue") : tr("Pause"));
+    m_pause->setText(paused ? tr("Continue") : Common::tr("Pause"));
     m_pause->setPossible(nothing, paused ? tr("Continues from where it paused.")
                                          : tr("Finishes the current row, then waits."));
     m_step->setPossible(running() && !paused ? tr("The sequence is running. Pause it first.")

@@ -8,6 +8,7 @@
 
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -33,13 +34,14 @@ BenchTruth::BenchTruth(QWidget* parent)
            tr("The true position of the shaft since the simulation started."));
     addRow(*grid, u"position"_s, tr("Position counter"), counts, 0,
            tr("The position as the module counts it."));
-    addRow(*grid, u"position_error"_s, tr("Position error"), counts, 4, tr("True, not calculated."));
-    addRow(*grid, u"velocity"_s, tr("Speed"), texts::unitVelocity(), 3, tr("Of the shaft."));
-    addRow(*grid, u"step_rate"_s, tr("Step rate"), tr("steps/s"), 4, tr("Negative in reverse."));
-    addRow(*grid, u"pwm"_s, tr("PWM"), tr("of 255"), 0, tr("The sign is the direction."));
-    addRow(*grid, u"current"_s, tr("Motor current"), tr("A"), 3, {});
-    addRow(*grid, u"current_limit"_s, tr("Motor current"), tr("of 255"), 0, tr("255 is full current."));
-    addRow(*grid, u"analog"_s, tr("A/D reads"), tr("of 255"), 0, {});
+    addRow(*grid, u"position_error"_s, Common::tr("Position error"), counts, 4, tr("True, not calculated."));
+    addRow(*grid, u"velocity"_s, Common::tr("Speed"), texts::unitVelocity(), 3, tr("Of the shaft."));
+    addRow(*grid, u"step_rate"_s, tr("Step rate"), Common::tr("steps/s"), 4, tr("Negative in reverse."));
+    addRow(*grid, u"pwm"_s, Common::tr("PWM"), Common::tr("of 255"), 0, tr("The sign is the direction."));
+    addRow(*grid, u"current"_s, Common::tr("Motor current"), Common::tr("A"), 3, {});
+    addRow(*grid, u"current_limit"_s, Common::tr("Motor current"), Common::tr("of 255"), 0,
+           tr("255 is full current."));
+    addRow(*grid, u"analog"_s, tr("A/D reads"), Common::tr("of 255"), 0, {});
 
     const int line = grid->rowCount();
     auto* label = new QLabel(tr("Violations"), this);

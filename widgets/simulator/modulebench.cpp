@@ -11,6 +11,7 @@
 #include "protocol/iocommands.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
@@ -80,17 +81,17 @@ QAbstractButton* ModuleBench::addButton(QGridLayout& grid, int column, const QSt
 void ModuleBench::buildSwitches() {
     QGridLayout& grid = *newPage(*this, tr("Switches"));
     const QString pin = tr("Closed while checked.");
-    addSwitch(grid, u"power"_s, tr("Motor power"), tr("The motor's supply, not the module's."));
+    addSwitch(grid, u"power"_s, Common::tr("Motor power"), tr("The motor's supply, not the module's."));
     if (m_type == ModuleType::Stepper) {
         addSwitch(grid, u"limit1"_s, tr("Limit switch 1, forward"), pin);
         addSwitch(grid, u"limit2"_s, tr("Limit switch 2, reverse"), pin);
-        addSwitch(grid, u"home_switch"_s, tr("Home switch"), pin);
-        addSwitch(grid, u"estop"_s, tr("E-stop input"), pin);
+        addSwitch(grid, u"home_switch"_s, Common::tr("Home switch"), pin);
+        addSwitch(grid, u"estop"_s, Common::tr("E-stop input"), pin);
         addSwitch(grid, u"in1"_s, tr("Input 1"), pin);
         addSwitch(grid, u"in2"_s, tr("Input 2"), pin);
         addRow(grid, {.name = u"analog"_s,
-                      .label = tr("A/D input"),
-                      .unit = tr("of 255"),
+                      .label = Common::tr("A/D input"),
+                      .unit = Common::tr("of 255"),
                       .meaning = tr("The A/D reading of the temperature sensor."),
                       .max = 255,
                       .step = 1,
@@ -101,7 +102,7 @@ void ModuleBench::buildSwitches() {
         addSwitch(grid, u"index"_s, tr("Encoder index"), tr("Stays until the shaft moves."));
         addRow(grid, {.name = u"analog"_s,
                       .label = tr("Set the A/D input by hand"),
-                      .unit = tr("of 255"),
+                      .unit = Common::tr("of 255"),
                       .meaning = tr("If cleared, the A/D input reads the motor current."),
                       .max = 255,
                       .none = u"auto"_s});
@@ -112,7 +113,7 @@ void ModuleBench::buildSwitches() {
 }
 
 void ModuleBench::buildPins() {
-    QGridLayout& grid = *newPage(*this, tr("Pins"));
+    QGridLayout& grid = *newPage(*this, Common::tr("Pins"));
     auto* pins = new QGridLayout;
     grid.addLayout(pins, 0, 0, 1, 3);
     for (int pin = 0; pin < kPins; ++pin) {
@@ -126,8 +127,8 @@ void ModuleBench::buildPins() {
     }
     for (int input = 1; input <= io::kAnalogInputs; ++input)
         addRow(grid, {.name = u"analog%1"_s.arg(input),
-                      .label = tr("A/D %1").arg(input),
-                      .unit = tr("of 255"),
+                      .label = Common::tr("A/D %1").arg(input),
+                      .unit = Common::tr("of 255"),
                       .meaning = tr("255 is 5 V."),
                       .max = 255,
                       .step = 1,

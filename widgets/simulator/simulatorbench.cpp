@@ -12,6 +12,7 @@
 
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/simulator/benchtruth.h"
 #include "widgets/simulator/controllinebox.h"
@@ -51,7 +52,7 @@ SimulatorBench::SimulatorBench(QWidget* parent)
       m_io(new ModuleBench(ModuleType::Io, this)),
       m_truth(new BenchTruth(this)),
       m_line(new ControlLineBox(this)) {
-    look::name(this, u"simulatorBench"_s, tr("Simulator"));
+    look::name(this, u"simulatorBench"_s, Common::tr("Simulator"));
     buildContent();
     m_timer.setInterval(kPollMs);
     connect(&m_timer, &QTimer::timeout, this, &SimulatorBench::tick);
@@ -79,7 +80,7 @@ void SimulatorBench::buildContent() {
     auto* page = new QWidget(this);
     form::fill(page, form::newColumn(page, {m_benches, m_truth, nullptr}, form::kUsual));
     auto* scroll = new Page(this);
-    look::name(scroll, u"simScroll"_s, tr("Simulator"));
+    look::name(scroll, u"simScroll"_s, Common::tr("Simulator"));
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setFocusPolicy(Qt::NoFocus);

@@ -4,13 +4,14 @@
 #include <QAction>
 
 #include "widgets/common/look.h"
+#include "widgets/common/sharedwords.h"
 #include "widgets/simulator/simulatorbench.h"
 
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-SimulatorDock::SimulatorDock(QWidget* parent) : QDockWidget(tr("Simulator"), parent) {
+SimulatorDock::SimulatorDock(QWidget* parent) : QDockWidget(Common::tr("Simulator"), parent) {
     look::name(this, u"simulatorDock"_s, windowTitle());
     connect(toggleViewAction(), &QAction::triggered, this, &SimulatorDock::want);
 }
