@@ -9,7 +9,7 @@
 #include "widgets/common/positiontexts.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/travelwords.h"
-#include "widgets/messages/messagelist.h"
+#include "widgets/messages/messagemodel.h"
 #include "widgets/messages/messagepanel.h"
 
 namespace nmc {
@@ -26,9 +26,11 @@ MessageController::MessageController(MainWindow& window, const BusStore& store,
       m_recordings(recordings),
       m_log(logFolder) {
     MessagePanel& panel = m_window.messages();
-    connect(&panel.list(), &MessageList::told, this,
-            [this](const MessageEntry& entry) { keepLog(messageLine(entry)); });
-    connect(&panel.list(), &MessageList::ended, this,
+    const MessageModel& messages = m_window.messageModel();
+    const auto logReport = [this](const MessageEntry& entry) { keepLog(messageLine(entry)); };
+    connect(&messages, &MessageModel::reported, this, logReport);
+    connect(&messages, &MessageModel::amended, this, logReport);
+    connect(&messages, &MessageModel::ended, this,
             [this](const MessageEntry& entry) { keepLog(overLine(entry)); });
     connect(&m_log, &DayLog::failed, this, [this, &panel](const FileError& error) {
         report(texts::messagesNotKept(error));

@@ -203,6 +203,17 @@ TEST_F(Messages, GoodNewsDoesNotRaiseABanner) {
     EXPECT_EQ(list()->rows().size(), 1);
 }
 
+/// Otherwise, a click would be lost if news arrived between press and release.
+TEST_F(Messages, NewsThatTheBannerDoesNotShowLeavesItsButtonsAlone) {
+    window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}}));
+    QAbstractButton* retry = button(u"bannerAction_retry"_s);
+    QTest::mousePress(retry, Qt::LeftButton);
+    window->showMessage(texts::connected({std::vector<bus::ModuleInfo>(5), 115'200}, u"simulator"_s));
+    EXPECT_EQ(button(u"bannerAction_retry"_s), retry);
+    QTest::mouseRelease(retry, Qt::LeftButton);
+    EXPECT_EQ(actions.size(), 1);
+}
+
 TEST_F(Messages, ButtonsAreVerbsAndSayWhichMessage) {
     window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}}));
     click(u"bannerAction_retry"_s);

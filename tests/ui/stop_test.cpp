@@ -91,7 +91,7 @@ TEST_F(StopAll, SaysWhatItReachesAndWhatItReached) {
 /// This has happened: one motor held, two were off, and each Esc left another line in the list.
 TEST_F(StopAll, SaysWhatHoldsAndWhatWasOffInOneEntryHoweverOftenItIsPressed) {
     showServos({{}, {.index = 1, .on = false}, {.index = 2, .on = false}});
-    const auto rows = [this] { return find<MessageList>(u"messageList"_s)->entries(); };
+    const auto rows = [this] { return find<MessageList>(u"messageList"_s)->shownEntries(); };
     const std::size_t before = rows().size();
     const std::vector<ModuleIndex> all{ModuleIndex(0), ModuleIndex(1), ModuleIndex(2)};
     for (const double seconds : {0.022, 0.031, 0.019})

@@ -49,6 +49,8 @@ struct Message {
         MessageAction id;
         QString text;      ///< a verb phrase
         QString reason{};  ///< why it is disabled for now: operator mode
+
+        bool operator==(const Action&) const = default;
     };
     QString key{};
     std::optional<ModuleIndex> module{};  ///< the module that it is about
@@ -68,6 +70,7 @@ struct Message {
     std::uint32_t connection = 0;
 
     [[nodiscard]] bool offers(MessageAction action) const;
+    bool operator==(const Message&) const = default;
 };
 
 /// The only place that decides whether a button may act. A button that sends to modules or concerns the chain

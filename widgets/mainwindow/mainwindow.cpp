@@ -40,6 +40,7 @@
 #include "widgets/mainwindow/wheelfilter.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
+#include "widgets/messages/messagemodel.h"
 #include "widgets/messages/messagepanel.h"
 #include "widgets/monitor/monitordock.h"
 #include "widgets/panels/modulepanel.h"
@@ -63,6 +64,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent),
       m_settings(settings),
       m_requests(new Requests(this)),
+      m_model(new MessageModel(this)),
       m_colours(new ColourChoice(settings, this)),
       m_focus(new FocusKeeper(*this)),
       m_machineMenu(new MachineMenu(this)),
@@ -110,7 +112,7 @@ void MainWindow::buildTop() {
     m_start = new StartPage(*m_bar, m_panel);
     fillMenus(*menuBar, *this, m_bar->readOnlyAction(), m_layouts->docks(), m_settings);
     buildRibbons(top);
-    m_banner = new Banner(top);
+    m_banner = new Banner(*m_model, top);
     auto* layout = new QVBoxLayout(top);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -278,8 +280,7 @@ void MainWindow::showPhase(LinkPhase before) {
 
 void MainWindow::reviewMessages() {
     m_reviewedFor = m_session.link().rights;
-    m_banner->review(m_session.link());
-    m_messages->list().review(m_session.link());
+    m_model->review(m_session.link());
 }
 
 void MainWindow::showModules() {
@@ -412,21 +413,17 @@ Message MainWindow::ofThisConnection(Message message) const {
 
 void MainWindow::showMessage(const Message& news) {
     const Message message = ofThisConnection(news);
-    m_messages->showMessage(message);
-    m_banner->showMessage(message);
+    m_model->report(message);
     if (message.severity == Severity::Fault)
         m_bell->ring();
 }
 
 void MainWindow::amendMessage(const Message& news) {
-    const Message message = ofThisConnection(news);
-    m_messages->list().amendMessage(message);
-    m_banner->amendMessage(message);
+    m_model->amend(ofThisConnection(news));
 }
 
 void MainWindow::endMessage(const QString& key) {
-    m_messages->list().endMessage(key);
-    m_banner->endMessage(key);
+    m_model->end(key);
 }
 
 void MainWindow::takeMessageAction(const Message& message, MessageAction action) {

@@ -40,6 +40,7 @@ class LinkBar;
 class ChainMenu;
 class MachineMenu;
 class ManualWindow;
+class MessageModel;
 class MessagePanel;
 class ModulePanel;
 class MonitorDock;
@@ -123,6 +124,8 @@ public:
     [[nodiscard]] ColourChoice& colours() { return *m_colours; }
     [[nodiscard]] OperatorLock& operatorLock() { return *m_operator; }
     [[nodiscard]] MessagePanel& messages() { return *m_messages; }
+    /// All messages of this session.
+    [[nodiscard]] const MessageModel& messageModel() const { return *m_model; }
     /// Points and sequences: editing, preview, running.
     [[nodiscard]] SequencesDock& sequences() { return *m_sequences; }
     /// Paths of CMC and SC: opening, drawing, running.
@@ -232,6 +235,7 @@ private:
 
     QSettings& m_settings;
     Requests* m_requests;
+    MessageModel* m_model;
     ColourChoice* m_colours;
     Session m_session;
     FocusKeeper* m_focus;

@@ -35,10 +35,10 @@ void MainWindow::openManualAt(const QWidget* widget) {
 void MainWindow::openProblemReport() {
     auto* dialog = findChild<ReportDialog*>();
     if (dialog == nullptr) {
-        const QString report =
-            problemReport({m_settings, m_session.link(), m_monitor->figures(), m_bar->ports(),
-                           m_monitor->lastPackets(kReportedPackets),
-                           QString::fromStdString(messageText(m_messages->list().entries()))});
+        const QString report = problemReport(
+            {m_settings, m_session.link(), m_monitor->figures(), m_bar->ports(),
+             m_monitor->lastPackets(kReportedPackets),
+             QString::fromStdString(messageText({m_model->entries().begin(), m_model->entries().end()}))});
         dialog = new ReportDialog(report, *m_requests, this);
     }
     dialog->show();

@@ -2,8 +2,10 @@
 // The window's docks, and what they show in each layout.
 #include <QAction>
 #include <QDockWidget>
+#include <QLayout>
 #include <QResizeEvent>
 #include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 
 #include "widgets/axes/axesdock.h"
@@ -58,7 +60,7 @@ void MainWindow::buildDocks() {
     m_chain = new ChainView(this);
     m_scope = new ScopePanel(*m_requests, this);
     m_scopeDock = newDock(u"scopeDock"_s, Common::tr("Scope"), scrolled(m_scope));
-    m_messages = new MessagePanel(*m_requests, this);
+    m_messages = new MessagePanel(*m_model, *m_requests, this);
     m_simulator = new SimulatorDock(this);
     m_monitor = new MonitorDock(*m_requests, this);
     m_response = new ResponseDock(*m_requests, this);

@@ -48,9 +48,9 @@ void MainWindow::reviewQuestions() {
     if (std::exchange(m_waiting, title) == title)
         return;
     if (question != nullptr)
-        m_banner->showMessage(texts::questionWaits(title, question->text()));
+        m_banner->setNotice(texts::questionWaits(title, question->text()));
     else
-        m_banner->endMessage(texts::key::question());
+        m_banner->setNotice({});
 }
 
 void MainWindow::askBeforeRestart() {

@@ -26,8 +26,9 @@ bool asksForSomething(const Message& message) {
 }
 }  // namespace
 
-Banner::Banner(QWidget* parent)
+Banner::Banner(const MessageModel& model, QWidget* parent)
     : QFrame(parent),
+      m_model(model),
       m_glyph(new GlyphLabel(this)),
       m_headline(new ElidedLabel(1, this)),
       m_body(new ElidedLabel(1, this)),
@@ -45,12 +46,16 @@ Banner::Banner(QWidget* parent)
     m_all->setText(tr("Read all…"));  // determines the height in this language from the start
     m_all->setToolTip(tr("Shows the full text and all other messages in the message list."));
     look::name(m_all, u"bannerAll"_s, m_all->text());
-    connect(m_all, &QPushButton::clicked, this, [this] { emit allWanted(m_shown); });
+    connect(m_all, &QPushButton::clicked, this, [this] { emit allWanted(m_shown->key); });
     m_dismiss->setIcon(icons::tinted(u"x"_s));
     m_dismiss->setAutoRaise(true);
     m_dismiss->setToolTip(tr("Hides this message here. It stays in the message list."));
     look::name(m_dismiss, u"bannerDismiss"_s, tr("Hide this message"));
-    connect(m_dismiss, &QToolButton::clicked, this, [this] { endMessage(m_shown); });
+    connect(m_dismiss, &QToolButton::clicked, this, &Banner::hideShown);
+    connect(&m_model, &MessageModel::reported, this, &Banner::showReported);
+    connect(&m_model, &MessageModel::amended, this, &Banner::present);
+    connect(&m_model, &MessageModel::ended, this, &Banner::present);
+    connect(&m_model, &MessageModel::reviewed, this, &Banner::present);
 
     const int unit = look::gridUnit(this);
     setLayout(form::newLine(this, {m_glyph, m_headline, {m_body, 1}, m_actions, m_all, m_dismiss}));
@@ -64,58 +69,59 @@ QSize Banner::sizeHint() const {
     return {0, m_all->sizeHint().height() + look::gridUnit(this)};
 }
 
-void Banner::showMessage(const Message& message) {
-    endMessage(message.key);
-    // What went well is not worth a banner; it is in the list.
-    if (message.severity == Severity::Normal && !asksForSomething(message))
-        return;
-    m_active.append({message, ++m_count});
-    if (!message.stands)
-        forgetWhenOld(m_count);
+void Banner::setNotice(const std::optional<Message>& notice) {
+    m_notice = notice;
     present();
 }
 
-void Banner::forgetWhenOld(unsigned number) {
-    QTimer::singleShot(m_newsLife, this, [this, number] {
-        const auto old = [number](const Shown& shown) {
-            return shown.number == number && !asksForSomething(shown.message);
-        };
-        if (m_active.removeIf(old) > 0)
+void Banner::showReported(const MessageEntry& entry) {
+    m_hidden.erase(entry.number);
+    if (!entry.message.stands)
+        QTimer::singleShot(m_newsLife, this, [this, number = entry.number, count = entry.count] {
+            const auto& entries = m_model.entries();
+            const auto old = std::ranges::find(entries, number, &MessageEntry::number);
+            if (old == entries.end() || old->count != count || asksForSomething(old->message))
+                return;
+            m_hidden.insert(number);
             present();
-    });
-}
-
-void Banner::review(const LinkState& link) {
-    for (Shown& shown : m_active)
-        shown.message = withoutImpossible(shown.message, link);
+        });
     present();
 }
 
-void Banner::amendMessage(const Message& message) {
-    for (Shown& shown : m_active)
-        if (shown.message.key == message.key) {
-            shown.message = message;
-            return present();
-        }
+void Banner::hideShown() {
+    const QString key = m_shown->key;
+    if (m_notice && m_notice->key == key)
+        m_notice.reset();
+    for (const MessageEntry& entry : m_model.entries())
+        if (entry.message.key == key)
+            m_hidden.insert(entry.number);
+    present();
 }
 
-void Banner::endMessage(const QString& key) {
-    const auto removed = m_active.removeIf([&key](const Shown& shown) { return shown.message.key == key; });
-    if (removed > 0)
-        present();
-}
-
-const Message* Banner::current() const {
-    const Message* best = nullptr;
-    for (const Shown& shown : m_active)
-        if (best == nullptr || shown.message.severity >= best->severity)
-            best = &shown.message;
-    return best;
+std::vector<const Message*> Banner::candidates() const {
+    std::vector<const Message*> all;
+    if (m_notice)
+        all.push_back(&*m_notice);
+    for (const MessageEntry& entry : m_model.entries()) {
+        // What went well is not worth a banner; it is in the list.
+        const bool worthIt = entry.message.severity != Severity::Normal || asksForSomething(entry.message);
+        if (worthIt && !entry.ended() && !m_hidden.contains(entry.number))
+            all.push_back(&entry.message);
+    }
+    std::ranges::stable_sort(all,
+                             [](const Message* a, const Message* b) { return a->severity > b->severity; });
+    return all;
 }
 
 void Banner::present() {
-    const Message* message = current();
-    m_shown = message != nullptr ? message->key : QString();
+    const std::vector<const Message*> all = candidates();
+    const auto shown = all.empty() ? std::nullopt : std::optional(*all.front());
+    const int others = qMax(0, static_cast<int>(all.size()) - 1);
+    // A button that is being pressed must not be replaced by its like.
+    if (shown == m_shown && others == m_others)
+        return;
+    m_shown = shown;
+    m_others = others;
     while (QLayoutItem* item = m_actions->takeAt(0)) {
         // It may be the button whose click is being handled.
         if (QWidget* button = item->widget()) {
@@ -125,47 +131,45 @@ void Banner::present() {
         }
         delete item;
     }
-    if (message == nullptr) {
+    if (!shown) {
         hide();
         setAccessibleName(tr("Important message"));
         return;
     }
-    m_glyph->showSeverity(message->severity);
-    m_headline->setText(message->headline);
-    m_body->setText(message->body);
-    const auto others = static_cast<int>(m_active.size()) - 1;
+    m_glyph->showSeverity(shown->severity);
+    m_headline->setText(shown->headline);
+    m_body->setText(shown->body);
     m_all->setText(others > 0 ? tr("%1 more…").arg(others) : tr("Read all…"));
     m_all->setAccessibleName(m_all->text());
-    setToolTip(message->details);
-    setAccessibleDescription(message->body);
-    for (const Message::Action& action : message->actions) {
+    setToolTip(shown->details);
+    setAccessibleDescription(shown->body);
+    for (const Message::Action& action : shown->actions) {
         auto* button = new QPushButton(action.text, this);
         look::name(button, u"bannerAction_"_s + nmc::objectName(action.id), action.text);
         look::setPossible(button, action.reason, {});
         connect(button, &QPushButton::clicked, this,
-                [this, about = *message, id = action.id] { emit actionTriggered(about, id); });
+                [this, about = *shown, id = action.id] { emit actionTriggered(about, id); });
         m_actions->addWidget(button);
     }
     show();
     update();
     // Repeats and changed buttons are not announced.
-    const QString words = message->severity == Severity::Normal
-                              ? message->headline
-                              : texts::severity(message->severity) + u": "_s + message->headline;
+    const QString words = shown->severity == Severity::Normal
+                              ? shown->headline
+                              : texts::severity(shown->severity) + u": "_s + shown->headline;
     if (accessibleName() != words)
         accessibility::announce(*this, words);
 }
 
 void Banner::paintEvent(QPaintEvent* /*event*/) {
-    const Message* message = current();
-    if (message == nullptr)
+    if (!m_shown)
         return;
     QPainter painter(this);
-    painter.fillRect(rect(), look::severityTint(message->severity, palette()));
+    painter.fillRect(rect(), look::severityTint(m_shown->severity, palette()));
     const int edge = qMax(3, look::gridUnit(this) / 2);
-    painter.fillRect(QRect(0, 0, edge, height()), message->severity == Severity::Normal
+    painter.fillRect(QRect(0, 0, edge, height()), m_shown->severity == Severity::Normal
                                                       ? look::faintLine(palette())
-                                                      : look::severityFill(message->severity, palette()));
+                                                      : look::severityFill(m_shown->severity, palette()));
 }
 
 }  // namespace nmc

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <QFrame>
-#include <QList>
 #include <chrono>
+#include <optional>
+#include <set>
+#include <vector>
 
-#include "widgets/common/message.h"
+#include "widgets/messages/messagemodel.h"
 
 class QHBoxLayout;
 class QPushButton;
@@ -24,15 +26,11 @@ class Banner : public QFrame {
     Q_OBJECT
 
 public:
-    explicit Banner(QWidget* parent = nullptr);
+    /// `model` must outlive it.
+    explicit Banner(const MessageModel& model, QWidget* parent = nullptr);
 
-    void showMessage(const Message& message);
-    /// Changes the words of a message that it already has.
-    void amendMessage(const Message& message);
-    void endMessage(const QString& key);
-    /// Removes the buttons that may not act in this connection, and disables those that an operator may not
-    /// use.
-    void review(const LinkState& link);
+    /// Shows a message that is not in the model, or none, beside those that are.
+    void setNotice(const std::optional<Message>& notice);
     /// How long an event is news; 10 min by default. Applies to messages shown from now on.
     void setNewsLife(std::chrono::milliseconds life) { m_newsLife = life; }
 
@@ -50,18 +48,17 @@ protected:
 
 private:
     void present();
-    [[nodiscard]] const Message* current() const;
+    void hideShown();
+    void showReported(const MessageEntry& entry);
+    /// What may be shown, the most important first.
+    [[nodiscard]] std::vector<const Message*> candidates() const;
 
-    struct Shown {
-        Message message;
-        unsigned number = 0;  ///< consecutive number of the message
-    };
-    void forgetWhenOld(unsigned number);
-
-    QList<Shown> m_active;  ///< oldest first
-    unsigned m_count = 0;
+    const MessageModel& m_model;
+    std::optional<Message> m_notice;
+    std::set<unsigned> m_hidden;  ///< numbers of entries that the user has hidden, or that are old news
     std::chrono::milliseconds m_newsLife = std::chrono::minutes(10);
-    QString m_shown;
+    std::optional<Message> m_shown;
+    int m_others = 0;  ///< messages that could be shown instead
     GlyphLabel* m_glyph;
     ElidedLabel* m_headline;
     ElidedLabel* m_body;

@@ -15,6 +15,9 @@ struct MessageEntry {
     QDateTime time;    ///< when it was last reported
     QDateTime over{};  ///< when it ended; invalid: not yet
     int count = 1;
+    unsigned number = 0;  ///< of the cause, in this session
+
+    [[nodiscard]] bool ended() const { return over.isValid(); }
 };
 
 /// Which entries are shown; empty conditions let all entries pass.

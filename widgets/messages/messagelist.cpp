@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <iterator>
 
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
@@ -13,11 +15,7 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-constexpr qsizetype kMaxRows = 200;
-}  // namespace
-
-MessageList::MessageList(QWidget* parent) : QScrollArea(parent) {
+MessageList::MessageList(const MessageModel& model, QWidget* parent) : QScrollArea(parent), m_model(model) {
     look::name(this, u"messageList"_s, Common::tr("Messages"));
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
@@ -36,64 +34,68 @@ MessageList::MessageList(QWidget* parent) : QScrollArea(parent) {
     m_layout->addWidget(m_empty);
     m_layout->addStretch(1);
     setWidget(page);
+    connect(&m_model, &MessageModel::reported, this, &MessageList::showReported);
+    connect(&m_model, &MessageModel::amended, this, &MessageList::showEntry);
+    connect(&m_model, &MessageModel::ended, this, &MessageList::showEntry);
+    connect(&m_model, &MessageModel::reviewed, this, &MessageList::showReviewed);
     showWhetherEmpty();
 }
 
-MessageRow* MessageList::active(const QString& key) const {
-    for (MessageRow* row : m_rows)
-        if (row->message().key == key && !row->over())
-            return row;
-    return nullptr;
+MessageRow* MessageList::rowOf(const MessageEntry& entry) const {
+    const auto found = std::ranges::find_if(
+        m_rows, [&entry](const MessageRow* row) { return row->entry().number == entry.number; });
+    return found != m_rows.end() ? *found : nullptr;
 }
 
-void MessageList::showMessage(const Message& message, const QDateTime& time) {
-    MessageRow* row = active(message.key);
-    if (row != nullptr && row->message().headline != message.headline && !message.replaces) {
-        endRow(*row, time);
-        row = nullptr;
-    }
+void MessageList::showReported(const MessageEntry& entry) {
+    MessageRow* row = rowOf(entry);
     if (row != nullptr) {
-        row->repeat(message, time);
+        row->showEntry(entry);
         m_rows.removeOne(row);
         m_layout->removeWidget(row);
     } else {
-        row = new MessageRow(message, time, widget());
+        row = new MessageRow(entry, widget());
         connect(row, &MessageRow::actionTriggered, this, &MessageList::actionTriggered);
     }
     m_rows.prepend(row);
     m_layout->insertWidget(0, row);
-    showRow(*row);
+    filterRow(*row);
     verticalScrollBar()->setValue(0);
-    while (m_rows.size() > kMaxRows)
+    while (m_rows.size() > static_cast<qsizetype>(m_model.entries().size()))
         delete m_rows.takeLast();
     showWhetherEmpty();
-    emit told(row->entry());
 }
 
-void MessageList::showRow(MessageRow& row) {
+void MessageList::showEntry(const MessageEntry& entry) {
+    if (MessageRow* row = rowOf(entry)) {
+        row->showEntry(entry);
+        filterRow(*row);
+        showWhetherEmpty();
+    }
+}
+
+void MessageList::showReviewed() {
+    for (const MessageEntry& entry : m_model.entries())
+        if (MessageRow* row = entry.ended() ? nullptr : rowOf(entry))
+            row->showEntry(entry);
+}
+
+void MessageList::filterRow(MessageRow& row) {
     row.setVisible(m_filter.passes(row.entry()));
 }
 
 void MessageList::setFilter(const MessageFilter& filter) {
     m_filter = filter;
     for (MessageRow* row : m_rows)
-        showRow(*row);
+        filterRow(*row);
     showWhetherEmpty();
 }
 
 std::vector<MessageEntry> MessageList::shownEntries() const {
-    std::vector<MessageEntry> entries;
-    for (const MessageRow* row : m_rows)
-        if (m_filter.passes(row->entry()))
-            entries.push_back(row->entry());
-    return entries;
-}
-
-std::vector<MessageEntry> MessageList::entries() const {
-    std::vector<MessageEntry> entries;
-    for (const MessageRow* row : m_rows)
-        entries.push_back(row->entry());
-    return entries;
+    std::vector<MessageEntry> shown;
+    std::ranges::copy_if(m_model.entries(), std::back_inserter(shown),
+                         [this](const MessageEntry& entry) { return m_filter.passes(entry); });
+    return shown;
 }
 
 void MessageList::showWhetherEmpty() {
@@ -103,34 +105,10 @@ void MessageList::showWhetherEmpty() {
                                : tr("No message matches the filter above."));
 }
 
-void MessageList::amendMessage(const Message& message) {
-    if (MessageRow* row = active(message.key)) {
-        row->amend(message);
-        emit told(row->entry());
-    }
-}
-
-void MessageList::endMessage(const QString& key, const QDateTime& time) {
-    if (MessageRow* row = active(key))
-        endRow(*row, time);
-}
-
-void MessageList::endRow(MessageRow& row, const QDateTime& time) {
-    row.end(time);
-    showRow(row);
-    showWhetherEmpty();
-    emit ended(row.entry());
-}
-
-void MessageList::review(const LinkState& link) {
-    for (MessageRow* row : m_rows)
-        if (!row->over())
-            row->amend(withoutImpossible(row->message(), link));
-}
-
 void MessageList::reveal(const QString& key) {
-    if (MessageRow* row = active(key))
-        ensureWidgetVisible(row);
+    for (MessageRow* row : m_rows)
+        if (row->message().key == key && !row->over())
+            return ensureWidgetVisible(row);
 }
 
 }  // namespace nmc

@@ -20,9 +20,12 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-MessagePanel::MessagePanel(Requests& requests, QWidget* parent) : QWidget(parent), m_requests(requests) {
+MessagePanel::MessagePanel(const MessageModel& model, Requests& requests, QWidget* parent)
+    : QWidget(parent), m_requests(requests), m_list(new MessageList(model, this)) {
     look::name(this, u"messagePanel"_s, tr("Messages and their filter"));
     build();
+    connect(&model, &MessageModel::reported, this,
+            [this](const MessageEntry& entry) { offerModule(entry.message); });
     showLogFile({});
 }
 
@@ -46,7 +49,6 @@ void MessagePanel::build() {
     auto* save =
         form::newPush({u"messageExportButton"_s, tr("E&xport…"), tr("Export the messages shown")}, this);
     save->setToolTip(tr("Saves the messages shown to a text file."));
-    m_list = new MessageList(this);
     m_place = new ElidedLabel(1, this);
     m_place->setObjectName(u"messageLogLabel"_s);
     m_place->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -62,11 +64,6 @@ void MessagePanel::build() {
     auto* first = form::newLine(this, {{m_kind, 1}, {m_module, 1}, m_notOver}, 0.5);
     auto* second = form::newLine(this, {{m_text, 1}, save}, 0.5);
     form::fill(this, form::newColumn(this, {first, second, {m_list, 1}, m_place}, 0.5), 0.5);
-}
-
-void MessagePanel::showMessage(const Message& message) {
-    offerModule(message);
-    m_list->showMessage(message);
 }
 
 void MessagePanel::reveal(const QString& key) {

@@ -15,6 +15,7 @@ namespace nmc {
 
 class ElidedLabel;
 class MessageList;
+class MessageModel;
 class Requests;
 
 /// The list of messages with its filter, and the file in which messages are kept beyond this session.
@@ -22,11 +23,10 @@ class MessagePanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit MessagePanel(Requests& requests, QWidget* parent = nullptr);
+    /// `model` must outlive it.
+    MessagePanel(const MessageModel& model, Requests& requests, QWidget* parent = nullptr);
 
     [[nodiscard]] MessageList& list() { return *m_list; }
-    /// Adds the message to the list, and its module to the filter.
-    void showMessage(const Message& message);
     void reveal(const QString& key);
     /// `file`: where messages are kept; empty: they are not.
     void showLogFile(const QString& file);
@@ -38,11 +38,11 @@ private:
     void saveAs();
 
     Requests& m_requests;
+    MessageList* m_list;
     QComboBox* m_kind = nullptr;
     QComboBox* m_module = nullptr;
     QLineEdit* m_text = nullptr;
     QCheckBox* m_notOver = nullptr;
-    MessageList* m_list = nullptr;
     ElidedLabel* m_place = nullptr;
     std::set<ModuleIndex> m_modules;  ///< the modules that messages were about
 };

@@ -15,9 +15,8 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-MessageRow::MessageRow(const Message& message, const QDateTime& time, QWidget* parent)
+MessageRow::MessageRow(const MessageEntry& entry, QWidget* parent)
     : QFrame(parent),
-      m_entry{message, time},
       m_glyph(new GlyphLabel(this)),
       m_when(look::newMutedLabel({}, this)),
       m_headline(form::newHeading({}, this)),
@@ -45,37 +44,21 @@ MessageRow::MessageRow(const Message& message, const QDateTime& time, QWidget* p
     grid->addWidget(m_body, 2, 1);
     grid->addLayout(m_actions, 3, 1);
     grid->setColumnStretch(1, 1);
-    present();
+    showEntry(entry);
 }
 
-void MessageRow::repeat(const Message& message, const QDateTime& time) {
-    m_entry.message = message;
-    m_entry.time = time;
-    ++m_entry.count;
-    present();
-}
-
-void MessageRow::amend(const Message& message) {
-    m_entry.message = message;
-    present();
-}
-
-void MessageRow::end(const QDateTime& time) {
-    m_entry.over = time;
-    present();
-}
-
-void MessageRow::present() {
+void MessageRow::showEntry(const MessageEntry& entry) {
+    m_entry = entry;
     const QDate today = QDate::currentDate();
     QStringList when{timeText(m_entry.time, today)};
     if (m_entry.message.severity != Severity::Normal)
         when << texts::severity(m_entry.message.severity);
     if (m_entry.count > 1)
         when << tr("%n times", nullptr, m_entry.count);
-    if (m_entry.over.isValid())
+    if (m_entry.ended())
         when << Common::tr("ended at %1").arg(timeText(m_entry.over, m_entry.time.date()));
     m_when->setText(when.join(u" · "_s));
-    m_glyph->showSeverity(m_entry.over.isValid() ? Severity::Normal : m_entry.message.severity);
+    m_glyph->showSeverity(m_entry.ended() ? Severity::Normal : m_entry.message.severity);
     m_headline->setText(m_entry.message.headline);
     m_body->setText(m_entry.message.body);
     m_body->setVisible(!m_entry.message.body.isEmpty());
@@ -92,7 +75,7 @@ void MessageRow::present() {
     }
     for (const Message::Action& action : m_entry.message.actions) {
         // The record can still be viewed; all other actions have become pointless.
-        if (m_entry.over.isValid() && action.id != MessageAction::ShowRecord)
+        if (m_entry.ended() && action.id != MessageAction::ShowRecord)
             continue;
         auto* button = new QPushButton(action.text, this);
         button->setFlat(true);

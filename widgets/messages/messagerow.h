@@ -13,30 +13,24 @@ namespace nmc {
 
 class GlyphLabel;
 
-/// One cause in the message list: when it happened last, how often, and what to do about it.
+/// One entry in the message list: when it happened last, how often, and what to do about it.
 class MessageRow : public QFrame {
     Q_OBJECT
 
 public:
-    MessageRow(const Message& message, const QDateTime& time, QWidget* parent = nullptr);
+    explicit MessageRow(const MessageEntry& entry, QWidget* parent = nullptr);
 
-    /// Repeats the cause: its words may be new, and the count is increased.
-    void repeat(const Message& message, const QDateTime& time);
-    /// Changes the words, but neither time nor count.
-    void amend(const Message& message);
-    void end(const QDateTime& time);
+    void showEntry(const MessageEntry& entry);
 
     [[nodiscard]] const MessageEntry& entry() const { return m_entry; }
     [[nodiscard]] const Message& message() const { return m_entry.message; }
     [[nodiscard]] int count() const { return m_entry.count; }
-    [[nodiscard]] bool over() const { return m_entry.over.isValid(); }
+    [[nodiscard]] bool over() const { return m_entry.ended(); }
 
 signals:
     void actionTriggered(const nmc::Message& message, nmc::MessageAction action);
 
 private:
-    void present();
-
     MessageEntry m_entry;
     GlyphLabel* m_glyph;
     QLabel* m_when;

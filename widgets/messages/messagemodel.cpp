@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/messages/messagemodel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace nmc {
+
+MessageModel::Entries::iterator MessageModel::active(const QString& key) {
+    return std::ranges::find_if(
+        m_entries, [&key](const MessageEntry& entry) { return entry.message.key == key && !entry.ended(); });
+}
+
+void MessageModel::report(const Message& message, const QDateTime& time) {
+    auto found = active(message.key);
+    if (found != m_entries.end() && found->message.headline != message.headline && !message.replaces) {
+        endAt(found, time);
+        found = m_entries.end();
+    }
+    MessageEntry entry{.message = message, .time = time, .number = ++m_number};
+    if (found != m_entries.end()) {
+        entry.number = found->number;
+        entry.count = found->count + 1;
+        m_entries.erase(found);
+    }
+    m_entries.push_front(std::move(entry));
+    if (m_entries.size() > kMost)
+        m_entries.pop_back();
+    emit reported(m_entries.front());
+}
+
+void MessageModel::amend(const Message& message) {
+    const auto entry = active(message.key);
+    if (entry == m_entries.end())
+        return;
+    entry->message = message;
+    emit amended(*entry);
+}
+
+void MessageModel::end(const QString& key, const QDateTime& time) {
+    if (const auto entry = active(key); entry != m_entries.end())
+        endAt(entry, time);
+}
+
+void MessageModel::endAt(Entries::iterator entry, const QDateTime& time) {
+    entry->over = time;
+    emit ended(*entry);
+}
+
+void MessageModel::review(const LinkState& link) {
+    for (MessageEntry& entry : m_entries)
+        if (!entry.ended())
+            entry.message = withoutImpossible(entry.message, link);
+    emit reviewed();
+}
+
+}  // namespace nmc
