@@ -92,7 +92,7 @@ void MessageActions::act(const Message& message, MessageAction action) {
 void MessageActions::lookFirst(const QString& key) {
     if (m_worker.isOpen())
         return m_messages.report(texts::openAlready());  // closing the open connection might stop the motors
-    if (const MotionMarker::Left* left = m_motions.reportedBy(key))
+    if (const MotionKeeper::Left* left = m_motions.reportedBy(key))
         m_window.choosePort(left->port, left->baud);
     m_window.connectReadOnly();
 }
