@@ -108,14 +108,13 @@ std::vector<const Message*> Banner::candidates() const {
         if (worthIt && !entry.ended() && !m_hidden.contains(entry.number))
             all.push_back(&entry.message);
     }
-    std::ranges::stable_sort(all,
-                             [](const Message* a, const Message* b) { return a->severity > b->severity; });
     return all;
 }
 
 void Banner::present() {
     const std::vector<const Message*> all = candidates();
-    const auto shown = all.empty() ? std::nullopt : std::optional(*all.front());
+    const auto best = std::ranges::max_element(all, {}, [](const Message* one) { return one->severity; });
+    const auto shown = best == all.end() ? std::nullopt : std::optional(**best);
     const int others = qMax(0, static_cast<int>(all.size()) - 1);
     // A button that is being pressed must not be replaced by its like.
     if (shown == m_shown && others == m_others)

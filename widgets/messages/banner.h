@@ -50,7 +50,7 @@ private:
     void present();
     void hideShown();
     void showReported(const MessageEntry& entry);
-    /// What may be shown, the most important first.
+    /// What may be shown, the one reported last first.
     [[nodiscard]] std::vector<const Message*> candidates() const;
 
     const MessageModel& m_model;
