@@ -24,14 +24,6 @@ struct Reporter {
 
     using All = std::vector<News>;
 
-    [[nodiscard]] std::vector<ModuleIndex> moving() const {
-        std::vector<ModuleIndex> found;
-        for (const ModuleState& module : link.modules)
-            if (module.moving())
-                found.push_back(module.info.index);
-        return found;
-    }
-
     All operator()(const bus::ChainFound& found) const {
         All all{{texts::connected(found, port)}};
         if (found.replyGap > Duration{})
@@ -53,7 +45,7 @@ struct Reporter {
         return {{texts::refused(refused), Until::ModuleObeys}};
     }
     All operator()(const bus::LinkLost&) const {
-        return {{texts::withRecord(texts::linkLost(port, moving()))}};
+        return {{texts::withRecord(texts::linkLost(port, movingModules(link)))}};
     }
     All operator()(const bus::EchoNoticed&) const {
         return {{texts::echoNoticed(port), Until::ConnectionEnds}};
@@ -125,7 +117,7 @@ struct Reporter {
         return {{texts::portProblem(error)}};
     }
     All operator()(const PanelFroze& froze) const {
-        if (!froze.stopped && moving().empty())
+        if (!froze.stopped && movingModules(link).empty())
             return {};
         return {{texts::panelFroze(toSeconds(froze.length), froze.stopped)}};
     }

@@ -51,14 +51,6 @@ const ModuleState* BusStore::module(ModuleIndex index) const {
     return known(index) ? &m_link.modules[index.value()] : nullptr;
 }
 
-std::vector<ModuleIndex> BusStore::movingModules() const {
-    std::vector<ModuleIndex> moving;
-    for (const ModuleState& module : m_link.modules)
-        if (module.moving())
-            moving.push_back(module.info.index);
-    return moving;
-}
-
 LinkFigures BusStore::pullFigures(TimePoint now) {
     LinkFigures figures;
     const bus::LinkStatistics statistics = m_worker.statistics();
@@ -419,7 +411,7 @@ void BusStore::closed(const PortClosed& closed) {
     PortClosed news = closed;
     m_link.unplugged = news.error && news.error->problem == PortProblem::Gone;
     if (m_link.unplugged)
-        news.error->moving = movingModules();
+        news.error->moving = movingModules(m_link);
     m_link.phase = LinkPhase::Disconnected;
     m_link.readOnly = false;
     forgetChain();

@@ -41,8 +41,7 @@ public:
     /// The samples of this connection's modules, or of the last connection's: they are kept until a different
     /// chain is found.
     [[nodiscard]] const History& history() const { return m_history; }
-    [[nodiscard]] int movingMotors() const { return static_cast<int>(movingModules().size()); }
-    [[nodiscard]] std::vector<ModuleIndex> movingModules() const;
+    [[nodiscard]] int movingMotors() const { return static_cast<int>(movingModules(m_link).size()); }
 
     /// Notes the operation whose end is awaited; OperationFinished clears it.
     void noteAsked(ModuleIndex module, bus::OperationId operation);

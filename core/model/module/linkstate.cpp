@@ -31,6 +31,14 @@ bool isMissing(const ModuleState& module) {
     return module.silent && !module.latest && !module.hasRestarted;
 }
 
+std::vector<ModuleIndex> movingModules(const LinkState& link) {
+    std::vector<ModuleIndex> moving;
+    for (const ModuleState& module : link.modules)
+        if (module.moving())
+            moving.push_back(module.info.index);
+    return moving;
+}
+
 namespace {
 
 /// The planned interval between two polls of a module. On a bad line, replies arrive more rarely, but the

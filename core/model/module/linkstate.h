@@ -54,6 +54,7 @@ struct LinkState {
 /// True if the module is known to belong to this chain, but has not answered since the chain was found, nor
 /// was it reported as restarted.
 [[nodiscard]] bool isMissing(const ModuleState& module);
+[[nodiscard]] std::vector<ModuleIndex> movingModules(const LinkState& link);
 
 /// The figures that the status bar fetches once a second.
 struct LinkFigures {
