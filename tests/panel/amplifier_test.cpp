@@ -35,11 +35,16 @@ protected:
         ASSERT_TRUE(panel.waitFor([&] { return button.isEnabled(); })) << button.toolTip().toStdString();
         QTest::mouseClick(&button, Qt::LeftButton, {}, {button.height() / 2, button.height() / 2});
     }
-    void chooseLimits(int presses) {
+    /// As long as nothing is selected, the first press selects the first option.
+    void chooseLimits(int option) {
         auto& box = find<QComboBox>("limitProtectionBox");
         box.setFocus();
-        for (int i = 0; i < presses; ++i)
+        for (int i = box.currentIndex(); i < option; ++i)
             QTest::keyClick(&box, Qt::Key_Down);
+        ASSERT_EQ(box.currentIndex(), option);
+    }
+    [[nodiscard]] QString mark(const char* setting) {
+        return find<QLabel>((std::string(setting) + "State").c_str()).toolTip();
     }
     void apply() {
         ASSERT_NO_FATAL_FAILURE(press("applyAmplifierButton"));
@@ -68,7 +73,7 @@ protected:
 };
 
 TEST_F(AmplifierPage, AClosedLimitStopsTheMotorAndItIsShownAtRest) {
-    chooseLimits(1);
+    ASSERT_NO_FATAL_FAILURE(chooseLimits(1));
     ASSERT_NO_FATAL_FAILURE(apply());
     ASSERT_NO_FATAL_FAILURE(enableAndRun());
     (void)sim.control(u"set 1 limit1 1"_s);
@@ -89,7 +94,7 @@ TEST_F(AmplifierPage, AClosedLimitStopsTheMotorAndItIsShownAtRest) {
 }
 
 TEST_F(AmplifierPage, ALimitThatSwitchesOffIsToldAsTheCause) {
-    chooseLimits(2);
+    ASSERT_NO_FATAL_FAILURE(chooseLimits(2));
     ASSERT_NO_FATAL_FAILURE(apply());
     ASSERT_NO_FATAL_FAILURE(enableAndRun());
     (void)sim.control(u"set 1 limit1 1"_s);
@@ -99,7 +104,54 @@ TEST_F(AmplifierPage, ALimitThatSwitchesOffIsToldAsTheCause) {
     }));
 }
 
+TEST_F(AmplifierPage, WhatTheLimitInputsDoIsUnknownUntilItIsChosen) {
+    ASSERT_NO_FATAL_FAILURE(press("antiphaseBox"));
+    const auto& apply = find<QAbstractButton>("applyAmplifierButton");
+    EXPECT_FALSE(apply.isEnabled());
+    EXPECT_TRUE(apply.toolTip().contains(u"Choose what the limit inputs do."_s))
+        << apply.toolTip().toStdString();
+    ASSERT_NO_FATAL_FAILURE(chooseLimits(0));
+    EXPECT_TRUE(panel.waitFor([&] { return apply.isEnabled(); }));
+}
+
+TEST_F(AmplifierPage, EverySettingShowsWhetherItWasSent) {
+    for (const char* setting : {"limitProtection", "threePhase", "antiphase", "stepperInput", "fastPath"})
+        EXPECT_EQ(mark(setting), u"? unknown"_s) << setting;
+    ASSERT_NO_FATAL_FAILURE(press("antiphaseBox"));
+    EXPECT_EQ(mark("antiphase"), u"● not sent"_s);
+    EXPECT_EQ(mark("threePhase"), u"? unknown"_s);
+    ASSERT_NO_FATAL_FAILURE(chooseLimits(1));
+    ASSERT_NO_FATAL_FAILURE(apply());
+    for (const char* setting : {"limitProtection", "threePhase", "antiphase", "stepperInput", "fastPath"})
+        EXPECT_EQ(mark(setting), u"✓ sent"_s) << setting;
+}
+
+TEST_F(AmplifierPage, AnEditCanBeUndoneAndReverted) {
+    ASSERT_NO_FATAL_FAILURE(chooseLimits(1));
+    ASSERT_NO_FATAL_FAILURE(apply());
+    const auto& threePhase = find<QAbstractButton>("threePhaseBox");
+    ASSERT_NO_FATAL_FAILURE(press("threePhaseBox"));
+    EXPECT_EQ(mark("threePhase"), u"● not sent"_s);
+    ASSERT_NO_FATAL_FAILURE(press("undoAmplifierButton"));
+    EXPECT_FALSE(threePhase.isChecked());
+    EXPECT_EQ(mark("threePhase"), u"✓ sent"_s);
+    ASSERT_NO_FATAL_FAILURE(press("redoAmplifierButton"));
+    EXPECT_TRUE(threePhase.isChecked());
+    ASSERT_NO_FATAL_FAILURE(press("revertAmplifierButton"));
+    EXPECT_FALSE(threePhase.isChecked());
+    EXPECT_FALSE(sim.state(1)[u"three_phase"_s].toBool());
+}
+
+TEST_F(AmplifierPage, AnEditIsKeptWhileTheModuleReportsOnlyItsStatus) {
+    ASSERT_NO_FATAL_FAILURE(chooseLimits(2));
+    ASSERT_NO_FATAL_FAILURE(press("stepperInputBox"));
+    EXPECT_TRUE(panel.answersFor(0.3));
+    EXPECT_EQ(find<QComboBox>("limitProtectionBox").currentIndex(), 2);
+    EXPECT_TRUE(find<QAbstractButton>("stepperInputBox").isChecked());
+}
+
 TEST_F(AmplifierPage, NothingIsSentWithoutAYes) {
+    ASSERT_NO_FATAL_FAILURE(chooseLimits(0));
     ASSERT_NO_FATAL_FAILURE(press("threePhaseBox"));
     ASSERT_NO_FATAL_FAILURE(press("applyAmplifierButton"));
     ASSERT_NO_FATAL_FAILURE(press("applyAmplifierQuestionCancel"));
@@ -109,6 +161,7 @@ TEST_F(AmplifierPage, NothingIsSentWithoutAYes) {
 }
 
 TEST_F(AmplifierPage, WhatIsSavedComesBackAtPowerUp) {
+    ASSERT_NO_FATAL_FAILURE(chooseLimits(0));
     ASSERT_NO_FATAL_FAILURE(press("antiphaseBox"));
     ASSERT_NO_FATAL_FAILURE(apply());
     ASSERT_NO_FATAL_FAILURE(press("saveAddressBox"));

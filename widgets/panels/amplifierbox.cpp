@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QLabel>
-#include <QPointer>
 
 #include "widgets/common/askdialog.h"
 #include "widgets/common/flowlayout.h"
@@ -20,23 +19,23 @@ using namespace Qt::StringLiterals;
 namespace {
 using servo::LimitStop;
 
+/// The fields of the form that the command sends.
+enum Setting : std::size_t { Limits, ThreePhase, Antiphase, StepAndDirection, FastPath };
+
 QString onOrOff(bool on) {
     return on ? Common::tr("on") : Common::tr("off");
 }
 }  // namespace
 
 AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
-    : QWidget(parent),
-      m_context(context),
-      m_threePhase(
-          newBox(u"threePhaseBox"_s, tr("3-phase commutation"),
-                 tr("For a brushless motor with Hall sensors and a 3-phase amplifier. Off: a brush motor."))),
-      m_antiphase(
-          newBox(u"antiphaseBox"_s, tr("Antiphase PWM"),
-                 tr("For a locked-antiphase amplifier: 50 % PWM is zero output. Off: PWM and direction."))),
-      m_steps(newBox(
-          u"stepperInputBox"_s, tr("Step and direction input"),
-          tr("The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection."))),
+    : StagedForm(context,
+                 {.what = u"Amplifier"_s,
+                  .undo = tr("Undo the last edit of the amplifier settings"),
+                  .redo = tr("Redo the edit of the amplifier settings"),
+                  .revert = tr("Revert the amplifier settings to those last sent"),
+                  .sentOnes = tr("Restores the amplifier settings last sent. Sends nothing."),
+                  .none = tr("Clears the fields: no amplifier settings have been sent yet. Sends nothing.")},
+                 parent),
       m_limits(form::newChoice(
           {.name = u"limitProtectionBox"_s,
            .accessible = tr("Limit inputs"),
@@ -47,8 +46,6 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
                "What the module does by itself when limit 1 closes while it counts up, or limit 2 while it "
                "counts down. It stays armed.")},
           this)),
-      m_fastPath(newBox(u"fastPathBox"_s, Common::tr("Fast path"),
-                        tr("Path points at 60 and 120 Hz instead of 30 and 60 Hz."))),
       m_apply(new Command({.name = u"applyAmplifierButton"_s,
                            .icon = u"send"_s,
                            .text = tr("Apply…"),
@@ -92,24 +89,53 @@ AmplifierBox::AmplifierBox(ModuleContext& context, QWidget* parent)
     grid->end();
     grid->setColumnStretch(2, 1);
     grid->setColumnStretch(3, 0);
-    m_context.whenSeen(this, [this] { showModule(); });
+    begin(*m_apply);
 }
 
 QCheckBox* AmplifierBox::newBox(const QString& objectName, const QString& text, const QString& meaning) {
     auto* box = form::newCheck({.name = objectName, .text = text, .meaning = meaning}, this);
-    connect(box, &QCheckBox::clicked, this, &AmplifierBox::refresh);
+    connect(box, &QCheckBox::clicked, this, [this] { refresh(); });
     return box;
 }
 
+void AmplifierBox::addSetting(FormGrid& grid, const form::Check& check) {
+    addField(&grid, {.object = check.name.chopped(3), .label = {}, .meaning = check.meaning},
+             form::newCheck(check, this));
+}
+
+/// The settings, in the order of Setting.
 void AmplifierBox::buildDrive(FormGrid& grid) {
-    connect(m_limits, &QComboBox::activated, this, &AmplifierBox::refresh);
-    grid.addRow(tr("Limit inputs"), m_limits);
-    for (QCheckBox* box : {m_threePhase, m_antiphase, m_steps, m_fastPath})
-        grid.addWide(box);
-    grid.addWidget(m_state, grid.row(), 0, 1, 3);
-    grid.addLine({nullptr, nullptr, nullptr, m_apply->button()});
+    addField(&grid,
+             {.object = u"limitProtection"_s, .label = tr("Limit inputs"), .meaning = m_limits->toolTip()},
+             m_limits);
+    addSetting(
+        grid,
+        {.name = u"threePhaseBox"_s,
+         .text = tr("3-phase commutation"),
+         .meaning = tr("For a brushless motor with Hall sensors and a 3-phase amplifier. Off: a brush motor.")});
+    addSetting(
+        grid,
+        {.name = u"antiphaseBox"_s,
+         .text = tr("Antiphase PWM"),
+         .meaning = tr("For a locked-antiphase amplifier: 50 % PWM is zero output. Off: PWM and direction.")});
+    addSetting(
+        grid,
+        {.name = u"stepperInputBox"_s,
+         .text = tr("Step and direction input"),
+         .meaning = tr(
+             "The motor follows step pulses at the limit pins instead of commands. The limit inputs then give no protection.")});
+    addSetting(grid, {.name = u"fastPathBox"_s,
+                      .text = Common::tr("Fast path"),
+                      .meaning = tr("Path points at 60 and 120 Hz instead of 30 and 60 Hz.")});
+    buildCommands();
+    auto* buttons = new FlowLayout(look::gridUnit(this));
+    for (const Command* command : {undoCommand(), redoCommand(), revertCommand(), m_apply})
+        buttons->addWidget(command->button());
+    grid.addWide(m_state);
+    grid.addWide(buttons);
+    grid.addWide(hint());
     m_multiplier->showValue(1);
-    connect(m_multiplier, &NumberField::edited, this, &AmplifierBox::refresh);
+    connect(m_multiplier, &NumberField::edited, this, [this] { refresh(); });
     grid.addRow(tr("Step multiplier"), m_multiplier, {nullptr, m_setMultiplier->button()});
 }
 
@@ -130,17 +156,38 @@ void AmplifierBox::buildSaved(FormGrid& grid) {
     grid.addWide(buttons);
 }
 
-servo::ScIoControl AmplifierBox::wanted() const {
-    return {.limitStop = form::chosen<LimitStop>(m_limits),
-            .threePhase = m_threePhase->isChecked(),
-            .antiphase = m_antiphase->isChecked(),
-            .fastPath = m_fastPath->isChecked(),
-            .stepAndDirection = m_steps->isChecked()};
+std::optional<StagedForm::Values> AmplifierBox::kept() const {
+    if (const auto& fastPath = context().settings().fastPath; !m_edited && !sent() && fastPath)
+        return Values{std::nullopt, std::nullopt, std::nullopt, std::nullopt, *fastPath ? 1 : 0};
+    return m_edited;
+}
+
+std::optional<StagedForm::Values> AmplifierBox::sent() const {
+    const auto& io = context().state().scIo;
+    if (!io)
+        return std::nullopt;
+    return Values{static_cast<int>(io->limitStop), io->threePhase, io->antiphase, io->stepAndDirection,
+                  io->fastPath};
+}
+
+void AmplifierBox::keep() {
+    m_edited = entered();
+}
+
+std::optional<servo::ScIoControl> AmplifierBox::wanted() const {
+    if (!complete())
+        return std::nullopt;
+    const auto on = [this](Setting setting) { return field(setting).value() == 1; };
+    return servo::ScIoControl{.limitStop = form::chosen<LimitStop>(m_limits),
+                              .threePhase = on(ThreePhase),
+                              .antiphase = on(Antiphase),
+                              .fastPath = on(FastPath),
+                              .stepAndDirection = on(StepAndDirection)};
 }
 
 /// Takes the settings that the module has, not those in the fields.
 servo::HardReset AmplifierBox::wantedSaved() const {
-    const servo::ScIoControl now = m_context.state().scIo.value_or(servo::ScIoControl{});
+    const servo::ScIoControl now = context().state().scIo.value_or(servo::ScIoControl{});
     return {.save = true,
             .restoreAddresses = m_savesAddress->isChecked(),
             .amplifierOn = m_savesAmplifier->isChecked(),
@@ -151,28 +198,8 @@ servo::HardReset AmplifierBox::wantedSaved() const {
             .antiphase = now.antiphase};
 }
 
-void AmplifierBox::showModule() {
-    const auto& kept = m_context.settings().fastPath;
-    if (const auto& now = m_context.state().scIo; now != m_shown) {
-        m_shown = now;
-        m_kept.reset();
-        const servo::ScIoControl shown = now.value_or(servo::ScIoControl{});
-        form::choose(m_limits, shown.limitStop);
-        m_threePhase->setChecked(shown.threePhase);
-        m_antiphase->setChecked(shown.antiphase);
-        m_steps->setChecked(shown.stepAndDirection);
-        m_fastPath->setChecked(shown.fastPath);
-    }
-    // While the settings of the module are unknown, fast path is shown as the machine has it.
-    if (!m_shown && kept != m_kept) {
-        m_kept = kept;
-        m_fastPath->setChecked(kept.value_or(false));
-    }
-    refresh();
-}
-
 QString AmplifierBox::stateText() const {
-    const auto& now = m_context.state().scIo;
+    const auto& now = context().state().scIo;
     if (!now)
         return tr(
             "? Unknown: nothing has been applied in this connection, and the settings cannot be read back. The module may have saved settings.");
@@ -181,23 +208,26 @@ QString AmplifierBox::stateText() const {
              m_limits->itemText(m_limits->findData(static_cast<int>(now->limitStop))));
 }
 
-void AmplifierBox::refresh() {
+void AmplifierBox::refreshRest() {
     AskDialog::reviewAll(*this);
     look::setText(m_state, stateText());
-    const QString now = m_context.reasonNow(IntentKind::ControlSc);
+    const QString now = context().reasonNow(IntentKind::ControlSc);
+    const auto wanted = this->wanted();
     QString reason = now;
-    if (reason.isEmpty() && m_steps->isChecked() && wanted().limitStop != LimitStop::None)
+    if (reason.isEmpty() && !wanted)
+        reason = tr("Choose what the limit inputs do.");
+    if (reason.isEmpty() && wanted->stepAndDirection && wanted->limitStop != LimitStop::None)
         reason = tr("Step and direction uses the limit pins: set the limit inputs to do nothing.");
-    if (reason.isEmpty() && m_context.state().scIo == wanted())
+    if (reason.isEmpty() && context().state().scIo == wanted)
         reason = tr("The module already has these settings.");
     m_apply->setPossible(reason, tr("Takes AMP_EN low and sends these settings."));
-    const auto& gains = m_context.state().gains;
-    QString multiplier = m_context.reasonNow(IntentKind::ApplyGains);
+    const auto& gains = context().state().gains;
+    QString multiplier = context().reasonNow(IntentKind::ApplyGains);
     if (multiplier.isEmpty())
         multiplier = gains ? m_multiplier->problemText() : texts::refusal(Refusal::GainsUnknown);
     m_setMultiplier->setPossible(multiplier, tr("Sends the module's present gains with this multiplier."));
     QString save = now;
-    if (save.isEmpty() && !m_context.state().scIo)
+    if (save.isEmpty() && !context().state().scIo)
         save = tr("Apply the amplifier settings first: the module's present settings are unknown.");
     m_save->setPossible(save, tr("Saves the module's present settings and restarts it."));
     m_erase->setPossible(now, tr("Erases the module's saved configuration and restarts it."));
@@ -208,26 +238,29 @@ void AmplifierBox::question(const QString& name, const QString& title, const QSt
     AskDialog::ask(
         {.name = name,
          .title = title,
-         .text = [this, text] { return m_context.whyNot(IntentKind::ControlSc) ? QString() : text; },
+         .text = [this, text] { return context().whyNot(IntentKind::ControlSc) ? QString() : text; },
          .stay = Common::tr("Cancel"),
          .stayName = name + u"Cancel"_s,
          .stayIsDefault = true},
-        {{verb, name + u"Go"_s, [this, intent] { m_context.ask(intent); }}}, this);
+        {{verb, name + u"Go"_s, [this, intent] { context().ask(intent); }}}, this);
 }
 
 void AmplifierBox::apply() {
+    const auto wanted = this->wanted();
+    if (!wanted)
+        return;
     question(
         u"applyAmplifierQuestion"_s, tr("Apply amplifier settings"),
         tr("Apply these settings to %1? If 3-phase, antiphase or step and direction do not match the amplifier and its wiring, the amplifier can be destroyed, or the motor can run away once it is enabled.")
-            .arg(texts::moduleName(m_context.state().info.index)),
-        tr("Apply settings"), intent::ControlSc{wanted()});
+            .arg(texts::moduleName(context().state().info.index)),
+        tr("Apply settings"), intent::ControlSc{*wanted});
 }
 
 void AmplifierBox::save() {
     const servo::HardReset saved = wantedSaved();
     QString text =
         tr("Save the configuration of %1? It takes effect at each power-up, whatever is connected then. The module restarts now: its motor switches off, and it needs its gains again.")
-            .arg(texts::moduleName(m_context.state().info.index));
+            .arg(texts::moduleName(context().state().info.index));
     if (saved.amplifierOn || saved.servoOn)
         text += u' ' + tr("Its motor will be driven right after power-up, without a command.");
     question(u"saveConfigurationQuestion"_s, tr("Save in module"), text, tr("Save and restart"),
@@ -238,19 +271,19 @@ void AmplifierBox::erase() {
     question(
         u"eraseConfigurationQuestion"_s, tr("Erase saved configuration"),
         tr("Erase the saved configuration of %1? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.")
-            .arg(texts::moduleName(m_context.state().info.index)),
+            .arg(texts::moduleName(context().state().info.index)),
         tr("Erase and restart"), intent::SaveConfiguration{servo::HardReset{}});
 }
 
 void AmplifierBox::setMultiplier() {
-    auto gains = m_context.state().gains;
+    auto gains = context().state().gains;
     const auto value = m_multiplier->value();
     if (!gains || !value)
         return;
     gains->sm = static_cast<std::uint8_t>(*value);
     if (!gains->db)
         gains->db = std::uint8_t{0};
-    m_context.ask(intent::ApplyGains{*gains});
+    context().ask(intent::ApplyGains{*gains});
 }
 
 }  // namespace nmc

@@ -24,6 +24,7 @@
 #include "widgets/panels/detailsbox.h"
 #include "widgets/panels/holdbutton.h"
 #include "widgets/panels/homingbox.h"
+#include "widgets/panels/stagedform.h"
 #include "widgets/panels/stepperdetailsbox.h"
 #include "widgets/panels/stepperiobox.h"
 
@@ -163,7 +164,8 @@ void ModulePage::offerPages() {
 /// wrap earlier, because a label that may wrap does so even if there is room.
 void ModulePage::fit(int width) {
     offerPages();
-    fitPages(width);
+    for (StagedForm* form : m_pages->findChildren<StagedForm*>())
+        form->fitInto(width);
     for (int i = 0; i < m_pages->count(); ++i) {
         const auto* area = qobject_cast<QScrollArea*>(m_pages->widget(i));
         if (area == nullptr)

@@ -62,8 +62,6 @@ protected:
     static void pointTo(QWidget& control);
     /// Brings the tab that contains the box to the front.
     void reveal(const QWidget& box);
-    /// Called with the width of the pages in pixels; for pages that leave out words if it is small.
-    virtual void fitPages(int /*width*/) {}
     /// Shows the controls for tuning, if there are any.
     virtual void revealTuning() {}
 

@@ -83,10 +83,6 @@ void ServoPanel::resizeEvent(QResizeEvent* event) {
     m_steps->giveRoomBack();
 }
 
-void ServoPanel::fitPages(int width) {
-    m_gains->fitInto(width);
-}
-
 int ServoPanel::spareHeight() const {
     const int motions = ModulePage::spareHeight();
     const auto* apply = m_gains->findChild<QWidget*>(u"applyGainsButton"_s);

@@ -28,7 +28,6 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void fitPages(int width) override;
     void revealTuning() override;
     void showPlaceOf(FirstStep step);
 

@@ -295,8 +295,9 @@ void StagedForm::refreshRow(std::size_t number) {
     look::setText(field.remark, remark(number, value));
     // An unticked box is no value as long as nothing is known.
     const bool check = field.number == nullptr && qobject_cast<QCheckBox*>(field.control) != nullptr;
-    const bool empty =
-        check ? !m_kept : !value && (field.number == nullptr || field.number->text().isEmpty());
+    const bool kept = m_kept && m_kept->at(number);
+    const bool empty = check ? value == 0 && !kept
+                             : !value && (field.number == nullptr || field.number->text().isEmpty());
     showMark(field.state,
              !sent && empty           ? Mark::Unknown
              : value && value == sent ? Mark::Sent

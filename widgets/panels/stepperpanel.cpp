@@ -39,8 +39,7 @@ StepperPanel::StepperPanel(const PanelView& view, Requests& requests, QWidget* p
     left->addStretch(1);
     auto* pages = new QTabWidget(this);
     look::name(pages, u"stepperPages"_s, Common::tr("Pages of the module"));
-    m_parameters = new StepperParametersBox(m_context, this);
-    pages->addTab(m_parameters, Common::tr("Parameters"));
+    pages->addTab(new StepperParametersBox(m_context, this), Common::tr("Parameters"));
     pages->addTab(new StepperIoBox(m_context, this), tr("I/O"));
     pages->addTab(new HomingBox(m_context, this), Common::tr("Homing"));
     auto* axis = new AxisBox(m_context, this);
@@ -49,10 +48,6 @@ StepperPanel::StepperPanel(const PanelView& view, Requests& requests, QWidget* p
     pages->addTab(new StepperDetailsBox(m_context, this), Common::tr("Details"));
     pages->addTab(new ExpertBox(m_context, this), Common::tr("Expert"));
     layOut(head, left, pages);
-}
-
-void StepperPanel::fitPages(int width) {
-    m_parameters->fitInto(width);
 }
 
 }  // namespace nmc

@@ -5,8 +5,6 @@
 
 namespace nmc {
 
-class StepperParametersBox;
-
 /// The page of a PIC-STEP. The motions are always visible, except where there is very little room;
 /// parameters, inputs and outputs, homing, axis, details and expert commands are on the tabs beside them.
 class StepperPanel : public ModulePage {
@@ -14,11 +12,6 @@ class StepperPanel : public ModulePage {
 
 public:
     StepperPanel(const PanelView& view, Requests& requests, QWidget* parent = nullptr);
-
-private:
-    void fitPages(int width) override;
-
-    StepperParametersBox* m_parameters = nullptr;
 };
 
 }  // namespace nmc
