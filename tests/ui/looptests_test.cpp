@@ -15,6 +15,7 @@
 #include "tests/support/choosefile.h"
 #include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/looptestsdock.h"
+#include "widgets/looptests/squareplot.h"
 #include "widgets/looptests/squarewavepage.h"
 
 namespace nmc {
@@ -168,6 +169,28 @@ TEST_F(LoopTestsInTheWindow, EdgesWithTheSameGainsAreLaidOverOneAnotherAndKept) 
     EXPECT_EQ(find<QTableWidget>(u"responseRunTable"_s)->rowCount(), 1);
     page.clear();
     EXPECT_TRUE(label(u"squareWaveResults"_s).isEmpty());
+}
+
+/// 10 counts there and back, half a period of 0.1 s.
+TEST(SquarePlotHands, KeysAndADoubleClickZoomAndFit) {
+    SquarePlot plot;
+    plot.resize(600, 300);
+    plot.show();
+    SquarePlot::Fold fold;
+    fold.counts = 10;
+    fold.half = 0.1;
+    for (int i = 0; i <= 100; ++i)
+        fold.forward.push_back({.seconds = i * 0.001, .position = i * 0.1, .low = i * 0.1, .high = i * 0.1, .samples = 1});
+    plot.showFold(fold, {}, AxisScale());
+    const PlotGeometry all = plot.geometryShown();
+    EXPECT_NEAR(all.right, 0.2, 1e-9);
+    QTest::keyClick(&plot, Qt::Key_Plus);
+    EXPECT_NEAR(plot.geometryShown().right - plot.geometryShown().left, (all.right - all.left) / 1.5, 1e-9);
+    QTest::keyClick(&plot, Qt::Key_Plus, Qt::ControlModifier);
+    EXPECT_NEAR(plot.geometryShown().top - plot.geometryShown().bottom, (all.top - all.bottom) / 1.5, 1e-9);
+    QTest::mouseDClick(&plot, Qt::LeftButton);
+    EXPECT_EQ(plot.geometryShown().right, all.right);
+    EXPECT_EQ(plot.geometryShown().top, all.top);
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ TEST_F(ResponsePlotHands, ADragMovesAndWithShiftItChoosesATime) {
     EXPECT_NEAR(now().x(0.005), at.x() + 40, 1.5);
     EXPECT_NEAR(now().y(50), at.y() - 30, 1.5);
     EXPECT_NEAR(now().right - now().left, before.right - before.left, 1e-9);
-    plot.fitTransient();
+    plot.fitAgain();
     EXPECT_EQ(now().left, before.left);
     EXPECT_EQ(now().top, before.top);
     drag(plot.pointAt(0.002, 20), plot.pointAt(0.012, 90), Qt::ShiftModifier);

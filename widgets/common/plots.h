@@ -8,5 +8,6 @@ namespace nmc {
 inline constexpr double kTraceWidth = 1.6;  ///< px
 inline constexpr double kWheelZoom = 1.25;  ///< for each notch
 inline constexpr double kKeyZoom = 1.5;     ///< for each press
+inline constexpr int kBandAlpha = 45;       ///< of 255: opacity of areas behind lines
 
 }  // namespace nmc

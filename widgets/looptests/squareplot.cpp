@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/looptests/squareplot.h"
 
-#include <QEvent>
 #include <QPainter>
 #include <algorithm>
+#include <iterator>
 
 #include "widgets/common/look.h"
 #include "widgets/common/plots.h"
 #include "widgets/common/unitwords.h"
-#include "widgets/scope/axisrange.h"
-#include "widgets/scope/timewindow.h"
 
 namespace nmc {
 
@@ -20,12 +18,10 @@ constexpr int kSpreadAlpha = 60;
 constexpr float kPreviousOpacity = 0.35F;
 }  // namespace
 
-SquarePlot::SquarePlot(QWidget* parent) : QWidget(parent) {
+SquarePlot::SquarePlot(QWidget* parent) : RecordPlot(parent) {
     look::name(this, u"squarePlot"_s, tr("Square wave, one period"));
-    setAttribute(Qt::WA_OpaquePaintEvent);
     setToolTip(tr(
-        "All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains."));
-    connect(&m_frame, &PlotFrame::changed, this, qOverload<>(&QWidget::update));
+        "All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains. Double-click to show everything. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time."));
     adoptPalette();
     fit();
 }
@@ -55,20 +51,21 @@ void SquarePlot::showFold(const Fold& now, const Fold& before, const AxisScale& 
     if (!now.forward.empty() || !now.back.empty())
         m_command << QPointF(-toSeconds(kBeforeStep), -side) << QPointF(0, -side) << QPointF(0, side)
                   << QPointF(now.half, side) << QPointF(now.half, -side) << QPointF(2 * now.half, -side);
-    m_frame.setLegend(m_command.empty() ? std::vector<PlotFrame::LegendEntry>{}
-                                        : std::vector<PlotFrame::LegendEntry>{
-                                              {tr("median, %1").arg(texts::unitOf(scale)),
-                                               look::traceColour(0, palette()), false},
-                                              {tr("command"), look::mutedText(palette()), true}});
+    m_unit = texts::unitOf(scale);
+    refreshLegend();
     fit();
 }
 
-void SquarePlot::adoptPalette() {
-    m_frame.setLook(palette(), look::tabular(look::scaled(font(), 0.9)));
+void SquarePlot::refreshLegend() {
+    std::vector<PlotFrame::LegendEntry> legend;
+    if (!m_command.empty())
+        legend = {{tr("median, %1").arg(m_unit), look::traceColour(0, palette()), false},
+                  {tr("command"), look::mutedText(palette()), true}};
+    m_frame.setLegend(legend);
     update();
 }
 
-void SquarePlot::fit() {
+RecordPlot::View SquarePlot::fitted() const {
     QRectF all = m_command.boundingRect();
     for (const auto* curves : {&m_now, &m_before})
         for (const Curve& curve : *curves)
@@ -77,16 +74,12 @@ void SquarePlot::fit() {
                     all = all.united(line->boundingRect());
     if (m_command.empty())
         all = QRectF(0, -1, 0.5, 2);
+    return {all.left(), all.right(), all.top(), all.bottom()};
+}
+
+QMargins SquarePlot::room() const {
     const int em = fontMetrics().height();
-    const int rows = std::clamp((height() - 3 * em) * 2 / (em * 3), 2, 8);
-    const AxisRange::Range range = AxisRange::around(all.top(), all.bottom(), 0, rows);
-    m_frame.setValueAxis(range.min, range.max, range.step);
-    m_frame.setMargins(m_frame.labelWidth(), em * 3 / 2, em);
-    const int columns = std::clamp(width() / (em * 5), 2, 10);
-    const double division = TimeWindow::nice(all.width() / columns);
-    m_frame.setTimeAxis(all.left(), all.right(), division, division);
-    m_geometry = {m_frame.plotArea(), all.left(), all.right(), range.min, range.max};
-    update();
+    return {0, 0, em * 3 / 2, em};
 }
 
 QPolygonF SquarePlot::placed(const QPolygonF& line) const {
@@ -97,13 +90,7 @@ QPolygonF SquarePlot::placed(const QPolygonF& line) const {
     return places;
 }
 
-void SquarePlot::paintEvent(QPaintEvent* /*event*/) {
-    QPainter painter(this);
-    painter.drawPixmap(0, 0, m_frame.picture(devicePixelRatioF()));
-    m_geometry.area = m_frame.plotArea();
-    if (m_geometry.empty())
-        return;
-    painter.setRenderHint(QPainter::Antialiasing);
+void SquarePlot::paintTraces(QPainter& painter) {
     if (m_command.empty()) {
         painter.setPen(look::mutedText(palette()));
         painter.drawText(
@@ -132,19 +119,6 @@ void SquarePlot::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(look::traceColour(0, palette()), kTraceWidth));
     for (const Curve& curve : m_now)
         painter.drawPolyline(placed(curve.median));
-    m_frame.paintLegend(painter);
-}
-
-void SquarePlot::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    m_frame.resize(size());
-    fit();
-}
-
-void SquarePlot::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        adoptPalette();
 }
 
 QSize SquarePlot::sizeHint() const {

@@ -2,19 +2,17 @@
 #pragma once
 
 #include <QPolygonF>
-#include <QWidget>
 #include <vector>
 
 #include "model/response/edgefold.h"
 #include "model/settings/axisscale.h"
-#include "widgets/scope/plotframe.h"
-#include "widgets/scope/tracedrawing.h"
+#include "widgets/scope/recordplot.h"
 
 namespace nmc {
 
 /// One period of a square wave, relative to the middle between its sides: the median of all edges with the
 /// present gains, their spread, and, paler, the median with the previous gains.
-class SquarePlot : public QWidget {
+class SquarePlot : public RecordPlot {
     Q_OBJECT
 
 public:
@@ -31,9 +29,10 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
-    void changeEvent(QEvent* event) override;
+    void refreshLegend() override;
+    void paintTraces(QPainter& painter) override;
+    [[nodiscard]] View fitted() const override;
+    [[nodiscard]] QMargins room() const override;
 
 private:
     /// Points in seconds and in the unit of the axis.
@@ -42,15 +41,12 @@ private:
     };
     [[nodiscard]] static Curve curveOf(const std::vector<FoldedPoint>& points, double from, double since,
                                        const AxisScale& scale);
-    void adoptPalette();
-    void fit();
     [[nodiscard]] QPolygonF placed(const QPolygonF& line) const;
 
-    PlotFrame m_frame;
-    PlotGeometry m_geometry;
     std::vector<Curve> m_now;
     std::vector<Curve> m_before;
     QPolygonF m_command;
+    QString m_unit;
 };
 
 }  // namespace nmc

@@ -9,9 +9,6 @@ namespace nmc {
 
 struct PlotGeometry;
 
-/// Opacity, of 255, of the settling band and of everything else behind the lines.
-inline constexpr int kBandAlpha = 45;
-
 /// Draws the part of `line`, in seconds and values, that is within the area, because an SVG file has no
 /// clipping. The parts are polylines, so that dashes are continuous.
 void paintLine(QPainter& painter, const PlotGeometry& geometry, const QPolygonF& line);

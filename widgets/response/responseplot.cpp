@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/response/responseplot.h"
 
-#include <QEvent>
-#include <QMouseEvent>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -32,18 +31,12 @@ constexpr double kPalest = 0.15, kStrongest = 0.5;  ///< opacity of runs that ar
 constexpr double kShortest = 0.1;                   ///< share of the record that is always visible
 constexpr double kGap = 6;                          ///< sample intervals; a longer distance is a gap
 constexpr double kUsualRecord = 0.5;                ///< s, length of the time axis before there is a run
-constexpr double kPan = 0.1;                        ///< share of the visible range
-/// Limits of zooming, in s and in the unit of the axis.
-constexpr double kNarrowestView = 1e-5, kLongestView = 100, kMaxValues = 1e13;
 }  // namespace
 
-ResponsePlot::ResponsePlot(QWidget* parent) : QWidget(parent) {
+ResponsePlot::ResponsePlot(QWidget* parent) : RecordPlot(parent) {
     look::name(this, u"responsePlot"_s, tr("Step responses over time"));
-    setAttribute(Qt::WA_OpaquePaintEvent);
-    setFocusPolicy(Qt::StrongFocus);
     setToolTip(tr(
         "Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time."));
-    connect(&m_frame, &PlotFrame::changed, this, qOverload<>(&QWidget::update));
     adoptPalette();
     fit();
 }
@@ -89,9 +82,9 @@ void ResponsePlot::showRuns(const KeptResponse* a, const KeptResponse* b,
     const AxisScale* scaleOfB = b == nullptr ? nullptr : oneModule ? &a->scale : &b->scale;
     m_curves[1] = b != nullptr ? std::optional(curveOf(*b, *scaleOfB)) : std::nullopt;
     m_strips.show(a, b, scaleOfB);
-    m_frame.resize(QSizeF(width(), height() - stripsHeight()));
-    adoptPalette();
+    refreshLegend();
     fit();
+    emit measured();
 }
 
 QPolygonF ResponsePlot::lineOf(const KeptResponse& about, const std::vector<ResponsePoint>& points) {
@@ -112,12 +105,11 @@ void ResponsePlot::showModel(const KeptResponse* about, const std::vector<Respon
         const QPolygonF low = lineOf(*about, predicted->low);
         std::copy(low.rbegin(), low.rend(), std::back_inserter(m_range));
     }
-    adoptPalette();
+    refreshLegend();
     fit();
 }
 
-void ResponsePlot::adoptPalette() {
-    m_frame.setLook(palette(), look::tabular(look::scaled(font(), 0.9)));
+void ResponsePlot::refreshLegend() {
     std::vector<PlotFrame::LegendEntry> legend;
     for (std::size_t i = 0; i < m_curves.size(); ++i)
         if (m_curves[i])
@@ -163,59 +155,32 @@ ResponsePlot::View ResponsePlot::fitted() const {
     return right == 0 ? View{left, kUsualRecord, low, 1} : View{left, right, low, high};
 }
 
-void ResponsePlot::fit() {
+QMargins ResponsePlot::room() const {
     const int em = fontMetrics().height();
-    const int rows = std::clamp((height() - stripsHeight() - 4 * em) * 2 / (em * 3), 2, 8);
-    View view = m_view.value_or(fitted());
-    AxisRange::Range range{view.bottom, view.top, TimeWindow::nice((view.top - view.bottom) / rows)};
-    if (!m_view)
-        range = AxisRange::around(view.bottom, view.top, 0, rows);
-    m_frame.setValueAxis(range.min, range.max, range.step);
-    m_frame.setMargins(m_frame.labelWidth() + em * 5 / 4, em * 3 / 2, em * 9 / 4);
-    const int columns = std::clamp(width() / (em * 5), 2, 10);
-    const double division = TimeWindow::nice((view.right - view.left) / columns);
-    m_frame.setTimeAxis(view.left, view.right, division, division);
-    m_geometry = {m_frame.plotArea(), view.left, view.right, range.min, range.max};
-    emit measured();
-    update();
+    return {em * 5 / 4, 0, em * 3 / 2, em * 9 / 4};
 }
 
-void ResponsePlot::fitTransient() {
-    m_view.reset();
+void ResponsePlot::fitAgain() {
     m_whole = false;
-    fit();
+    RecordPlot::fitAgain();
 }
 
 QPointF ResponsePlot::pointAt(double seconds, double value) const {
     return {m_geometry.x(seconds), m_geometry.y(value)};
 }
 
-void ResponsePlot::paintEvent(QPaintEvent* /*event*/) {
-    QPainter painter(this);
-    painter.fillRect(rect(), palette().color(QPalette::Base));
-    painter.drawPixmap(0, 0, m_frame.picture(devicePixelRatioF()));
-    paintOver(painter);
+void ResponsePlot::paintEvent(QPaintEvent* event) {
+    QPainter(this).fillRect(rect(), palette().color(QPalette::Base));  // the frame ends above the strips
+    RecordPlot::paintEvent(event);
 }
 
-void ResponsePlot::renderTo(QPainter& painter) {
-    m_frame.render(painter);
-    paintOver(painter);
-}
-
-void ResponsePlot::paintOver(QPainter& painter) {
-    m_geometry.area = m_frame.plotArea();
-    if (m_geometry.empty())
-        return;
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(look::scaled(font(), 0.9));
+void ResponsePlot::paintTraces(QPainter& painter) {
     paintTitles(painter);
     if (!m_curves[0] && !m_curves[1]) {
         painter.setPen(look::mutedText(palette()));
         painter.drawText(
             m_geometry.area, Qt::AlignCenter | Qt::TextWordWrap,
             tr("No run selected. A step response shows how the motor follows a jump of its command."));
-        painter.restore();
         return;
     }
     if (const int strips = stripsHeight(); strips > 0)
@@ -240,16 +205,6 @@ void ResponsePlot::paintOver(QPainter& painter) {
     pen.setDashPattern(kDashes);
     painter.setPen(pen);
     paintLine(painter, m_geometry, m_predicted);
-    m_frame.paintLegend(painter);
-    paintCursors(painter);
-    if (m_drag == Drag::Choose) {
-        QColor fill = palette().color(QPalette::Highlight);
-        fill.setAlpha(kBandAlpha);
-        painter.fillRect(QRectF(QPointF(m_dragFrom.x(), m_geometry.area.top()),
-                                QPointF(m_dragTo.x(), m_geometry.area.bottom())),
-                         fill);
-    }
-    painter.restore();
 }
 
 void ResponsePlot::paintTitles(QPainter& painter) const {
@@ -270,20 +225,6 @@ void ResponsePlot::paintTitles(QPainter& painter) const {
         QRectF(-area.height() / 2, 1, area.height(), em), Qt::AlignCenter,
         unit.isEmpty() ? tr("position from the start") : tr("position from the start (%1)").arg(unit));
     painter.restore();
-}
-
-void ResponsePlot::paintCursors(QPainter& painter) const {
-    if (!m_cursors)
-        return;
-    for (std::size_t i = 0; i < m_cursors->size(); ++i) {
-        const double x = m_geometry.x((*m_cursors)[i]);
-        if (x < m_geometry.area.left() || x > m_geometry.area.right())
-            continue;
-        painter.setPen(QPen(palette().color(QPalette::Text), 1, i == 0 ? Qt::SolidLine : Qt::DashLine));
-        painter.drawLine(QLineF(x, m_geometry.area.top(), x, m_geometry.area.bottom()));
-        painter.drawText(QPointF(x + 3, m_geometry.area.top() + QFontMetricsF(painter.font()).ascent() + 1),
-                         QString::number(i + 1));
-    }
 }
 
 /// Draws only what is within the area, because an SVG file has no clipping.
@@ -354,23 +295,20 @@ std::optional<double> ResponsePlot::Curve::at(double seconds) const {
 }
 
 void ResponsePlot::showCursors(bool shown) {
-    if (shown == m_cursors.has_value())
+    if (shown == cursors().has_value())
         return;
-    m_cursors.reset();
-    if (shown) {
-        const View view = seen();
-        const double width = view.right - view.left;
-        m_cursors = {view.left + width / 4, view.left + width * 3 / 4};
-    }
+    const View view = seen();
+    const double width = view.right - view.left;
+    setCursors(shown ? std::optional(Cursors{view.left + width / 4, view.left + width * 3 / 4})
+                     : std::nullopt);
     emit measured();
-    update();
 }
 
 std::vector<std::array<QString, 4>> ResponsePlot::readings() const {
     std::vector<std::array<QString, 4>> rows;
-    if (!m_cursors)
+    if (!cursors())
         return rows;
-    const auto& [first, second] = *m_cursors;
+    const auto& [first, second] = *cursors();
     const double between = second - first;
     const QString frequency =
         between == 0 ? QString() : Common::tr(" (%1 Hz)").arg(texts::readout(std::abs(1 / between)));
@@ -390,158 +328,25 @@ std::vector<std::array<QString, 4>> ResponsePlot::readings() const {
     return rows;
 }
 
-std::optional<std::size_t> ResponsePlot::cursorAt(const QPointF& position) const {
-    std::optional<std::size_t> nearest;
-    double distance = fontMetrics().height() / 2.0;
-    for (std::size_t i = 0; m_cursors && i < m_cursors->size(); ++i)
-        if (const double away = std::abs(m_geometry.x((*m_cursors)[i]) - position.x()); away < distance) {
-            nearest = i;
-            distance = away;
-        }
-    return nearest;
-}
-
 // ---- mouse and keys, as in the scope ----
 
-ResponsePlot::View ResponsePlot::seen() const {
-    return {m_geometry.left, m_geometry.right, m_geometry.bottom, m_geometry.top};
+void ResponsePlot::moveCursor(std::size_t cursor, double seconds) {
+    RecordPlot::moveCursor(cursor, seconds);
+    emit measured();
 }
 
-void ResponsePlot::showView(const View& view) {
-    const double time = view.right - view.left;
-    const double values = view.top - view.bottom;
-    if (time < kNarrowestView || time > kLongestView || values < kNarrowestView || values > kMaxValues)
-        return;
-    m_view = view;
-    fit();
-}
-
-void ResponsePlot::zoomTime(double factor, double at) {
-    const View view = seen();
-    showView({at - (at - view.left) * factor, at + (view.right - at) * factor, view.bottom, view.top});
-}
-
-void ResponsePlot::zoomValues(double factor, double at) {
-    const View view = seen();
-    showView({view.left, view.right, at - (at - view.bottom) * factor, at + (view.top - at) * factor});
-}
-
-void ResponsePlot::pan(double timeShare, double valueShare) {
-    const View view = seen();
-    const double time = timeShare * (view.right - view.left);
-    const double value = valueShare * (view.top - view.bottom);
-    showView({view.left + time, view.right + time, view.bottom + value, view.top + value});
-}
-
-void ResponsePlot::mousePressEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton || m_geometry.empty())
-        return QWidget::mousePressEvent(event);
-    m_dragFrom = m_dragTo = event->position();
-    const auto cursor = cursorAt(event->position());
-    m_drag = cursor                                   ? (*cursor == 0 ? Drag::Cursor1 : Drag::Cursor2)
-             : event->modifiers() & Qt::ShiftModifier ? Drag::Choose
-                                                      : Drag::Pan;
-}
-
-void ResponsePlot::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF from = std::exchange(m_dragTo, event->position());
-    switch (m_drag) {
-        case Drag::None:
-            break;
-        case Drag::Pan:
-            if (m_dragTo != from)
-                pan((from.x() - m_dragTo.x()) / m_geometry.area.width(),
-                    (m_dragTo.y() - from.y()) / m_geometry.area.height());
-            break;
-        case Drag::Cursor1:
-        case Drag::Cursor2:
-            if (m_cursors)
-                (*m_cursors)[m_drag == Drag::Cursor1 ? 0 : 1] = m_geometry.seconds(m_dragTo.x());
-            emit measured();
-            update();
-            break;
-        case Drag::Choose:
-            update();
-            break;
-    }
-}
-
-void ResponsePlot::mouseReleaseEvent(QMouseEvent* event) {
-    if (std::exchange(m_drag, Drag::None) != Drag::Choose)
-        return QWidget::mouseReleaseEvent(event);
-    update();
-    const auto [from, to] = std::minmax({m_dragFrom.x(), m_dragTo.x()});
-    if (to - from >= fontMetrics().height() / 2.0)
-        showView({m_geometry.seconds(from), m_geometry.seconds(to), m_geometry.bottom, m_geometry.top});
-}
-
-void ResponsePlot::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
-    m_view.reset();
+void ResponsePlot::showEverything() {
     m_whole = !m_whole;
-    fit();
-}
-
-void ResponsePlot::wheelEvent(QWheelEvent* event) {
-    const QPoint delta = event->angleDelta();
-    const double notches = (delta.y() != 0 ? delta.y() : delta.x()) / 120.0;
-    event->accept();
-    if (notches == 0 || m_geometry.empty())
-        return;
-    if (event->modifiers() & Qt::ControlModifier)
-        zoomValues(std::pow(kWheelZoom, -notches), m_geometry.value(event->position().y()));
-    else if (event->modifiers() & Qt::ShiftModifier || delta.y() == 0)
-        pan(-notches * kPan, 0);
-    else
-        zoomTime(std::pow(kWheelZoom, -notches), m_geometry.seconds(event->position().x()));
+    RecordPlot::fitAgain();
 }
 
 void ResponsePlot::keyPressEvent(QKeyEvent* event) {
-    const QPointF middle = m_geometry.area.center();
-    const auto zoom = [&](double factor) {
-        if (event->modifiers() & Qt::ControlModifier)
-            zoomValues(factor, m_geometry.value(middle.y()));
-        else
-            zoomTime(factor, m_geometry.seconds(middle.x()));
-    };
-    switch (event->key()) {
-        case Qt::Key_Plus:
-        case Qt::Key_Equal:
-            return zoom(1 / kKeyZoom);
-        case Qt::Key_Minus:
-            return zoom(kKeyZoom);
-        case Qt::Key_Left:
-            return pan(-kPan, 0);
-        case Qt::Key_Right:
-            return pan(kPan, 0);
-        case Qt::Key_Up:
-            return pan(0, kPan);
-        case Qt::Key_Down:
-            return pan(0, -kPan);
-        case Qt::Key_A:
-            return fitTransient();
-        case Qt::Key_C:
-            return emit cursorsWanted();
-        case Qt::Key_Home:
-            m_view.reset();
-            m_whole = true;
-            return fit();
-        default:
-            QWidget::keyPressEvent(event);
-    }
-}
-
-void ResponsePlot::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    m_frame.resize(QSizeF(width(), height() - stripsHeight()));
-    fit();
-}
-
-void ResponsePlot::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        adoptPalette();
-    if (event->type() == QEvent::FontChange)
-        fit();
+    if (event->key() == Qt::Key_C)
+        return emit cursorsWanted();
+    if (event->key() != Qt::Key_Home)
+        return RecordPlot::keyPressEvent(event);
+    m_whole = true;
+    RecordPlot::fitAgain();
 }
 
 int ResponsePlot::stripsHeight() const {

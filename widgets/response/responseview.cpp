@@ -57,7 +57,7 @@ ResponseView::ResponseView(Requests& requests, QWidget* parent)
     layout->addLayout(m_bar);
     layout->addWidget(m_plot, 1);
     layout->addWidget(m_readings);
-    connect(fit, &QToolButton::clicked, m_plot, &ResponsePlot::fitTransient);
+    connect(fit, &QToolButton::clicked, m_plot, &ResponsePlot::fitAgain);
     connect(m_cursors, &QToolButton::toggled, this, &ResponseView::showCursors);
     connect(m_plot, &ResponsePlot::cursorsWanted, m_cursors, &QToolButton::toggle);
     connect(m_plot, &ResponsePlot::measured, this, &ResponseView::showReadings);

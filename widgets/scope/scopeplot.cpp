@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scope/scopeplot.h"
 
-#include <QEvent>
-#include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
 #include <limits>
 
 #include "widgets/common/look.h"
-#include "widgets/common/plots.h"
 #include "widgets/common/words.h"
 #include "widgets/scope/scopewords.h"
 #include "widgets/scope/timewindow.h"
@@ -19,23 +16,16 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr double kWheelPan = 0.1;         ///< share of the visible time, for each notch
 constexpr double kSmallestPart = 1e-4;    ///< share of the smallest span of a fitted axis: zooming ends here
 constexpr float kUnderlayOpacity = 0.4F;  ///< of the recording under the traces
 constexpr double kSpike = 3.0;            ///< spans of everything else from which a spike is out of view
 constexpr double kBandRoom = 2.0;         ///< maximum room for a band on either side, in spans of the signals
 }  // namespace
 
-ScopePlot::ScopePlot(QWidget* parent) : QWidget(parent) {
-    setAttribute(Qt::WA_OpaquePaintEvent);
+ScopePlot::ScopePlot(QWidget* parent) : PlotCanvas(parent) {
     connect(&m_frame, &PlotFrame::changed, this, &ScopePlot::paintWanted);
     leaveLeft(0);
     adoptPalette();
-}
-
-void ScopePlot::adoptPalette() {
-    m_frame.setLook(palette(), look::tabular(look::scaled(font(), 0.9)));
-    setTraces(m_traces);
 }
 
 void ScopePlot::setTraces(std::vector<Trace> traces) {
@@ -162,13 +152,6 @@ void ScopePlot::forget() {
     update();
 }
 
-void ScopePlot::showCursors(const std::optional<CursorTimes>& cursors) {
-    if (m_cursors == cursors)
-        return;
-    m_cursors = cursors;
-    update();
-}
-
 void ScopePlot::showMarker(const std::optional<double>& seconds) {
     if (m_marker == seconds)
         return;
@@ -202,6 +185,14 @@ void ScopePlot::panValues(double share) {
     m_manual = AxisRange::Range{now.min + by, now.max + by, now.step};
 }
 
+/// A fitted value axis stays where it is.
+void ScopePlot::pan(double timeShare, double valueShare) {
+    if (m_manual)
+        panValues(valueShare);
+    if (timeShare != 0)
+        emit timePanned(timeShare * (m_geometry.right - m_geometry.left));
+}
+
 void ScopePlot::leaveLeft(int width) {
     const int em = fontMetrics().height();
     m_frame.setMargins(width, em * 3 / 2, m_timeLabels ? em : em / 2);
@@ -213,30 +204,15 @@ AxisRange::Range ScopePlot::valueRange() const {
 
 // ---- painting ----
 
-void ScopePlot::paintEvent(QPaintEvent* /*event*/) {
-    QPainter painter(this);
-    painter.drawPixmap(0, 0, m_frame.picture(devicePixelRatioF()));
-    paintOver(painter);
-}
-
-void ScopePlot::renderTo(QPainter& painter) {
-    m_frame.render(painter);
-    paintOver(painter);
-}
-
-void ScopePlot::paintOver(QPainter& painter) {
-    m_geometry.area = plotArea();
-    if (m_geometry.empty())
-        return;
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(look::scaled(font(), 0.9));
+void ScopePlot::paintTraces(QPainter& painter) {
     painter.setClipRect(m_geometry.area);
     for (const TraceDrawing& drawing : m_under)
         drawing.paint(painter, m_geometry);
     for (const TraceDrawing& drawing : m_drawings)
         drawing.paint(painter, m_geometry);
-    m_frame.paintLegend(painter);
+}
+
+void ScopePlot::paintMarks(QPainter& painter) {
     if (!m_manual)
         for (const auto* drawings : {&m_under, &m_drawings})
             for (const TraceDrawing& drawing : *drawings)
@@ -258,35 +234,12 @@ void ScopePlot::paintOver(QPainter& painter) {
         painter.drawLine(QLineF(m_geometry.x(*m_marker), m_geometry.area.top(), m_geometry.x(*m_marker),
                                 m_geometry.area.bottom()));
     }
-    paintCursors(painter);
     if (!m_bandNotice.isEmpty()) {
         const QFontMetricsF metrics(painter.font());
         painter.setPen(look::mutedText(palette()));
         painter.drawText(QPointF(m_geometry.area.right() - metrics.horizontalAdvance(m_bandNotice) - 4,
                                  m_geometry.area.bottom() - metrics.descent() - 2),
                          m_bandNotice);
-    }
-    if (m_drag == Drag::Choose) {
-        QColor fill = palette().color(QPalette::Highlight);
-        fill.setAlpha(60);
-        painter.fillRect(QRectF(QPointF(m_dragFrom.x(), m_geometry.area.top()),
-                                QPointF(m_dragTo.x(), m_geometry.area.bottom())),
-                         fill);
-    }
-    painter.restore();
-}
-
-void ScopePlot::paintCursors(QPainter& painter) const {
-    if (!m_cursors)
-        return;
-    for (std::size_t i = 0; i < m_cursors->size(); ++i) {
-        const double x = m_geometry.x((*m_cursors)[i]);
-        if (x < m_geometry.area.left() || x > m_geometry.area.right())
-            continue;  // an SVG file has no clipping
-        painter.setPen(QPen(palette().color(QPalette::Text), 1, i == 0 ? Qt::SolidLine : Qt::DashLine));
-        painter.drawLine(QLineF(x, m_geometry.area.top(), x, m_geometry.area.bottom()));
-        painter.drawText(QPointF(x + 3, m_geometry.area.top() + QFontMetricsF(painter.font()).ascent() + 1),
-                         QString::number(i + 1));
     }
 }
 
@@ -296,95 +249,13 @@ void ScopePlot::resizeEvent(QResizeEvent* event) {
     m_geometry.area = plotArea();
 }
 
-void ScopePlot::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        adoptPalette();
-}
-
 QSize ScopePlot::minimumSizeHint() const {
     return {fontMetrics().height() * 16, fontMetrics().height() * 5};
 }
 
-// ---- the mouse ----
-
-std::optional<int> ScopePlot::cursorAt(const QPointF& position) const {
-    if (!m_cursors)
-        return std::nullopt;
-    std::optional<int> nearest;
-    double distance = fontMetrics().height() / 2.0;
-    for (int i = 0; i < 2; ++i) {
-        const double away = std::abs(m_geometry.x((*m_cursors)[static_cast<std::size_t>(i)]) - position.x());
-        if (away < distance) {
-            nearest = i;
-            distance = away;
-        }
-    }
-    return nearest;
-}
-
 void ScopePlot::mousePressEvent(QMouseEvent* event) {
     emit focusWanted();
-    if (event->button() != Qt::LeftButton || m_geometry.empty())
-        return QWidget::mousePressEvent(event);
-    m_dragFrom = m_dragTo = event->position();
-    const std::optional<int> cursor = cursorAt(event->position());
-    m_drag = cursor                                   ? (*cursor == 0 ? Drag::Cursor1 : Drag::Cursor2)
-             : event->modifiers() & Qt::ShiftModifier ? Drag::Choose
-                                                      : Drag::Pan;
-}
-
-void ScopePlot::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF here = event->position();
-    switch (m_drag) {
-        case Drag::None:
-            break;
-        case Drag::Pan: {
-            const double seconds = m_geometry.seconds(m_dragTo.x()) - m_geometry.seconds(here.x());
-            if (m_manual)
-                panValues((here.y() - m_dragTo.y()) / m_geometry.area.height());
-            m_dragTo = here;
-            if (seconds != 0)
-                emit timePanned(seconds);
-            break;
-        }
-        case Drag::Cursor1:
-        case Drag::Cursor2:
-            emit cursorMoved(m_drag == Drag::Cursor1 ? 0 : 1, m_geometry.seconds(here.x()));
-            break;
-        case Drag::Choose:
-            m_dragTo = here;
-            update();
-            break;
-    }
-}
-
-void ScopePlot::mouseReleaseEvent(QMouseEvent* event) {
-    const Drag drag = std::exchange(m_drag, Drag::None);
-    if (drag != Drag::Choose)
-        return QWidget::mouseReleaseEvent(event);
-    update();
-    const auto [from, to] = std::minmax({m_dragFrom.x(), m_dragTo.x()});
-    if (to - from >= fontMetrics().height() / 2.0)
-        emit timeChosen(m_geometry.seconds(from), m_geometry.seconds(to));
-}
-
-void ScopePlot::mouseDoubleClickEvent(QMouseEvent* /*event*/) {
-    emit everythingWanted();
-}
-
-void ScopePlot::wheelEvent(QWheelEvent* event) {
-    const QPoint delta = event->angleDelta();
-    const double notches = (delta.y() != 0 ? delta.y() : delta.x()) / 120.0;
-    event->accept();
-    if (notches == 0 || m_geometry.empty())
-        return;
-    if (event->modifiers() & Qt::ControlModifier)
-        zoomValues(std::pow(kWheelZoom, -notches), m_geometry.value(event->position().y()));
-    else if (event->modifiers() & Qt::ShiftModifier || delta.y() == 0)
-        emit timePanned(-notches * kWheelPan * (m_geometry.right - m_geometry.left));
-    else
-        emit timeZoomed(std::pow(kWheelZoom, -notches), m_geometry.seconds(event->position().x()));
+    PlotCanvas::mousePressEvent(event);
 }
 
 }  // namespace nmc

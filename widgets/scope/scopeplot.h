@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
-#include <array>
 #include <optional>
 #include <vector>
 
 #include "model/scope/derivedsignals.h"
 #include "widgets/scope/axisrange.h"
-#include "widgets/scope/plotframe.h"
+#include "widgets/scope/plotcanvas.h"
 #include "widgets/scope/scopemodule.h"
-#include "widgets/scope/tracedrawing.h"
 
 namespace nmc {
 
 class Underlay;
 
 /// The times of the two cursors, seconds since the history's zero.
-using CursorTimes = std::array<double, 2>;
+using CursorTimes = PlotCanvas::Cursors;
 
 /// One strip of the scope: signals over time on one value axis. Its owner decides which time is visible, and
 /// receives what the user requests with the mouse and the wheel.
-class ScopePlot : public QWidget {
+class ScopePlot : public PlotCanvas {
     Q_OBJECT
 
 public:
@@ -57,7 +54,7 @@ public:
                    const Underlay* under = nullptr);
     /// Call when the data are replaced: the value axis may then jump.
     void forget();
-    void showCursors(const std::optional<CursorTimes>& cursors);
+    void showCursors(const std::optional<CursorTimes>& cursors) { setCursors(cursors); }
     /// Marks the time of an event, in s.
     void showMarker(const std::optional<double>& seconds);
     /// Shows the level of a trigger as a line across the strip.
@@ -66,7 +63,7 @@ public:
     /// True if the value axis fits itself to the visible values; zooming or moving it ends that.
     [[nodiscard]] bool fits() const { return !m_manual; }
     void fit();
-    void zoomValues(double factor, double at);
+    void zoomValues(double factor, double at) override;
     /// Moves by a share of the visible range.
     void panValues(double share);
 
@@ -75,13 +72,9 @@ public:
     [[nodiscard]] int labelWidth() const { return m_frame.labelWidth(); }
     void leaveLeft(int width);
 
-    [[nodiscard]] QRectF plotArea() const { return m_frame.plotArea(); }
     [[nodiscard]] AxisRange::Range valueRange() const;
     /// The note about a band that the strip does not show completely; empty if it does.
     [[nodiscard]] const QString& bandNotice() const { return m_bandNotice; }
-    [[nodiscard]] QString legendText(std::size_t trace) const { return m_frame.legendText(trace); }
-    /// Draws vectors if the painter supports them.
-    void renderTo(QPainter& painter);
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
@@ -97,28 +90,25 @@ signals:
     void focusWanted();
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
+    void zoomTime(double factor, double at) override { emit timeZoomed(factor, at); }
+    void pan(double timeShare, double valueShare) override;
+    void showTime(double left, double right) override { emit timeChosen(left, right); }
+    void moveCursor(std::size_t cursor, double seconds) override {
+        emit cursorMoved(static_cast<int>(cursor), seconds);
+    }
+    void showEverything() override { emit everythingWanted(); }
+    void refreshLegend() override { setTraces(m_traces); }
+    void paintTraces(QPainter& painter) override;
+    void paintMarks(QPainter& painter) override;
 
 private:
-    enum class Drag : std::uint8_t { None, Pan, Cursor1, Cursor2, Choose };
-
-    void adoptPalette();
     void fitValues(double now);
     void noteBand();
     void setValueAxis(const AxisRange::Range& range);
-    void paintOver(QPainter& painter);
-    void paintCursors(QPainter& painter) const;
     [[nodiscard]] double smallestSpan() const;
-    [[nodiscard]] std::optional<int> cursorAt(const QPointF& position) const;
 
-    PlotFrame m_frame;
     std::vector<Trace> m_traces;
     std::vector<TraceDrawing> m_drawings;
     std::vector<TraceDrawing> m_under;  ///< of the recording under the traces, in the order of m_traces
@@ -126,14 +116,9 @@ private:
     bool m_timeLabels = true;
     AxisRange m_range;
     std::optional<AxisRange::Range> m_manual;
-    PlotGeometry m_geometry;
-    std::optional<CursorTimes> m_cursors;
     std::optional<double> m_marker;
     std::optional<double> m_level;
     QString m_bandNotice;
-    Drag m_drag = Drag::None;
-    QPointF m_dragFrom;
-    QPointF m_dragTo;
 };
 
 }  // namespace nmc
