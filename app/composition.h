@@ -84,7 +84,7 @@ private:
     ProgramController m_program{m_window, m_store, m_machine, m_commander, m_messages};
     MessageActions m_actions{m_window,  m_store,   m_worker, m_connection, m_ports,
                              m_machine, m_motions, m_flight, m_messages};
-    TuningController m_tuning{m_window.stepResponses()};
+    TuningController m_tuning{m_window};
     RunKeeper m_runs;
     Printing m_printing{m_window, m_settings};
     SleepInhibitor m_sleep;

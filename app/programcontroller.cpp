@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/programcontroller.h"
 
-#include "widgets/axes/axesdock.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/sequencetexts.h"
 #include "widgets/paths/pathsdock.h"
 #include "widgets/sequences/sequencesdock.h"
@@ -15,40 +15,38 @@ ProgramController::ProgramController(MainWindow& window, const BusStore& store, 
       m_machine(machine),
       m_sequences(commander.sequences()),
       m_messages(messages) {
-    SequencesDock& dock = m_window.sequences();
-    connect(&dock, &SequencesDock::programEdited, &m_machine, &MachineController::editProgram);
-    connect(&dock, &SequencesDock::goToRequested, this,
+    const Requests* requests = &m_window.requests();
+    connect(requests, &Requests::programEdited, &m_machine, &MachineController::editProgram);
+    connect(requests, &Requests::goToPoint, this,
             [this](const std::string& point) { m_sequences.goTo(m_machine.machine(), point); });
-    connect(&dock, &SequencesDock::startRequested, this,
+    connect(requests, &Requests::goToPlace, this, &ProgramController::goTo);
+    connect(requests, &Requests::startSequence, this,
             [this](const std::string& sequence, std::size_t row, bool singleStep) {
                 m_sequences.start(m_machine.machine(), sequence, row, singleStep);
             });
-    connect(&dock, &SequencesDock::pauseRequested, &m_sequences, &SequenceController::pause);
-    connect(&dock, &SequencesDock::resumeRequested, &m_sequences, &SequenceController::resume);
-    connect(&dock, &SequencesDock::stepRequested, &m_sequences, &SequenceController::step);
-    connect(&dock, &SequencesDock::stopRequested, &m_sequences, &SequenceController::stop);
-    connect(&dock, &SequencesDock::foresightRequested, this,
-            [this](const std::string& sequence, std::size_t row) {
-                m_sequences.foresee(m_machine.machine(), sequence, row);
+    connect(requests, &Requests::pauseSequence, &m_sequences, &SequenceController::pause);
+    connect(requests, &Requests::resumeSequence, &m_sequences, &SequenceController::resume);
+    connect(requests, &Requests::stepSequence, &m_sequences, &SequenceController::step);
+    connect(requests, &Requests::stopSequence, &m_sequences, &SequenceController::stop);
+    connect(requests, &Requests::foresee, this, [this](const std::string& sequence, std::size_t row) {
+        m_sequences.foresee(m_machine.machine(), sequence, row);
+    });
+    connect(requests, &Requests::foresightDropped, &m_sequences, &SequenceController::endForesight);
+    connect(requests, &Requests::openPath, this,
+            [this](const QString& file, const std::vector<PathColumn>& axes) {
+                m_paths.open(file, axes, m_window.paths().page());
             });
-    connect(&dock, &SequencesDock::foresightDropped, &m_sequences, &SequenceController::endForesight);
-    connect(&m_sequences, &SequenceController::foreseen, &dock, &SequencesDock::showForesight);
+    connect(requests, &Requests::homeOrderEdited, &m_machine, &MachineController::editHomeOrder);
+    connect(requests, &Requests::homeAll, this, [this, &store] {
+        m_sequences.home(m_machine.machine(), axesToHome(m_machine.machine(), store.link().modules));
+    });
+    connect(&m_sequences, &SequenceController::foreseen, &m_window.sequences(),
+            &SequencesDock::showForesight);
     connect(&m_sequences, &SequenceController::reported, this, &ProgramController::showRun);
     connect(&m_sequences, &SequenceController::refused, this,
             [this](const std::vector<SequenceProblem>& problems) {
                 m_messages.report(texts::sequenceNotBegun(problems.front()));
             });
-    PathsDock& paths = m_window.paths();
-    connect(&paths, &PathsDock::openRequested, this,
-            [this, &paths](const QString& file, const std::vector<PathColumn>& axes) {
-                m_paths.open(file, axes, paths.page());
-            });
-    connect(&paths, &PathsDock::placeRequested, this, &ProgramController::goTo);
-    AxesDock& axes = m_window.axes();
-    connect(&axes, &AxesDock::homeOrderEdited, &m_machine, &MachineController::editHomeOrder);
-    connect(&axes, &AxesDock::homeAllRequested, this, [this, &store] {
-        m_sequences.home(m_machine.machine(), axesToHome(m_machine.machine(), store.link().modules));
-    });
 }
 
 void ProgramController::showRun(const SequenceReport& report) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "widgets/common/texts.h"
+#include "widgets/common/requests.h"
 #include "widgets/response/responsedock.h"
 
 namespace nmc {
@@ -56,7 +57,7 @@ FileWriter::Disk sparing(FileWriter::Disk disk) {
 
 RunKeeper::RunKeeper(QString folder, MainWindow& window, FileWriter::Disk disk, QObject* parent)
     : QObject(parent), m_folder(std::move(folder)), m_window(window), m_files(sparing(std::move(disk))) {
-    connect(&window.stepResponses(), &ResponseDock::runsChanged, this, &RunKeeper::keep);
+    connect(&window.requests(), &Requests::storeRuns, this, &RunKeeper::keep);
     connect(&m_loading, &BackgroundJob::ended, this, &RunKeeper::loaded);
 }
 

@@ -3,13 +3,16 @@
 
 #include <utility>
 
+#include "widgets/common/requests.h"
+#include "widgets/mainwindow/mainwindow.h"
 #include "widgets/response/responsedock.h"
 
 namespace nmc {
 
-TuningController::TuningController(ResponseDock& dock, QObject* parent) : QObject(parent), m_dock(dock) {
-    connect(&m_dock, &ResponseDock::identifyWanted, this, &TuningController::identify);
-    connect(&m_dock, &ResponseDock::suggestionWanted, this, &TuningController::suggest);
+TuningController::TuningController(MainWindow& window, QObject* parent)
+    : QObject(parent), m_dock(window.stepResponses()) {
+    connect(&window.requests(), &Requests::identify, this, &TuningController::identify);
+    connect(&window.requests(), &Requests::suggest, this, &TuningController::suggest);
     connect(&m_searching, &BackgroundJob::ended, this,
             [this] { m_dock.showMotor(m_search->module, m_search->found); });
     connect(&m_advising, &BackgroundJob::ended, this, &TuningController::suggested);

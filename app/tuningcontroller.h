@@ -11,6 +11,7 @@
 
 namespace nmc {
 
+class MainWindow;
 class ResponseDock;
 
 /// Identifies motors and suggests gains in background threads: identification takes some tenths of a second,
@@ -19,7 +20,7 @@ class TuningController : public QObject {
     Q_OBJECT
 
 public:
-    explicit TuningController(ResponseDock& dock, QObject* parent = nullptr);
+    explicit TuningController(MainWindow& window, QObject* parent = nullptr);
 
 private:
     struct Search {

@@ -4,6 +4,7 @@
 
 #include "model/settings/machine.h"
 #include "widgets/axes/axesdock.h"
+#include "widgets/common/requests.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -18,7 +19,7 @@ protected:
         QObject::connect(
             &window->requests(), &Requests::intent, window.get(),
             [this](ModuleIndex module, const Intent& intent) { asked.emplace_back(module, intent); });
-        QObject::connect(&window->axes(), &AxesDock::homeOrderEdited, window.get(),
+        QObject::connect(&window->requests(), &Requests::homeOrderEdited, window.get(),
                          [this](const std::vector<ModuleIndex>& order) {
                              machine.homeOrder = order;
                              window->showMachine(machine);
@@ -112,7 +113,7 @@ TEST_F(Axes, HomeAllInTheOrderThatTheMachineKeeps) {
     click(u"axisHomeEarlierButton2"_s);
     EXPECT_EQ(machine.homeOrder, (std::vector{ModuleIndex(1), ModuleIndex(0)}));
     EXPECT_EQ(button(u"axisHomeEarlierButton2"_s)->text(), u"Home: 1."_s);
-    QSignalSpy homes(&window->axes(), &AxesDock::homeAllRequested);
+    QSignalSpy homes(&window->requests(), &Requests::homeAll);
     click(u"homeAllButton"_s);
     EXPECT_EQ(homes.size(), 1);
 }

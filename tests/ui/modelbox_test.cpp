@@ -5,6 +5,7 @@
 #include <QTabWidget>
 
 #include "responserecords.h"
+#include "widgets/common/requests.h"
 #include "widgets/response/responsedock.h"
 
 namespace nmc {
@@ -71,8 +72,8 @@ protected:
         dock().showMotor(ModuleIndex(0), uncertain());
     }
     using WindowTest::find;
-    QSignalSpy wanted{&dock(), &ResponseDock::identifyWanted};
-    QSignalSpy tasks{&dock(), &ResponseDock::suggestionWanted};
+    QSignalSpy wanted{&window->requests(), &Requests::identify};
+    QSignalSpy tasks{&window->requests(), &Requests::suggest};
     QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 

@@ -8,6 +8,7 @@
 #include "model/sequence/sequencecheck.h"
 #include "model/sequence/sequenceedit.h"
 #include "sim/random.h"
+#include "widgets/common/requests.h"
 #include "widgets/sequences/pointsmodel.h"
 #include "widgets/sequences/rowsmodel.h"
 #include "widgets/sequences/sequencesdock.h"
@@ -25,7 +26,7 @@ class SequencePage : public WindowTest {
 protected:
     SequencePage() {
         window->resize(1'500, 1'100);
-        QObject::connect(&window->sequences(), &SequencesDock::programEdited, window.get(),
+        QObject::connect(&window->requests(), &Requests::programEdited, window.get(),
                          [this](const Program& program) {
                              machine.program = program;
                              window->showMachine(machine);
@@ -134,7 +135,7 @@ TEST_F(SequencePage, ARunMarksItsRowAndForbidsAnother) {
     EXPECT_EQ(table->viewport()->x(), before) << "the mark always has its room";
     EXPECT_EQ(whyNot(u"runSequenceButton"_s), u"A sequence is already running."_s);
     EXPECT_EQ(whyNot(u"stopSequenceButton"_s), QString());
-    QSignalSpy stops(&window->sequences(), &SequencesDock::stopRequested);
+    QSignalSpy stops(&window->requests(), &Requests::stopSequence);
     click(u"stopSequenceButton"_s);
     EXPECT_EQ(stops.size(), 1);
     report.stage = SequenceStage::Over;

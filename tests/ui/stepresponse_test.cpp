@@ -13,6 +13,7 @@
 #include "responserecords.h"
 #include "tests/support/choosefile.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/response/responsedock.h"
 #include "widgets/response/responseplot.h"
 
@@ -398,7 +399,7 @@ TEST_F(Responses, ARunCanHaveANameAndANote) {
     openWith();
     window->showResponse(ramp(100));
     window->showResponse(ramp(110));
-    QSignalSpy changes(&window->stepResponses(), &ResponseDock::runsChanged);
+    QSignalSpy changes(&window->requests(), &Requests::storeRuns);
     const auto write = [this](int row, int column, const QString& words) {
         table()->setFocus();
         table()->setCurrentCell(row, column);
@@ -446,7 +447,7 @@ TEST_F(Responses, KeptRunsComeBelowThoseThatAreThere) {
     kept[1].number = 5;
     for (KeptResponse& run : kept)
         run.earlier = true;
-    QSignalSpy changes(&window->stepResponses(), &ResponseDock::runsChanged);
+    QSignalSpy changes(&window->requests(), &Requests::storeRuns);
     window->stepResponses().showKept(kept);
     EXPECT_EQ(changes.size(), 0) << "they are already in the file";
     ASSERT_EQ(table()->rowCount(), 3);

@@ -16,8 +16,6 @@ AxesPage& AxesDock::page() {
     if (m_page == nullptr) {
         m_page = new AxesPage(m_requests, this);
         m_page->setHoldInterval(m_holdInterval);
-        connect(m_page, &AxesPage::homeAllRequested, this, &AxesDock::homeAllRequested);
-        connect(m_page, &AxesPage::homeOrderEdited, this, &AxesDock::homeOrderEdited);
         setWidget(scrolled(m_page));
     }
     return *m_page;

@@ -21,11 +21,6 @@ public:
     void endHold();
     void setHoldInterval(int milliseconds);
 
-signals:
-    // As in AxesPage.
-    void homeAllRequested();
-    void homeOrderEdited(const std::vector<nmc::ModuleIndex>& order);
-
 private:
     void build() override { page(); }
     AxesPage& page();

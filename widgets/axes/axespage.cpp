@@ -51,7 +51,7 @@ AxesPage::AxesPage(Requests& requests, QWidget* parent)
                              .icon = u"home"_s,
                              .text = Common::tr("Home all"),
                              .accessible = tr("Home all axes, one after the other")},
-                            this, [this] { emit homeAllRequested(); });
+                            this, [this] { emit m_requests.homeAll(); });
     auto* head = new QHBoxLayout;
     head->addWidget(m_enableAll->button());
     head->addWidget(m_homeAll->button());
@@ -182,7 +182,7 @@ void AxesPage::makeEarlier(ModuleIndex module) {
     if (place == homing.end() || place == homing.begin())
         return;
     std::iter_swap(place, std::prev(place));
-    emit homeOrderEdited(homing);
+    emit m_requests.homeOrderEdited(homing);
 }
 
 }  // namespace nmc

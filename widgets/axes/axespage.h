@@ -29,10 +29,6 @@ public:
     void endHold();
     void setHoldInterval(int milliseconds);
 
-signals:
-    void homeAllRequested();
-    void homeOrderEdited(const std::vector<nmc::ModuleIndex>& order);
-
 private:
     void showJog();
     void refresh();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
+#include <string>
+#include <vector>
 
 #include "bus/types.h"
 #include "model/intent/intent.h"
@@ -10,10 +13,17 @@
 
 namespace nmc {
 
+struct KeptResponse;
+struct PathColumn;
+struct ResponseRecord;
+struct SuggestionTask;
+
 /// What the user requests of the program, wherever in the window: pages and dialogs emit it here, and nothing
 /// between them and the program passes it on. One for each window. GUI thread.
 class Requests : public QObject {
     Q_OBJECT
+    Q_MOC_INCLUDE("model/path/pathfile.h")
+    Q_MOC_INCLUDE("widgets/response/modelbox.h")
 
 public:
     using QObject::QObject;
@@ -42,6 +52,42 @@ signals:
     /// The user has named the group; nothing is sent.
     void groupNamed(quint8 group, const QString& name);
     void rate(quint32 baud);
+
+    // ---- of axes together ----
+
+    void homeAll();
+    void homeOrderEdited(const std::vector<nmc::ModuleIndex>& order);
+    /// Points and sequences have been edited; nothing is sent.
+    void programEdited(const nmc::Program& program);
+    void goToPoint(const std::string& point);
+    /// The same, for a place that is not one of the points.
+    void goToPlace(const nmc::Point& place);
+    void startSequence(const std::string& sequence, std::size_t row, bool singleStep);
+    void pauseSequence();
+    void resumeSequence();
+    void stepSequence();
+    void stopSequence();
+    /// A simulated run, as which nothing is sent.
+    void foresee(const std::string& sequence, std::size_t row);
+    void foresightDropped();
+    /// PathsPage shows the path, or why it cannot be read.
+    void openPath(const QString& file, const std::vector<nmc::PathColumn>& axes);
+
+    // ---- of tuning ----
+
+    /// Into the fields of the selected module, which is that of the run they come from; nothing is sent.
+    void stageGains(const nmc::servo::SetGain& gains);
+    /// A motor model of the module, which ResponsePage::showMotor() shows.
+    void identify(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
+    /// With every move of a slider, although the calculation takes some tenths of a second;
+    /// ResponsePage::showSuggestion() shows the gains.
+    void suggest(const nmc::SuggestionTask& task);
+    /// A step response to compare with others.
+    void showRun(const nmc::KeptResponse& run);
+    /// ResponsePage::runs() have changed other than by showKept() or clearRuns(), and must be stored.
+    void storeRuns();
+    /// The frequency response of the selected module.
+    void saveFrequencies(const QString& path, const QDateTime& measured);
 
     // ---- of the program ----
 

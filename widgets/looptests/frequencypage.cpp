@@ -9,6 +9,7 @@
 #include "model/intent/looptestplan.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/looptests/bodeplot.h"
 #include "widgets/looptests/looptestwords.h"
@@ -18,7 +19,8 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent) : QWidget(parent) {
+FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent)
+    : QWidget(parent), m_requests(requests) {
     look::name(this, u"frequencyPage"_s, Common::tr("Frequency response"));
     m_form = new TestForm(
         ProcedureKind::FrequencyResponse,
@@ -107,7 +109,7 @@ void FrequencyPage::chooseFile() {
     dialog->selectFile(u"frequency-response"_s);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         if (const auto found = m_shown ? m_found.find(*m_shown) : m_found.end(); found != m_found.end())
-            emit saveWanted(path, found->second.measured);
+            emit m_requests.saveFrequencies(path, found->second.measured);
     });
     dialog->show();
 }

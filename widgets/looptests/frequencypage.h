@@ -38,14 +38,11 @@ public:
     /// The points of the module that is shown; empty while there are none.
     [[nodiscard]] const std::vector<FrequencyPoint>& points() const;
 
-signals:
-    /// points(), measured at `measured`, are to be saved.
-    void saveWanted(const QString& path, const QDateTime& measured);
-
 private:
     void refresh();
     void chooseFile();
 
+    Requests& m_requests;
     TestForm* m_form;
     QuantityField* m_amplitude;
     NumberField* m_from;

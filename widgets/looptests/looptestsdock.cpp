@@ -34,8 +34,6 @@ void LoopTestsDock::build() {
     m_tabs->setCornerWidget(m_report);
     connect(m_report, &QPushButton::clicked, this, &LoopTestsDock::reportWanted);
     showReportPossible(false);
-    connect(m_square, &SquareWavePage::runKept, this, &LoopTestsDock::runKept);
-    connect(m_frequency, &FrequencyPage::saveWanted, this, &LoopTestsDock::frequenciesWanted);
     setWidget(scrolled(m_tabs));
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/common/filedialog.h"
 #include "widgets/common/lazydock.h"
 #include "widgets/panels/panelview.h"
 
@@ -11,7 +10,6 @@ class QTabWidget;
 namespace nmc {
 
 class FrequencyPage;
-struct KeptResponse;
 class Requests;
 class SquareWavePage;
 
@@ -32,11 +30,8 @@ public:
     [[nodiscard]] FrequencyPage& frequency();
 
 signals:
-    void runKept(const nmc::KeptResponse& run);
     /// A report on everything that is known of the selected module's loop is requested.
     void reportWanted();
-    /// The frequency response of the selected module, measured at `measured`, is to be saved.
-    void frequenciesWanted(const QString& path, const QDateTime& measured);
 
 private:
     void build() override;

@@ -11,6 +11,7 @@
 #include "model/response/edgefold.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/looptests/squareplot.h"
 #include "widgets/looptests/testform.h"
@@ -43,7 +44,8 @@ constexpr std::int32_t kFirstExcursion = 200;
 }
 }  // namespace
 
-SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent) : QWidget(parent) {
+SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent)
+    : QWidget(parent), m_requests(requests) {
     look::name(this, u"squareWavePage"_s, Common::tr("Square wave"));
     m_form = new TestForm(
         ProcedureKind::SquareWave,
@@ -137,7 +139,7 @@ void SquareWavePage::keep() {
         return;
     KeptResponse kept = m_labels;
     kept.run = *m_folded;
-    emit runKept(kept);
+    emit m_requests.showRun(kept);
 }
 
 }  // namespace nmc

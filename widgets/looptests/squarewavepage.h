@@ -35,14 +35,11 @@ public:
     void clear();
     void showEdge(KeptResponse edge);
 
-signals:
-    /// The median of the edges towards higher counts, as a step response to compare with others.
-    void runKept(const nmc::KeptResponse& run);
-
 private:
     void refresh();
     void keep();
 
+    Requests& m_requests;
     TestForm* m_form;
     QuantityField* m_counts;
     NumberField* m_period;

@@ -11,6 +11,7 @@
 #include "widgets/axes/axesdock.h"
 #include "widgets/chain/chainview.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/scrolled.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/looptests/looptestsdock.h"
@@ -65,7 +66,7 @@ void MainWindow::buildDocks() {
     m_monitor = new MonitorDock(*m_requests, this);
     m_response = new ResponseDock(*m_requests, this);
     m_loopTests = new LoopTestsDock(*m_requests, this);
-    m_sequences = new SequencesDock(this);
+    m_sequences = new SequencesDock(*m_requests, this);
     m_paths = new PathsDock(*m_requests, this);
     m_axes = new AxesDock(*m_requests, this);
     for (QDockWidget* dock : std::initializer_list<QDockWidget*>{
@@ -76,12 +77,11 @@ void MainWindow::buildDocks() {
     connect(m_layouts, &Layouts::chosen, this, &MainWindow::showLayout);
     connect(m_panel, &ModulePanel::responseWanted, m_response, &ResponseDock::open);
     connect(m_response, &ResponseDock::opened, this, &MainWindow::showSelected);
-    connect(m_response, &ResponseDock::gainsWanted, m_panel, &ModulePanel::stageGains);
+    connect(m_requests, &Requests::stageGains, m_panel, &ModulePanel::stageGains);
     connect(m_loopTests, &LoopTestsDock::opened, this, &MainWindow::showSelected);
-    connect(m_loopTests, &LoopTestsDock::runKept, this,
-            [this](const KeptResponse& run) { showResponse(run); });
+    connect(m_requests, &Requests::showRun, this, &MainWindow::showResponse);
     connect(m_loopTests, &LoopTestsDock::reportWanted, this, &MainWindow::chooseReportFile);
-    connect(m_loopTests, &LoopTestsDock::frequenciesWanted, this, &MainWindow::saveFrequencies);
+    connect(m_requests, &Requests::saveFrequencies, this, &MainWindow::saveFrequencies);
     for (LazyDock* dock : std::initializer_list<LazyDock*>{m_sequences, m_paths, m_axes})
         connect(dock, &LazyDock::opened, this, &MainWindow::showAllAxes);
     m_stepNow = new QAction(tr("Step"), this);

@@ -18,8 +18,6 @@ PathsPage& PathsDock::page() {
         m_page = new PathsPage(m_requests, this);
         m_page->setLatency(m_latency);
         m_page->showSequence(m_sequenceRuns);
-        connect(m_page, &PathsPage::openRequested, this, &PathsDock::openRequested);
-        connect(m_page, &PathsPage::placeRequested, this, &PathsDock::placeRequested);
         setWidget(scrolled(m_page));
     }
     return *m_page;

@@ -23,10 +23,6 @@ public:
     void setLatency(Duration latency);
     [[nodiscard]] PathsPage& page();
 
-signals:
-    void openRequested(const QString& file, const std::vector<nmc::PathColumn>& axes);
-    void placeRequested(const nmc::Point& place);
-
 private:
     void build() override { std::ignore = page(); }
 

@@ -341,7 +341,7 @@ void PathsPage::chooseFile() {
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
         if (whyNoAxes().isEmpty())
-            emit openRequested(file, axesNow());
+            emit m_requests.openPath(file, axesNow());
     });
     dialog->show();
 }
@@ -385,7 +385,7 @@ void PathsPage::moveToStart() {
         place.axes.push_back(
             {column.module, column.points.front() - (home ? home->counts : 0), home.has_value()});
     }
-    emit placeRequested(place);
+    emit m_requests.goToPlace(place);
 }
 
 QString PathsPage::question() const {

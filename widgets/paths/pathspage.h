@@ -54,12 +54,6 @@ public:
     /// A file is being read; showPath(), showProblems() or showNotRead() follows.
     void showReading();
 
-signals:
-    /// The answer is showPath(), showProblems() or showNotRead().
-    void openRequested(const QString& file, const std::vector<nmc::PathColumn>& axes);
-    /// The axes of `place` are to move there, as to a taught point.
-    void placeRequested(const nmc::Point& place);
-
 private:
     /// Everything that planPath() takes into account, for all modules.
     struct Basis;

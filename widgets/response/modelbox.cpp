@@ -11,6 +11,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/response/modelwords.h"
 #include "widgets/response/responseform.h"
 
@@ -24,8 +25,9 @@ constexpr int kMotorLines = 5;
 constexpr int kSuggestionLines = 5;
 }  // namespace
 
-ModelBox::ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QWidget* parent)
-    : QWidget(parent), m_form(form), m_runs(runs), m_margin(LoopWish{}.phaseMargin) {
+ModelBox::ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, Requests& requests,
+                   QWidget* parent)
+    : QWidget(parent), m_form(form), m_runs(runs), m_requests(requests), m_margin(LoopWish{}.phaseMargin) {
     look::name(this, u"modelBox"_s, tr("Motor model"));
     m_identify = new QPushButton(icons::tinted(u"wand"_s), tr("Find motor model"), this);
     look::name(m_identify, u"identifyButton"_s, tr("Find motor model from the steps"));
@@ -77,7 +79,7 @@ ModelBox::ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QW
     });
     connect(m_fill, &QPushButton::clicked, this, [this] {
         if (m_suggestion.gains)
-            emit gainsWanted(*m_suggestion.gains);
+            emit m_requests.stageGains(*m_suggestion.gains);
     });
     refresh();
 }
@@ -131,7 +133,7 @@ void ModelBox::find(ModuleIndex module) {
     m_looking = Looking{module, its.back()->number};
     m_found.erase(module);
     suggest();
-    emit identifyWanted(module, runs);
+    emit m_requests.identify(module, runs);
 }
 
 void ModelBox::showMotor(ModuleIndex module, const FoundMotor& found) {
@@ -190,7 +192,7 @@ void ModelBox::suggest() {
             };
             m_about = number;
             m_fitted = found->motor->runs.back().points;
-            emit suggestionWanted(
+            emit m_requests.suggest(
                 {id,
                  found->motor->motor,
                  {part(m_stiffness), part(m_damping), part(m_noise),

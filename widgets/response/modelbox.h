@@ -19,6 +19,7 @@ class QSlider;
 namespace nmc {
 
 class NumberField;
+class Requests;
 class ResponseForm;
 
 using FoundMotor = tl::expected<Identified, IdentifyFailure>;
@@ -46,20 +47,21 @@ class ModelBox : public QWidget {
 
 public:
     /// `runs`: the runs of the list, newest last. `runs` and `form` must outlive this object.
-    ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, QWidget* parent = nullptr);
+    ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, Requests& requests,
+             QWidget* parent = nullptr);
 
     /// Finds the motor model of a module from its last runs.
     void find(ModuleIndex module);
 
-    // Emit at most curvesChanged() and suggestionWanted().
+    // Emit at most curvesChanged() and Requests::suggest().
     /// Call it after ResponseForm::showModule().
     void showModule(const PanelView& view);
     void showNothing();
     /// The runs of the list have changed.
     void showRuns();
-    /// The answer to identifyWanted(); ignored if it is no longer expected.
+    /// The answer to Requests::identify(); ignored if it is no longer expected.
     void showMotor(ModuleIndex module, const FoundMotor& found);
-    /// The answer to suggestionWanted().
+    /// The answer to Requests::suggest().
     void showSuggestion(const Suggestion& suggestion);
     /// The modules have been replaced.
     void forget();
@@ -74,10 +76,6 @@ public:
     [[nodiscard]] std::optional<int> about() const { return m_about; }
 
 signals:
-    void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
-    /// Emitted with every move of a slider; the calculation takes some tenths of a second.
-    void suggestionWanted(const nmc::SuggestionTask& task);
-    void gainsWanted(const nmc::servo::SetGain& gains);
     void curvesChanged();
 
 private:
@@ -112,6 +110,7 @@ private:
     QSlider* m_noise = nullptr;
     NumberField* m_phase = nullptr;
     const std::vector<KeptResponse>& m_runs;
+    Requests& m_requests;
     std::map<ModuleIndex, Found> m_found;
     std::optional<Looking> m_looking;
     std::optional<ModuleIndex> m_servo;

@@ -17,10 +17,6 @@ ResponseDock::ResponseDock(Requests& requests, QWidget* parent)
 ResponsePage& ResponseDock::page() {
     if (m_page == nullptr) {
         m_page = new ResponsePage(m_requests, this);
-        connect(m_page, &ResponsePage::gainsWanted, this, &ResponseDock::gainsWanted);
-        connect(m_page, &ResponsePage::suggestionWanted, this, &ResponseDock::suggestionWanted);
-        connect(m_page, &ResponsePage::identifyWanted, this, &ResponseDock::identifyWanted);
-        connect(m_page, &ResponsePage::runsChanged, this, &ResponseDock::runsChanged);
         setWidget(scrolled(m_page));
         if (!m_waiting.empty())
             m_page->showKept(std::exchange(m_waiting, {}));

@@ -34,12 +34,6 @@ public:
     /// The content, built if necessary.
     ResponsePage& page();
 
-signals:
-    void gainsWanted(const nmc::servo::SetGain& gains);
-    void suggestionWanted(const nmc::SuggestionTask& task);
-    void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
-    void runsChanged();
-
 private:
     void build() override { page(); }
     [[nodiscard]] bool inUse() const { return seen() || (m_page != nullptr && m_page->lends()); }

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
+#include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
 #include <algorithm>
@@ -37,7 +38,7 @@ ResponsePage::ResponsePage(Requests& requests, QWidget* parent)
       m_requests(requests),
       m_form(new ResponseForm(requests, this)),
       m_results(new ResponseResults(this)),
-      m_model(new ModelBox(m_kept, *m_form, this)),
+      m_model(new ModelBox(m_kept, *m_form, requests, this)),
       m_view(new ResponseView(requests, this)),
       m_table(new ResponseTable(this)) {
     look::name(this, u"responsePage"_s, Common::tr("Step response"));
@@ -47,9 +48,6 @@ ResponsePage::ResponsePage(Requests& requests, QWidget* parent)
     m_findings->addTab(m_results, tr("Results"));
     m_findings->addTab(m_model, tr("Model"));
     keepFocusOnTabs(*m_findings);
-    connect(m_model, &ModelBox::identifyWanted, this, &ResponsePage::identifyWanted);
-    connect(m_model, &ModelBox::suggestionWanted, this, &ResponsePage::suggestionWanted);
-    connect(m_model, &ModelBox::gainsWanted, this, &ResponsePage::gainsWanted);
     connect(m_model, &ModelBox::curvesChanged, this, &ResponsePage::showModelCurves);
     lay();
     connect(m_form, &ResponseForm::bandEdited, this, &ResponsePage::judgeAll);
@@ -176,7 +174,7 @@ void ResponsePage::showRun(KeptResponse run) {
     m_shown[0] = run.number;
     m_kept.push_back(std::move(run));
     showList();
-    emit runsChanged();
+    emit m_requests.storeRuns();
 }
 
 void ResponsePage::showKept(std::vector<KeptResponse> runs) {
@@ -223,7 +221,7 @@ void ResponsePage::nameRun(int number, const QString& name, const QString& note)
     found->name = name.simplified().left(kLongestName).toStdString();
     found->note = note.simplified().left(kLongestNote).toStdString();
     refreshRuns();
-    emit runsChanged();
+    emit m_requests.storeRuns();
 }
 
 void ResponsePage::judgeAll(double bandPercent) {
@@ -296,7 +294,7 @@ void ResponsePage::refreshButtons() {
 void ResponsePage::useGains() {
     const KeptResponse* chosen = find(m_table->chosen());
     if (whyNotUsable(chosen).isEmpty())
-        emit gainsWanted(chosen->run.taken.gains);
+        emit m_requests.stageGains(chosen->run.taken.gains);
 }
 
 void ResponsePage::removeChosen() {
@@ -311,7 +309,7 @@ void ResponsePage::removeChosen() {
         if (shown == chosen)
             shown.reset();
     showList();
-    emit runsChanged();
+    emit m_requests.storeRuns();
 }
 
 void ResponsePage::putBack() {
@@ -323,7 +321,7 @@ void ResponsePage::putBack() {
                          [](const KeptResponse& kept, int number) { return kept.number < number; });
     m_kept.insert(place, std::move(run));
     showList();
-    emit runsChanged();
+    emit m_requests.storeRuns();
 }
 
 void ResponsePage::chooseFile() {

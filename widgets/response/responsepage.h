@@ -30,7 +30,7 @@ class ResponsePage : public QWidget {
 public:
     explicit ResponsePage(Requests& requests, QWidget* parent = nullptr);
 
-    // Emit at most suggestionWanted(), and showRun() also runsChanged().
+    // Emit at most Requests::suggest(), and showRun() also Requests::storeRuns().
     void showModule(const PanelView& view);
     void showNothing();
     /// Adds a new run: it becomes A and, if there is no B to compare it with, the previous A becomes B. Its
@@ -40,9 +40,9 @@ public:
     void showKept(std::vector<KeptResponse> runs);
     /// Removes all runs. Call it when the machine is replaced.
     void clearRuns();
-    /// The answer to identifyWanted().
+    /// The answer to Requests::identify().
     void showMotor(ModuleIndex module, const FoundMotor& found);
-    /// The answer to suggestionWanted().
+    /// The answer to Requests::suggest().
     void showSuggestion(const Suggestion& suggestion);
     /// Forgets what is known about the modules, which are those of the last connection; the runs stay.
     void forgetModules();
@@ -60,14 +60,6 @@ public:
     /// The constants of the motor model that is shown, one per line; empty if there is none.
     [[nodiscard]] QStringList motorWords() const { return m_model->motorWords(); }
 
-signals:
-    /// These gains are to be put into the fields of the selected module, which is that of the run; nothing is
-    /// to be sent.
-    void gainsWanted(const nmc::servo::SetGain& gains);
-    void suggestionWanted(const nmc::SuggestionTask& task);
-    void identifyWanted(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
-    /// runs() has changed other than by showKept() or clearRuns(), and must be stored.
-    void runsChanged();
 
 private:
     void lay();

@@ -11,21 +11,13 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-SequencesDock::SequencesDock(QWidget* parent)
-    : LazyDock(u"sequencesDock"_s, Common::tr("Points and sequences"), Qt::Key_F3, parent) {}
+SequencesDock::SequencesDock(Requests& requests, QWidget* parent)
+    : LazyDock(u"sequencesDock"_s, Common::tr("Points and sequences"), Qt::Key_F3, parent),
+      m_requests(requests) {}
 
 SequencesPage& SequencesDock::page() {
     if (m_page == nullptr) {
-        m_page = new SequencesPage(this);
-        connect(m_page, &SequencesPage::programEdited, this, &SequencesDock::programEdited);
-        connect(m_page, &SequencesPage::goToRequested, this, &SequencesDock::goToRequested);
-        connect(m_page, &SequencesPage::startRequested, this, &SequencesDock::startRequested);
-        connect(m_page, &SequencesPage::pauseRequested, this, &SequencesDock::pauseRequested);
-        connect(m_page, &SequencesPage::resumeRequested, this, &SequencesDock::resumeRequested);
-        connect(m_page, &SequencesPage::stepRequested, this, &SequencesDock::stepRequested);
-        connect(m_page, &SequencesPage::stopRequested, this, &SequencesDock::stopRequested);
-        connect(m_page, &SequencesPage::foresightRequested, this, &SequencesDock::foresightRequested);
-        connect(m_page, &SequencesPage::foresightDropped, this, &SequencesDock::foresightDropped);
+        m_page = new SequencesPage(m_requests, this);
         if (m_run)
             m_page->showRun(*m_run);
         setWidget(scrolled(m_page));

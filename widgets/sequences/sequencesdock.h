@@ -6,12 +6,14 @@
 
 namespace nmc {
 
+class Requests;
+
 /// The dock of points and sequences, closed initially; its content is built when it is first seen.
 class SequencesDock : public LazyDock {
     Q_OBJECT
 
 public:
-    explicit SequencesDock(QWidget* parent = nullptr);
+    explicit SequencesDock(Requests& requests, QWidget* parent = nullptr);
 
     // As in SequencesPage.
     void showSession(const LinkState& link, const Machine& machine);
@@ -24,19 +26,11 @@ public:
 signals:
     /// A run has ended, and neither the user nor a stop of all modules ended it.
     void ended();
-    // As in SequencesPage.
-    void programEdited(const nmc::Program& program);
-    void goToRequested(const std::string& point);
-    void startRequested(const std::string& sequence, std::size_t row, bool singleStep);
-    void pauseRequested();
-    void resumeRequested();
-    void stepRequested();
-    void stopRequested();
-    void foresightRequested(const std::string& sequence, std::size_t row);
-    void foresightDropped();
 
 private:
     void build() override { page(); }
+
+    Requests& m_requests;
     SequencesPage* m_page = nullptr;
     std::optional<SequenceReport> m_run;
 };

@@ -19,6 +19,7 @@
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
+#include "widgets/common/requests.h"
 #include "widgets/common/sequencetexts.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
@@ -74,8 +75,8 @@ FlowLayout* inARow(const QWidget* box, Commands*... commands) {
 
 }  // namespace
 
-SequencesPage::SequencesPage(QWidget* parent)
-    : QWidget(parent), m_points(new PointsModel(this)), m_rows(new RowsModel(this)) {
+SequencesPage::SequencesPage(Requests& requests, QWidget* parent)
+    : QWidget(parent), m_requests(requests), m_points(new PointsModel(this)), m_rows(new RowsModel(this)) {
     look::name(this, u"sequencesPage"_s, Common::tr("Points and sequences"));
     setLayout(form::newLine(this, {{buildPoints(), 2}, {buildSequences(), 3}}, form::kUsual));
     connect(m_points, &PointsModel::renameWanted, this,
@@ -115,7 +116,7 @@ QWidget* SequencesPage::buildPoints() {
                           .accessible = tr("Go to point: the selected one")},
                          box, [this] {
                              if (const Point* point = chosenPoint())
-                                 emit goToRequested(point->name);
+                                 emit m_requests.goToPoint(point->name);
                          });
     m_removePoint =
         new Command({.name = u"removePointButton"_s,
@@ -264,11 +265,11 @@ QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
                                if (m_foreseeing) {
                                    m_foreseeing = false;
                                    showForesightText({});
-                                   emit foresightDropped();
+                                   emit m_requests.foresightDropped();
                                } else {
                                    m_foreseeing = true;
                                    showForesightText(tr("Dry run…"));
-                                   emit foresightRequested(sequence(), 0);
+                                   emit m_requests.foresee(sequence(), 0);
                                }
                                refreshRun();
                            });
@@ -280,19 +281,19 @@ QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
     m_pause = newCommand(u"pauseSequenceButton"_s, u"player-pause"_s, Common::tr("Pause"),
                          tr("Pause the sequence after its row"), [this] {
                              if (m_run->stage == SequenceStage::Paused)
-                                 emit resumeRequested();
+                                 emit m_requests.resumeSequence();
                              else
-                                 emit pauseRequested();
+                                 emit m_requests.pauseSequence();
                          });
     m_step = newCommand(u"stepSequenceButton"_s, u"arrow-right"_s, tr("Single step"),
                         tr("Single step: run one row of the sequence"), [this] {
                             if (running())
-                                emit stepRequested();
+                                emit m_requests.stepSequence();
                             else
                                 start(chosenRow().value_or(0), true);
                         });
     m_stop = newCommand(u"stopSequenceButton"_s, u"player-stop"_s, tr("Stop sequence"),
-                        tr("Stop sequence and its motors"), [this] { emit stopRequested(); });
+                        tr("Stop sequence and its motors"), [this] { emit m_requests.stopSequence(); });
     auto* row = new QWidget(box);
     auto* layout = inARow(box, m_foresee, m_start, m_startHere, m_pause, m_step, m_stop);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -322,7 +323,7 @@ void SequencesPage::put(const Program& program) {
     m_program = program;
     m_machine.program = program;
     showProgram();
-    emit programEdited(program);
+    emit m_requests.programEdited(program);
 }
 
 void SequencesPage::teach() {
@@ -346,7 +347,7 @@ void SequencesPage::moveRow(int by) {
 }
 
 void SequencesPage::start(std::size_t row, bool singleStep) {
-    emit startRequested(sequence(), row, singleStep);
+    emit m_requests.startSequence(sequence(), row, singleStep);
 }
 
 // ---- display ----

@@ -23,30 +23,19 @@ namespace nmc {
 
 class Command;
 class PointsModel;
+class Requests;
 class RowsModel;
 
-/// Points and sequences are taught, edited, simulated and run here. The page receives values and emits
-/// requests; each edit can be undone as one step.
+/// Points and sequences are taught, edited, simulated and run here. Each edit can be undone as one step.
 class SequencesPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit SequencesPage(QWidget* parent = nullptr);
+    explicit SequencesPage(Requests& requests, QWidget* parent = nullptr);
 
     void showSession(const LinkState& link, const Machine& machine);
     void showRun(const SequenceReport& report);
     void showForesight(const DryRun& dryRun);
-
-signals:
-    void programEdited(const nmc::Program& program);
-    void goToRequested(const std::string& point);
-    void startRequested(const std::string& sequence, std::size_t row, bool singleStep);
-    void pauseRequested();
-    void resumeRequested();
-    void stepRequested();
-    void stopRequested();
-    void foresightRequested(const std::string& sequence, std::size_t row);
-    void foresightDropped();
 
 private:
     class Edit;
@@ -81,6 +70,7 @@ private:
     /// Why points and sequences may be used but not changed; empty if they may be changed.
     [[nodiscard]] QString locked() const;
 
+    Requests& m_requests;
     LinkState m_link;
     Machine m_machine;
     Program m_program;
