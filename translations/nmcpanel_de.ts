@@ -5587,6 +5587,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>What the module does by itself when limit 1 closes while it counts up, or limit 2 while it counts down. It stays armed.</source>
         <translation>Was das Modul von selbst tut, wenn Endschalter 1 schließt, während es aufwärts zählt, oder Endschalter 2, während es abwärts zählt. Es bleibt scharf.</translation>
     </message>
+    <message>
+        <source>Undo the last edit of the amplifier settings</source>
+        <translation>Die letzte Änderung der Verstärkereinstellungen rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo the edit of the amplifier settings</source>
+        <translation>Die Änderung der Verstärkereinstellungen wiederholen</translation>
+    </message>
+    <message>
+        <source>Revert the amplifier settings to those last sent</source>
+        <translation>Verstärkereinstellungen auf die gesendeten zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Restores the amplifier settings last sent. Sends nothing.</source>
+        <translation>Stellt die zuletzt gesendeten Verstärkereinstellungen wieder her. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Clears the fields: no amplifier settings have been sent yet. Sends nothing.</source>
+        <translation>Leert die Felder: Es wurden noch keine Verstärkereinstellungen gesendet. Sendet nichts.</translation>
+    </message>
+    <message>
+        <source>Choose what the limit inputs do.</source>
+        <translation>Wählen, was die Endschalter-Eingänge bewirken.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxesPage</name>
@@ -11334,10 +11358,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Rechteck, eine Periode</translation>
     </message>
     <message>
-        <source>All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains.</source>
-        <translation>Alle Flanken mit den jetzigen Reglerwerten übereinander: ihr Median, und schattiert, wo acht von zehn Messwerten liegen. Blass: mit den Reglerwerten davor.</translation>
-    </message>
-    <message>
         <source>median, %1</source>
         <translation>Median, %1</translation>
     </message>
@@ -11348,6 +11368,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>No edge recorded yet. A square wave overlays many steps while you change gains.</source>
         <translation>Noch ist keine Flanke aufgezeichnet. Ein Rechteck legt viele Sprünge übereinander, während Reglerwerte geändert werden.</translation>
+    </message>
+    <message>
+        <source>All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains. Double-click to show everything. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
+        <translation>Alle Flanken mit den jetzigen Reglerwerten übereinander: ihr Median, und schattiert, wo acht von zehn Messwerten liegen. Blass: mit den Reglerwerten davor. Ein Doppelklick zeigt alles. Das Mausrad zoomt die Zeit, mit Strg die Positionen; Ziehen verschiebt; Ziehen mit Umschalt wählt eine Zeit.</translation>
     </message>
 </context>
 <context>

@@ -5587,6 +5587,30 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>What the module does by itself when limit 1 closes while it counts up, or limit 2 while it counts down. It stays armed.</source>
         <translation>Lo que hace el módulo por sí solo cuando se cierra el final 1 mientras cuenta hacia arriba, o el final 2 mientras cuenta hacia abajo. Sigue armado.</translation>
     </message>
+    <message>
+        <source>Undo the last edit of the amplifier settings</source>
+        <translation>Deshacer la última edición de los ajustes del amplificador</translation>
+    </message>
+    <message>
+        <source>Redo the edit of the amplifier settings</source>
+        <translation>Rehacer la edición de los ajustes del amplificador</translation>
+    </message>
+    <message>
+        <source>Revert the amplifier settings to those last sent</source>
+        <translation>Revertir los ajustes del amplificador a los últimos enviados</translation>
+    </message>
+    <message>
+        <source>Restores the amplifier settings last sent. Sends nothing.</source>
+        <translation>Restaura los últimos ajustes del amplificador enviados. No envía nada.</translation>
+    </message>
+    <message>
+        <source>Clears the fields: no amplifier settings have been sent yet. Sends nothing.</source>
+        <translation>Vacía los campos: aún no se han enviado ajustes del amplificador. No envía nada.</translation>
+    </message>
+    <message>
+        <source>Choose what the limit inputs do.</source>
+        <translation>Elija qué hacen las entradas de final de carrera.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxesPage</name>
@@ -11334,10 +11358,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Onda cuadrada, un período</translation>
     </message>
     <message>
-        <source>All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains.</source>
-        <translation>Todos los flancos con las ganancias actuales, superpuestos: la línea es su mediana; la banda sombreada contiene el 80 % de las muestras. En tono pálido: las ganancias anteriores.</translation>
-    </message>
-    <message>
         <source>median, %1</source>
         <translation>mediana, %1</translation>
     </message>
@@ -11348,6 +11368,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>No edge recorded yet. A square wave overlays many steps while you change gains.</source>
         <translation>Aún no se ha grabado ningún flanco. Una onda cuadrada superpone muchos escalones mientras usted cambia las ganancias.</translation>
+    </message>
+    <message>
+        <source>All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains. Double-click to show everything. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
+        <translation>Todos los flancos con las ganancias actuales, superpuestos: la línea es su mediana; la banda sombreada contiene el 80 % de las muestras. En tono pálido: las ganancias anteriores. Doble clic para mostrar todo. Rueda para ampliar el tiempo, o las posiciones con Ctrl; arrastre para desplazar; arrastre con Mayús para seleccionar un tiempo.</translation>
     </message>
 </context>
 <context>

@@ -167,7 +167,7 @@
     <name>Common</name>
     <message>
         <source>%1 of %2 modules answered.</source>
-        <translation>Modules ayant répondu : %1 sur %2.</translation>
+        <translation>Modules ayant répondu&#xa0;: %1 sur %2.</translation>
     </message>
     <message>
         <source>Group %1</source>
@@ -235,7 +235,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -391,7 +391,7 @@
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Command</source>
@@ -435,7 +435,7 @@
     </message>
     <message>
         <source>Save as home: the present position</source>
-        <translation>Enregistrer comme origine : la position actuelle</translation>
+        <translation>Enregistrer comme origine&#xa0;: la position actuelle</translation>
     </message>
     <message>
         <source>Details</source>
@@ -519,11 +519,11 @@
     </message>
     <message>
         <source>Starting values: fill in</source>
-        <translation>Valeurs de départ : remplir</translation>
+        <translation>Valeurs de départ&#xa0;: remplir</translation>
     </message>
     <message>
         <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
+        <translation>%1&#xa0;Hz</translation>
     </message>
     <message>
         <source>Outputs</source>
@@ -635,11 +635,11 @@
     </message>
     <message>
         <source>Use nearest allowed position</source>
-        <translation>Au plus proche : la position autorisée la plus proche</translation>
+        <translation>Au plus proche&#xa0;: la position autorisée la plus proche</translation>
     </message>
     <message>
         <source>Zero here: set the present position to 0</source>
-        <translation>Zéro ici : mettre à 0 la position actuelle</translation>
+        <translation>Zéro ici&#xa0;: mettre à 0 la position actuelle</translation>
     </message>
     <message>
         <source>Go home</source>
@@ -655,7 +655,7 @@
     </message>
     <message>
         <source>Go to the position</source>
-        <translation>Y aller : à la position</translation>
+        <translation>Y aller&#xa0;: à la position</translation>
     </message>
     <message>
         <source>Run &amp;reverse</source>
@@ -699,7 +699,7 @@
     </message>
     <message>
         <source>Motor off: this module</source>
-        <translation>Couper le moteur : ce module</translation>
+        <translation>Couper le moteur&#xa0;: ce module</translation>
     </message>
     <message>
         <source>A/D %1</source>
@@ -707,7 +707,7 @@
     </message>
     <message>
         <source>Switches servo and amplifier off: the motor is free to turn, and a load may fall.</source>
-        <translation>Coupe le servo et l’amplificateur : le moteur peut tourner librement, et une charge peut tomber.</translation>
+        <translation>Coupe le servo et l’amplificateur&#xa0;: le moteur peut tourner librement, et une charge peut tomber.</translation>
     </message>
     <message>
         <source>Expert</source>
@@ -787,7 +787,7 @@
     </message>
     <message>
         <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
+        <translation> (%1&#xa0;Hz)</translation>
     </message>
     <message>
         <source>time</source>
@@ -895,7 +895,7 @@
     </message>
     <message>
         <source>Overlay: %1</source>
-        <translation>Superposé : %1</translation>
+        <translation>Superposé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Scope</source>
@@ -5586,6 +5586,30 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>What the module does by itself when limit 1 closes while it counts up, or limit 2 while it counts down. It stays armed.</source>
         <translation>Ce que le module fait de lui-même quand le fin de course 1 se ferme pendant qu’il compte vers le haut, ou le fin de course 2 pendant qu’il compte vers le bas. Cela reste armé.</translation>
+    </message>
+    <message>
+        <source>Undo the last edit of the amplifier settings</source>
+        <translation>Annuler la dernière modification des réglages de l’amplificateur</translation>
+    </message>
+    <message>
+        <source>Redo the edit of the amplifier settings</source>
+        <translation>Rétablir la modification des réglages de l’amplificateur</translation>
+    </message>
+    <message>
+        <source>Revert the amplifier settings to those last sent</source>
+        <translation>Abandonner&#xa0;: revenir aux derniers réglages de l’amplificateur envoyés</translation>
+    </message>
+    <message>
+        <source>Restores the amplifier settings last sent. Sends nothing.</source>
+        <translation>Rétablit les derniers réglages de l’amplificateur envoyés. N’envoie rien.</translation>
+    </message>
+    <message>
+        <source>Clears the fields: no amplifier settings have been sent yet. Sends nothing.</source>
+        <translation>Vide les champs&#xa0;: aucun réglage de l’amplificateur n’a encore été envoyé. N’envoie rien.</translation>
+    </message>
+    <message>
+        <source>Choose what the limit inputs do.</source>
+        <translation>Choisissez l’effet des entrées de fin de course.</translation>
     </message>
 </context>
 <context>
@@ -11334,10 +11358,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Signal carré, une période</translation>
     </message>
     <message>
-        <source>All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains.</source>
-        <translation>Tous les fronts avec les gains actuels, superposés&#xa0;: le trait est leur médiane, la zone grisée contient 80&#x202f;% des échantillons. En pâle&#xa0;: les gains précédents.</translation>
-    </message>
-    <message>
         <source>median, %1</source>
         <translation>médiane, %1</translation>
     </message>
@@ -11348,6 +11368,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>No edge recorded yet. A square wave overlays many steps while you change gains.</source>
         <translation>Aucun front enregistré. Un signal carré superpose de nombreux échelons pendant que vous modifiez les gains.</translation>
+    </message>
+    <message>
+        <source>All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains. Double-click to show everything. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
+        <translation>Tous les fronts avec les gains actuels, superposés&#xa0;: le trait est leur médiane, la zone grisée contient 80&#xa0;% des échantillons. En pâle&#xa0;: les gains précédents. Double-cliquez pour tout afficher. La molette zoome le temps, ou les positions avec Ctrl&#xa0;; faites glisser pour déplacer la vue ; faites glisser avec Maj pour sélectionner une durée.</translation>
     </message>
 </context>
 <context>

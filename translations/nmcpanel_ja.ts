@@ -5570,6 +5570,30 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>What the module does by itself when limit 1 closes while it counts up, or limit 2 while it counts down. It stays armed.</source>
         <translation>カウントが増えている間にリミット1、または減っている間にリミット2が閉じたとき、モジュールが自動で行う動作です。作動後も有効なままです。</translation>
     </message>
+    <message>
+        <source>Undo the last edit of the amplifier settings</source>
+        <translation>元に戻す：アンプ設定の最後の編集</translation>
+    </message>
+    <message>
+        <source>Redo the edit of the amplifier settings</source>
+        <translation>やり直し：アンプ設定の編集</translation>
+    </message>
+    <message>
+        <source>Revert the amplifier settings to those last sent</source>
+        <translation>編集を破棄：最後に送信したアンプ設定に戻す</translation>
+    </message>
+    <message>
+        <source>Restores the amplifier settings last sent. Sends nothing.</source>
+        <translation>最後に送信したアンプ設定に戻します。何も送信しません。</translation>
+    </message>
+    <message>
+        <source>Clears the fields: no amplifier settings have been sent yet. Sends nothing.</source>
+        <translation>欄を空にします。アンプ設定はまだ送信していません。何も送信しません。</translation>
+    </message>
+    <message>
+        <source>Choose what the limit inputs do.</source>
+        <translation>リミット入力の動作を選択してください。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxesPage</name>
@@ -11314,10 +11338,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>矩形波、1周期</translation>
     </message>
     <message>
-        <source>All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains.</source>
-        <translation>現在のゲインでの全エッジを重ねたものです。線は中央値、網掛けの帯はサンプルの80%の範囲です。淡色：以前のゲイン。</translation>
-    </message>
-    <message>
         <source>median, %1</source>
         <translation>中央値、%1</translation>
     </message>
@@ -11328,6 +11348,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>No edge recorded yet. A square wave overlays many steps while you change gains.</source>
         <translation>エッジはまだ記録されていません。矩形波では、ゲインを変えながら多数のステップを重ねて表示します。</translation>
+    </message>
+    <message>
+        <source>All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains. Double-click to show everything. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time.</source>
+        <translation>現在のゲインでの全エッジを重ねたものです。線は中央値、網掛けの帯はサンプルの80%の範囲です。淡色：以前のゲイン。ダブルクリックで全体を表示します。スクロールで時間を、Ctrlを押しながらで位置を拡大縮小し、ドラッグで表示を移動し、Shiftを押しながらドラッグして時間を選択します。</translation>
     </message>
 </context>
 <context>
