@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/common/texts.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/texts.h"
 #include "widgets/response/responsedock.h"
 
 namespace nmc {

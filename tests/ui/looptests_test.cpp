@@ -180,7 +180,8 @@ TEST(SquarePlotHands, KeysAndADoubleClickZoomAndFit) {
     fold.counts = 10;
     fold.half = 0.1;
     for (int i = 0; i <= 100; ++i)
-        fold.forward.push_back({.seconds = i * 0.001, .position = i * 0.1, .low = i * 0.1, .high = i * 0.1, .samples = 1});
+        fold.forward.push_back(
+            {.seconds = i * 0.001, .position = i * 0.1, .low = i * 0.1, .high = i * 0.1, .samples = 1});
     plot.showFold(fold, {}, AxisScale());
     const PlotGeometry all = plot.geometryShown();
     EXPECT_NEAR(all.right, 0.2, 1e-9);

@@ -19,8 +19,7 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent)
-    : QWidget(parent), m_requests(requests) {
+FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent) : QWidget(parent), m_requests(requests) {
     look::name(this, u"frequencyPage"_s, Common::tr("Frequency response"));
     m_form = new TestForm(
         ProcedureKind::FrequencyResponse,

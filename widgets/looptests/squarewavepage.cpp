@@ -44,8 +44,7 @@ constexpr std::int32_t kFirstExcursion = 200;
 }
 }  // namespace
 
-SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent)
-    : QWidget(parent), m_requests(requests) {
+SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent) : QWidget(parent), m_requests(requests) {
     look::name(this, u"squareWavePage"_s, Common::tr("Square wave"));
     m_form = new TestForm(
         ProcedureKind::SquareWave,

@@ -108,16 +108,16 @@ void AmplifierBox::buildDrive(FormGrid& grid) {
     addField(&grid,
              {.object = u"limitProtection"_s, .label = tr("Limit inputs"), .meaning = m_limits->toolTip()},
              m_limits);
+    addSetting(grid,
+               {.name = u"threePhaseBox"_s,
+                .text = tr("3-phase commutation"),
+                .meaning = tr(
+                    "For a brushless motor with Hall sensors and a 3-phase amplifier. Off: a brush motor.")});
     addSetting(
-        grid,
-        {.name = u"threePhaseBox"_s,
-         .text = tr("3-phase commutation"),
-         .meaning = tr("For a brushless motor with Hall sensors and a 3-phase amplifier. Off: a brush motor.")});
-    addSetting(
-        grid,
-        {.name = u"antiphaseBox"_s,
-         .text = tr("Antiphase PWM"),
-         .meaning = tr("For a locked-antiphase amplifier: 50 % PWM is zero output. Off: PWM and direction.")});
+        grid, {.name = u"antiphaseBox"_s,
+               .text = tr("Antiphase PWM"),
+               .meaning =
+                   tr("For a locked-antiphase amplifier: 50 % PWM is zero output. Off: PWM and direction.")});
     addSetting(
         grid,
         {.name = u"stepperInputBox"_s,

@@ -296,8 +296,8 @@ void StagedForm::refreshRow(std::size_t number) {
     // An unticked box is no value as long as nothing is known.
     const bool check = field.number == nullptr && qobject_cast<QCheckBox*>(field.control) != nullptr;
     const bool kept = m_kept && m_kept->at(number);
-    const bool empty = check ? value == 0 && !kept
-                             : !value && (field.number == nullptr || field.number->text().isEmpty());
+    const bool empty =
+        check ? value == 0 && !kept : !value && (field.number == nullptr || field.number->text().isEmpty());
     showMark(field.state,
              !sent && empty           ? Mark::Unknown
              : value && value == sent ? Mark::Sent

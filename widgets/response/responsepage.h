@@ -60,7 +60,6 @@ public:
     /// The constants of the motor model that is shown, one per line; empty if there is none.
     [[nodiscard]] QStringList motorWords() const { return m_model->motorWords(); }
 
-
 private:
     void lay();
     QWidget* newRunsPart();

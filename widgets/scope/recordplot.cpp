@@ -33,9 +33,8 @@ void RecordPlot::fit() {
     const int rows = std::clamp((frameHeight() - around.bottom() - 2 * em) * 2 / (em * 3), 2, 8);
     const View view = m_view.value_or(fitted());
     const AxisRange::Range range =
-        m_view
-            ? AxisRange::Range{view.bottom, view.top, TimeWindow::nice((view.top - view.bottom) / rows)}
-            : AxisRange::around(view.bottom, view.top, 0, rows);
+        m_view ? AxisRange::Range{view.bottom, view.top, TimeWindow::nice((view.top - view.bottom) / rows)}
+               : AxisRange::around(view.bottom, view.top, 0, rows);
     m_frame.setValueAxis(range.min, range.max, range.step);
     m_frame.setMargins(m_frame.labelWidth() + around.left(), around.right(), around.bottom());
     const int columns = std::clamp(width() / (em * 5), 2, 10);
