@@ -18,7 +18,7 @@ namespace {
 
 enum Mode { Off, Timer, Counter };
 
-constexpr int kDigits = 5;  // width of a field
+constexpr int kCounterDigits = 5;  // width of a field
 
 /// IO12 to IO1, most significant first, as binary numbers are written.
 QString levels(std::uint16_t pins) {
@@ -58,7 +58,7 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
           {.name = u"storedOutputsField"_s,
            .accessible = tr("Outputs to store"),
            .max = io::kAllPins,
-           .digits = kDigits,
+           .digits = kCounterDigits,
            .meaning = tr("Add up the outputs: IO1 is 1, IO2 is 2, IO3 is 4, up to IO12, which is 2048.")},
           this)),
       m_store(new Command({.name = u"storeOutputsButton"_s,
@@ -107,7 +107,7 @@ void CounterBox::buildSynch(FormGrid& grid) {
                                        .accessible = tr("%1 to store").arg(label),
                                        .words = label,
                                        .max = 255,
-                                       .digits = kDigits},
+                                       .digits = kCounterDigits},
                                       this);
         grid.addRow(label, m_pwm.at(i));
     }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kLongestAnalogUnit = 8;
 constexpr double kLargestScale = 1e6;
-constexpr int kDigits = 8;  // width of a field
+constexpr int kValueDigits = 8;  // width of a field
 
 }  // namespace
 
@@ -52,7 +52,7 @@ NumberField* IoValuesBox::newNumber(const QString& objectName, const QString& ac
                             .min = -kLargestScale,
                             .max = kLargestScale,
                             .decimals = 6,
-                            .digits = kDigits,
+                            .digits = kValueDigits,
                             .meaning = meaning},
                            this);
 }
@@ -118,7 +118,7 @@ void IoValuesBox::buildPwm(QGridLayout& grid, int row) {
         output.field = form::newNumber({.name = u"ioPwm%1Field"_s.arg(number),
                                         .accessible = tr("Value of %1").arg(label),
                                         .max = 255,
-                                        .digits = kDigits,
+                                        .digits = kValueDigits,
                                         .meaning = tr("255 is always on. Press Enter to send.")},
                                        this);
         output.offAtStop = form::newCheck(

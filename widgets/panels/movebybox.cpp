@@ -20,7 +20,7 @@ namespace {
 constexpr double kFirstDistance = 100;
 constexpr double kMaxRounds = 100'000;
 constexpr double kLongestPause = 3'600;  // s
-constexpr int kDigits = 6;
+constexpr int kRepeatDigits = 6;
 }  // namespace
 
 MoveByBox::MoveByBox(ModuleContext& context, const MovesBy& motion, QWidget* parent)
@@ -67,7 +67,7 @@ void MoveByBox::buildRepeat(FormGrid* grid) {
                                 .accessible = tr("The number of steps"),
                                 .min = 1,
                                 .max = kMaxRounds,
-                                .digits = kDigits,
+                                .digits = kRepeatDigits,
                                 .meaning = tr("Number of steps per click.")},
                                this);
     m_rounds->showValue(1);
@@ -75,7 +75,7 @@ void MoveByBox::buildRepeat(FormGrid* grid) {
                                .accessible = tr("The pause between steps"),
                                .max = kLongestPause,
                                .decimals = 2,
-                               .digits = kDigits,
+                               .digits = kRepeatDigits,
                                .meaning = tr("Time to wait after each move, in seconds.")},
                               this);
     m_pause->showValue(0);

@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <cmath>
 
+#include "model/intent/pace.h"
 #include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
 #include "model/module/stepperdefaults.h"
@@ -82,12 +83,13 @@ void StepperMotionBox::buildButtons(FormGrid* grid) {
                         .text = Common::tr("&Go"),
                         .accessible = Common::tr("Go to the position")},
                        this, [this] { request(false); });
-    m_goHome = new Command({.name = u"stepperGoHomeButton"_s,
-                            .icon = u"home"_s,
-                            .text = Common::tr("Go home"),
-                            .accessible = Common::tr("Go home"),
-                            .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
-                           this, [this] { m_context.ask(intent::GoHome{movePace()}); });
+    m_goHome = new Command(
+        {.name = u"stepperGoHomeButton"_s,
+         .icon = u"home"_s,
+         .text = Common::tr("Go home"),
+         .accessible = Common::tr("Go home"),
+         .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
+        this, [this] { m_context.ask(intent::GoHome{paceOf(m_context.state(), m_context.settings())}); });
     m_runReverse = new Command({.name = u"stepperRunReverseButton"_s,
                                 .icon = u"arrow-left"_s,
                                 .text = Common::tr("Run &reverse"),
@@ -217,21 +219,12 @@ std::optional<StepperMotion> StepperMotionBox::motion(bool reverse) const {
     return std::nullopt;
 }
 
-bus::StepperPace StepperMotionBox::movePace() const {
-    const AxisSettings& axis = m_context.settings();
-    const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, axis);
-    const double set = axis.motion.velocity > 0 ? axis.motion.velocity : stepperdefaults::kMove;
-    const double speed = std::clamp(
-        set, speeds.slowest(), std::max(speeds.slowest(), stepperdefaults::atMost(speeds.fastest(), axis)));
-    return {speeds.speedFor(speed), stepperdefaults::accelerationTime(axis)};
-}
-
 QString StepperMotionBox::whyNoMovesBy() const {
     return m_mode->hasGoal() ? m_speed->problemText() : QString();
 }
 
 std::optional<Intent> StepperMotionBox::movesBy(const Rounds& moves) const {
-    return intent::MoveBy{moves, movePace()};
+    return intent::MoveBy{moves, paceOf(m_context.state(), m_context.settings())};
 }
 
 std::optional<Refusal> StepperMotionBox::refusalOf(bool reverse) const {
@@ -365,7 +358,7 @@ void StepperMotionBox::refreshCommands() {
                    load ? later : Common::tr("Runs forward until stopped."));
     QString reason = m_context.reasonNow(IntentKind::GoHome);
     if (reason.isEmpty())
-        reason = m_context.reasonFor(Intent(intent::GoHome{movePace()}));
+        reason = m_context.reasonFor(Intent(intent::GoHome{paceOf(m_context.state(), m_context.settings())}));
     m_goHome->setPossible(reason, tr("Moves to home with a ramp, at the travel speed."));
     m_startLoaded->setPossible(m_context.reasonNow(IntentKind::StartLoaded), tr("Starts the loaded motion."));
 }

@@ -46,8 +46,6 @@ private:
     void showSpeed();
     void keepSpeed();
     void request(bool reverse);
-    /// The pace of moves with a ramp.
-    [[nodiscard]] bus::StepperPace movePace() const;
     /// The nearest position within the travel limits if the goal is beyond them; otherwise empty.
     [[nodiscard]] std::optional<std::int32_t> nearest() const;
     void takeNearest();

@@ -22,7 +22,7 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kDigits = 8;  // width of each field
+constexpr int kLimitDigits = 8;  // width of each field
 }  // namespace
 
 TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
@@ -52,7 +52,7 @@ void TravelBox::buildLimit(FormGrid* grid, Limit limit) {
          .min = layout::kPlace.min,
          .max = layout::kPlace.max,
          .step = 100,
-         .digits = kDigits,
+         .digits = kLimitDigits,
          .meaning = tr("Counted from home. No motion passes it while home is known. Empty: no limit.")},
         this);
     m_limits[limit] = field;
@@ -74,7 +74,7 @@ void TravelBox::buildFastest(FormGrid* grid) {
         {.kind = QuantityField::Kind::Velocity,
          .name = m_context.named(u"fastestField"_s),
          .accessible = Common::tr("Highest velocity"),
-         .digits = kDigits,
+         .digits = kLimitDigits,
          .meaning = tr("Limits moves, runs, steps, jog and homing. Empty: the module's maximum.")},
         this);
     grid->addRow(Common::tr("Highest velocity"), m_fastest);
@@ -89,7 +89,7 @@ void TravelBox::buildBacklash(FormGrid* grid) {
          .accessible = Common::tr("Backlash"),
          .min = 1,
          .max = layout::kPlace.max,
-         .digits = kDigits,
+         .digits = kLimitDigits,
          .meaning = tr(
              "Slightly more than the play between motor and load. A move from the other side overshoots its goal by this distance and comes back. Empty: none.")},
         this);

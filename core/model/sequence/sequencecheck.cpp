@@ -6,8 +6,7 @@
 #include "base/overloaded.h"
 #include "bus/standstill.h"
 #include "model/intent/homingplan.h"
-#include "model/module/servodefaults.h"
-#include "model/module/stepperdefaults.h"
+#include "model/intent/pace.h"
 
 namespace nmc {
 
@@ -318,18 +317,7 @@ tl::expected<Intent, Refusal> moveIntent(const PointAxis& axis, unsigned percent
     const auto goal = goalOf(axis, module);
     if (!goal)
         return tl::unexpected(goal.error());
-    const double share = percent / 100.0;
-    if (module.isStepper()) {
-        const double wanted =
-            settings.motion.velocity > 0 ? settings.motion.velocity : stepperdefaults::kMove;
-        const StepperSpeed speed = stepperdefaults::speedMode(module.stepper, settings);
-        return intent::Move{moveTo(*goal, bus::StepperPace{speed.speedFor(wanted * share),
-                                                           stepperdefaults::accelerationTime(settings)})};
-    }
-    const MotionSettings motion = servodefaults::motionOf(settings);
-    return intent::Move{
-        moveTo(*goal, ServoPace{CountsPerTick(std::max(1U, servodefaults::toFixed(motion.velocity * share))),
-                                CountsPerTickSquared(servodefaults::toFixed(motion.acceleration))})};
+    return intent::Move{moveTo(*goal, paceOf(module, settings, percent / 100.0))};
 }
 
 std::optional<bool> readPin(InputPin pin, const ModuleState& module) {
