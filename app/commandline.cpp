@@ -24,6 +24,8 @@ const QString kPort = QStringLiteral("port");
 const QString kBaud = QStringLiteral("baud");
 const QString kSimulator = QStringLiteral("simulator");
 const QString kReadOnly = QStringLiteral("read-only");
+const QString kServe = QStringLiteral("serve");
+const QString kControl = QStringLiteral("control");
 const QString kEnableFaults = QStringLiteral("enable-faults");
 const QString kListPorts = QStringLiteral("list-ports");
 const QString kHelp = QStringLiteral("help");
@@ -49,6 +51,10 @@ void declareOptions(QCommandLineParser& parser) {
         {kReadOnly,
          CommandLine::tr(
              "With --port or --simulator: connect read-only. Only status requests are sent, and closing does not stop motors. STOP ALL still works.")},
+        {kServe,
+         CommandLine::tr(
+             "Let other programs in from the start. With =control, one of them may move motors without the user being asked."),
+         QStringLiteral("control")},
         {kEnableFaults, CommandLine::tr("Allow control lines to inject faults into the built-in simulator.")},
         {kListPorts, CommandLine::tr("List the serial ports of this computer.")},
         {{QStringLiteral("h"), kHelp}, CommandLine::tr("Show this help.")},
@@ -63,7 +69,7 @@ bool isFile(const QString& argument) {
 }
 
 /// QCommandLineParser does not support options with an optional value.
-QStringList withSimulatorValue(const QStringList& arguments) {
+QStringList withOptionalValues(const QStringList& arguments) {
     QStringList all;
     for (qsizetype i = 0; i < arguments.size(); ++i) {
         QString argument = arguments[i];
@@ -72,6 +78,8 @@ QStringList withSimulatorValue(const QStringList& arguments) {
             const bool given = !next.isEmpty() && !next.startsWith(QLatin1Char('-')) && !isFile(next);
             argument += QLatin1Char('=') + (given ? next : QString::fromUtf8(sim::kDefaultChain));
             i += given ? 1 : 0;
+        } else if (argument == QStringLiteral("--") + kServe) {
+            argument += QLatin1Char('=');
         }
         all << argument;
     }
@@ -122,7 +130,7 @@ std::variant<Start, Say> readCommandLine(const QStringList& arguments,
                                          const std::function<QList<PortEntry>()>& ports) {
     QCommandLineParser parser;
     declareOptions(parser);
-    if (!parser.parse(withSimulatorValue(arguments))) {
+    if (!parser.parse(withOptionalValues(arguments))) {
         const QStringList unknown = parser.unknownOptionNames();
         return Say{unknown.isEmpty() ? parser.errorText() : texts::unknownOption(unknown.first()),
                    kBadArguments};
@@ -146,6 +154,12 @@ std::variant<Start, Say> readCommandLine(const QStringList& arguments,
         if (!baud)
             return Say{texts::badBaud(parser.value(kBaud)), kBadArguments};
         start.baud = baud->nominal;
+    }
+    if (parser.isSet(kServe)) {
+        const QString what = parser.value(kServe);
+        if (!what.isEmpty() && what != kControl)
+            return Say{texts::unknownOption(QStringLiteral("serve=") + what), kBadArguments};
+        start.programs = what.isEmpty() ? Start::Programs::LetIn : Start::Programs::MayMove;
     }
     if (const auto say = readPort(parser, ports, start))
         return *say;

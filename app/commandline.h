@@ -22,6 +22,9 @@ struct Start {
     bool enableFaults = false;         ///< the built-in simulator accepts fault lines
     bool readOnly = false;             ///< with `port`: only queries are sent
     std::optional<QString> machine{};  ///< a machine file
+    /// Other programs: whether they may connect, and move motors without the user being asked.
+    enum class Programs : std::uint8_t { KeptOut, LetIn, MayMove };
+    Programs programs = Programs::KeptOut;
 };
 
 /// There is nothing to start: text for standard output, or for standard error if the exit code is not 0. 2:

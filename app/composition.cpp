@@ -90,6 +90,10 @@ void Composition::show(const Start& start) {
     if (start.machine)
         m_machine.open(QFileInfo(*start.machine).absoluteFilePath());
     m_window.showPorts(m_ports.ports());
+    if (start.programs != Start::Programs::KeptOut)
+        m_api.letIn(true);
+    if (start.programs == Start::Programs::MayMove)
+        m_api.grantUnasked();
     if (start.port) {
         m_window.choosePort(*start.port, start.baud);
         m_connection.open({*start.port, start.baud, start.readOnly});

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QSettings>
 
+#include "app/apicontroller.h"
 #include "app/commandline.h"
 #include "app/connection.h"
 #include "app/flightcontroller.h"
@@ -85,6 +86,7 @@ private:
     MessageActions m_actions{m_window,  m_store,   m_worker, m_connection, m_ports,
                              m_machine, m_motions, m_flight, m_messages};
     TuningController m_tuning{m_window};
+    ApiController m_api{m_window, m_store, m_worker, m_connection, m_commander, m_machine, m_messages};
     RunKeeper m_runs;
     Printing m_printing{m_window, m_settings};
     SleepInhibitor m_sleep;

@@ -162,6 +162,10 @@
         <source>Machine file to open at startup.</source>
         <translation>Eine Maschinendatei, die beim Start geöffnet wird.</translation>
     </message>
+    <message>
+        <source>Let other programs in from the start. With =control, one of them may move motors without the user being asked.</source>
+        <translation>Andere Programme von Anfang an einlassen. Mit =control darf eines davon Motoren bewegen, ohne dass gefragt wird.</translation>
+    </message>
 </context>
 <context>
     <name>Common</name>
@@ -5613,6 +5617,89 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
+    <name>nmc::ApiWords</name>
+    <message>
+        <source>The parameter &quot;%1&quot; is missing.</source>
+        <translation>Der Parameter „%1“ fehlt.</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
+        <translation>Der Parameter „%1“ hat den falschen Typ oder liegt außerhalb seines Bereichs.</translation>
+    </message>
+    <message>
+        <source>There is no such axis.</source>
+        <translation>Diese Achse gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is no sequence or point of that name.</source>
+        <translation>Einen Ablauf oder Punkt dieses Namens gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>This program may not move motors now: call request_control first.</source>
+        <translation>Dieses Programm darf jetzt keine Motoren bewegen: zuerst request_control aufrufen.</translation>
+    </message>
+    <message>
+        <source>Call hello first.</source>
+        <translation>Zuerst hello aufrufen.</translation>
+    </message>
+    <message>
+        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
+        <translation>Dieses Bedienprogramm spricht Version %1 des Protokolls, das andere Programm Version %2.</translation>
+    </message>
+    <message>
+        <source>It was cancelled by a stop or by another command.</source>
+        <translation>Ein Stopp oder ein anderer Befehl hat es abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Motors were stopped.</source>
+        <translation>Motoren wurden gestoppt.</translation>
+    </message>
+    <message>
+        <source>The user has taken control back.</source>
+        <translation>Der Benutzer hat die Kontrolle zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>The user has commanded a motor.</source>
+        <translation>Der Benutzer hat einem Motor etwas befohlen.</translation>
+    </message>
+    <message>
+        <source>The chain is no longer connected.</source>
+        <translation>Die Kette ist nicht mehr verbunden.</translation>
+    </message>
+    <message>
+        <source>Other programs cannot connect.</source>
+        <translation>Andere Programme können sich nicht verbinden.</translation>
+    </message>
+    <message>
+        <source>Another panel already lets programs in at %1.</source>
+        <translation>Ein anderes Bedienprogramm lässt bereits Programme unter %1 ein.</translation>
+    </message>
+    <message>
+        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
+        <translation>%1 ist eine Verknüpfung, gehört einem anderen Benutzer oder ist für andere offen. Entfernen und erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created.</source>
+        <translation>%1 lässt sich nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
+        <translation>Programm „%1“ hat sich verbunden. Es darf lesen, aber keine Motoren bewegen.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
+        <translation>Programm „%1“ hat sich getrennt; die Motoren, die es bewegt hat, werden gestoppt.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected.</source>
+        <translation>Programm „%1“ hat sich getrennt.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot;: %2</source>
+        <translation>Programm „%1“: %2</translation>
+    </message>
+</context>
+<context>
     <name>nmc::AxesPage</name>
     <message>
         <source>All axes</source>
@@ -6068,6 +6155,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>&amp;Restart the network: positions and gains are lost…</source>
         <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren…</translation>
+    </message>
+    <message>
+        <source>&amp;Let programs in</source>
+        <translation>Programme &amp;einlassen</translation>
+    </message>
+    <message>
+        <source>Other programs on this computer may read the chain, and ask to move motors.</source>
+        <translation>Andere Programme auf diesem Rechner dürfen die Kette lesen und darum bitten, Motoren zu bewegen.</translation>
     </message>
 </context>
 <context>
@@ -8516,6 +8611,42 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>HTML (*.html)</source>
         <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>Other programs</source>
+        <translation>Andere Programme</translation>
+    </message>
+    <message>
+        <source>End control</source>
+        <translation>Kontrolle beenden</translation>
+    </message>
+    <message>
+        <source>The program may no longer move motors.</source>
+        <translation>Das Programm darf keine Motoren mehr bewegen.</translation>
+    </message>
+    <message>
+        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
+        <translation>PROGRAMM — „%1“ darf Motoren bewegen. Esc oder ein eigener Befehl beendet das.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect once a port is open.</source>
+        <translation>PROGRAMME — dürfen sich verbinden, sobald ein Port offen ist.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
+        <translation>PROGRAMME — dürfen sich unter %1 verbinden. Verbunden: %2.</translation>
+    </message>
+    <message>
+        <source>Let the program &quot;%1&quot; move motors? Esc, STOP ALL or any command of yours ends that.</source>
+        <translation>Das Programm „%1“ Motoren bewegen lassen? Esc, ALLES STOPP oder ein eigener Befehl beendet das.</translation>
+    </message>
+    <message>
+        <source>Refuse</source>
+        <translation>Ablehnen</translation>
+    </message>
+    <message>
+        <source>Let it move motors</source>
+        <translation>Motoren bewegen lassen</translation>
     </message>
 </context>
 <context>

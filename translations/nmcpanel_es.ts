@@ -162,6 +162,10 @@
         <source>Machine file to open at startup.</source>
         <translation>Archivo de máquina que se abre al iniciar.</translation>
     </message>
+    <message>
+        <source>Let other programs in from the start. With =control, one of them may move motors without the user being asked.</source>
+        <translation>Dejar entrar a otros programas desde el inicio. Con =control, uno de ellos puede mover motores sin preguntar.</translation>
+    </message>
 </context>
 <context>
     <name>Common</name>
@@ -5613,6 +5617,89 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
 </context>
 <context>
+    <name>nmc::ApiWords</name>
+    <message>
+        <source>The parameter &quot;%1&quot; is missing.</source>
+        <translation>Falta el parámetro «%1».</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
+        <translation>El parámetro «%1» es de otro tipo o está fuera de su rango.</translation>
+    </message>
+    <message>
+        <source>There is no such axis.</source>
+        <translation>Ese eje no existe.</translation>
+    </message>
+    <message>
+        <source>There is no sequence or point of that name.</source>
+        <translation>No hay ninguna secuencia ni punto con ese nombre.</translation>
+    </message>
+    <message>
+        <source>This program may not move motors now: call request_control first.</source>
+        <translation>Este programa no puede mover motores ahora: llame antes a request_control.</translation>
+    </message>
+    <message>
+        <source>Call hello first.</source>
+        <translation>Llame antes a hello.</translation>
+    </message>
+    <message>
+        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
+        <translation>Este panel habla la versión %1 del protocolo, y el programa la versión %2.</translation>
+    </message>
+    <message>
+        <source>It was cancelled by a stop or by another command.</source>
+        <translation>Lo ha cancelado una parada u otro comando.</translation>
+    </message>
+    <message>
+        <source>Motors were stopped.</source>
+        <translation>Se han parado motores.</translation>
+    </message>
+    <message>
+        <source>The user has taken control back.</source>
+        <translation>El usuario ha recuperado el control.</translation>
+    </message>
+    <message>
+        <source>The user has commanded a motor.</source>
+        <translation>El usuario ha dado una orden a un motor.</translation>
+    </message>
+    <message>
+        <source>The chain is no longer connected.</source>
+        <translation>La cadena ya no está conectada.</translation>
+    </message>
+    <message>
+        <source>Other programs cannot connect.</source>
+        <translation>Otros programas no pueden conectarse.</translation>
+    </message>
+    <message>
+        <source>Another panel already lets programs in at %1.</source>
+        <translation>Otro panel ya deja entrar programas por %1.</translation>
+    </message>
+    <message>
+        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
+        <translation>%1 es un enlace, pertenece a otro usuario o está abierto a otros. Elimínelo e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created.</source>
+        <translation>No se puede crear %1.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
+        <translation>El programa «%1» se ha conectado. Puede leer, pero no mover motores.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
+        <translation>El programa «%1» se ha desconectado; se paran los motores que movió.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected.</source>
+        <translation>El programa «%1» se ha desconectado.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot;: %2</source>
+        <translation>Programa «%1»: %2</translation>
+    </message>
+</context>
+<context>
     <name>nmc::AxesPage</name>
     <message>
         <source>All axes</source>
@@ -6068,6 +6155,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>&amp;Restart the network: positions and gains are lost…</source>
         <translation>&amp;Reiniciar la red: se pierden posiciones y ganancias…</translation>
+    </message>
+    <message>
+        <source>&amp;Let programs in</source>
+        <translation>Dejar entrar progra&amp;mas</translation>
+    </message>
+    <message>
+        <source>Other programs on this computer may read the chain, and ask to move motors.</source>
+        <translation>Otros programas de este equipo pueden leer la cadena y pedir mover motores.</translation>
     </message>
 </context>
 <context>
@@ -8516,6 +8611,42 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>HTML (*.html)</source>
         <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>Other programs</source>
+        <translation>Otros programas</translation>
+    </message>
+    <message>
+        <source>End control</source>
+        <translation>Terminar control</translation>
+    </message>
+    <message>
+        <source>The program may no longer move motors.</source>
+        <translation>El programa ya no puede mover motores.</translation>
+    </message>
+    <message>
+        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
+        <translation>PROGRAMA — «%1» puede mover motores. Esc o cualquier comando suyo lo termina.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect once a port is open.</source>
+        <translation>PROGRAMAS — podrán conectarse cuando haya un puerto abierto.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
+        <translation>PROGRAMAS — pueden conectarse por %1. Conectados: %2.</translation>
+    </message>
+    <message>
+        <source>Let the program &quot;%1&quot; move motors? Esc, STOP ALL or any command of yours ends that.</source>
+        <translation>¿Dejar que el programa «%1» mueva motores? Esc, PARAR TODO o cualquier comando suyo lo termina.</translation>
+    </message>
+    <message>
+        <source>Refuse</source>
+        <translation>Rechazar</translation>
+    </message>
+    <message>
+        <source>Let it move motors</source>
+        <translation>Dejar mover motores</translation>
     </message>
 </context>
 <context>

@@ -162,6 +162,10 @@
         <source>Machine file to open at startup.</source>
         <translation>Fichier machine à ouvrir au démarrage.</translation>
     </message>
+    <message>
+        <source>Let other programs in from the start. With =control, one of them may move motors without the user being asked.</source>
+        <translation>Laisser entrer d’autres programmes dès le démarrage. Avec =control, l’un d’eux peut déplacer les moteurs sans demander.</translation>
+    </message>
 </context>
 <context>
     <name>Common</name>
@@ -5613,6 +5617,89 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
 </context>
 <context>
+    <name>nmc::ApiWords</name>
+    <message>
+        <source>The parameter &quot;%1&quot; is missing.</source>
+        <translation>Le paramètre «&#xa0;%1&#xa0;» manque.</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
+        <translation>Le paramètre «&#xa0;%1&#xa0;» est d’un mauvais type ou hors de ses limites.</translation>
+    </message>
+    <message>
+        <source>There is no such axis.</source>
+        <translation>Cet axe n’existe pas.</translation>
+    </message>
+    <message>
+        <source>There is no sequence or point of that name.</source>
+        <translation>Il n’y a ni séquence ni point de ce nom.</translation>
+    </message>
+    <message>
+        <source>This program may not move motors now: call request_control first.</source>
+        <translation>Ce programme ne peut pas déplacer les moteurs pour l’instant&#xa0;: appelez d’abord request_control.</translation>
+    </message>
+    <message>
+        <source>Call hello first.</source>
+        <translation>Appelez d’abord hello.</translation>
+    </message>
+    <message>
+        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
+        <translation>Ce panneau parle la version %1 du protocole, et le programme la version %2.</translation>
+    </message>
+    <message>
+        <source>It was cancelled by a stop or by another command.</source>
+        <translation>Un arrêt ou une autre commande l’a annulé.</translation>
+    </message>
+    <message>
+        <source>Motors were stopped.</source>
+        <translation>Des moteurs ont été arrêtés.</translation>
+    </message>
+    <message>
+        <source>The user has taken control back.</source>
+        <translation>L’utilisateur a repris le contrôle.</translation>
+    </message>
+    <message>
+        <source>The user has commanded a motor.</source>
+        <translation>L’utilisateur a commandé un moteur.</translation>
+    </message>
+    <message>
+        <source>The chain is no longer connected.</source>
+        <translation>La chaîne n’est plus connectée.</translation>
+    </message>
+    <message>
+        <source>Other programs cannot connect.</source>
+        <translation>D’autres programmes ne peuvent pas se connecter.</translation>
+    </message>
+    <message>
+        <source>Another panel already lets programs in at %1.</source>
+        <translation>Un autre panneau laisse déjà entrer des programmes par %1.</translation>
+    </message>
+    <message>
+        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
+        <translation>%1 est un lien, appartient à un autre utilisateur ou est ouvert à d’autres. Supprimez-le et réessayez.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created.</source>
+        <translation>%1 ne peut pas être créé.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
+        <translation>Le programme «&#xa0;%1&#xa0;» s’est connecté. Il peut lire, mais pas déplacer les moteurs.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
+        <translation>Le programme «&#xa0;%1&#xa0;» s’est déconnecté&#xa0;; les moteurs qu’il a déplacés sont arrêtés.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected.</source>
+        <translation>Le programme «&#xa0;%1&#xa0;» s’est déconnecté.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot;: %2</source>
+        <translation>Programme «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
     <name>nmc::AxesPage</name>
     <message>
         <source>All axes</source>
@@ -6068,6 +6155,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>&amp;Restart the network: positions and gains are lost…</source>
         <translation>Redémarrer le &amp;réseau&#xa0;: positions et gains seront perdus…</translation>
+    </message>
+    <message>
+        <source>&amp;Let programs in</source>
+        <translation>Laisser entrer des progra&amp;mmes</translation>
+    </message>
+    <message>
+        <source>Other programs on this computer may read the chain, and ask to move motors.</source>
+        <translation>D’autres programmes de cet ordinateur peuvent lire la chaîne et demander à déplacer les moteurs.</translation>
     </message>
 </context>
 <context>
@@ -8516,6 +8611,42 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>HTML (*.html)</source>
         <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>Other programs</source>
+        <translation>Autres programmes</translation>
+    </message>
+    <message>
+        <source>End control</source>
+        <translation>Reprendre le contrôle</translation>
+    </message>
+    <message>
+        <source>The program may no longer move motors.</source>
+        <translation>Le programme ne peut plus déplacer les moteurs.</translation>
+    </message>
+    <message>
+        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
+        <translation>PROGRAMME — «&#xa0;%1&#xa0;» peut déplacer les moteurs. Échap ou toute commande de votre part y met fin.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect once a port is open.</source>
+        <translation>PROGRAMMES — connexion possible dès qu’un port est ouvert.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
+        <translation>PROGRAMMES — connexion possible par %1. Connectés&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Let the program &quot;%1&quot; move motors? Esc, STOP ALL or any command of yours ends that.</source>
+        <translation>Laisser le programme «&#xa0;%1&#xa0;» déplacer les moteurs&#xa0;? Échap, TOUT ARRÊTER ou toute commande de votre part y met fin.</translation>
+    </message>
+    <message>
+        <source>Refuse</source>
+        <translation>Refuser</translation>
+    </message>
+    <message>
+        <source>Let it move motors</source>
+        <translation>Laisser déplacer</translation>
     </message>
 </context>
 <context>

@@ -162,6 +162,10 @@
         <source>Machine file to open at startup.</source>
         <translation>起動時に開くマシンファイル。</translation>
     </message>
+    <message>
+        <source>Let other programs in from the start. With =control, one of them may move motors without the user being asked.</source>
+        <translation>起動時から他のプログラムの接続を許可します。=controlを付けると、そのうち1つは確認なしでモーターを動かせます。</translation>
+    </message>
 </context>
 <context>
     <name>Common</name>
@@ -5596,6 +5600,89 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
 </context>
 <context>
+    <name>nmc::ApiWords</name>
+    <message>
+        <source>The parameter &quot;%1&quot; is missing.</source>
+        <translation>パラメーター「%1」がありません。</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
+        <translation>パラメーター「%1」の型が正しくないか、範囲外です。</translation>
+    </message>
+    <message>
+        <source>There is no such axis.</source>
+        <translation>そのような軸はありません。</translation>
+    </message>
+    <message>
+        <source>There is no sequence or point of that name.</source>
+        <translation>その名前のシーケンスまたはポイントはありません。</translation>
+    </message>
+    <message>
+        <source>This program may not move motors now: call request_control first.</source>
+        <translation>このプログラムは現在モーターを動かせません。先にrequest_controlを呼び出してください。</translation>
+    </message>
+    <message>
+        <source>Call hello first.</source>
+        <translation>先にhelloを呼び出してください。</translation>
+    </message>
+    <message>
+        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
+        <translation>このパネルのプロトコルはバージョン%1、プログラムのプロトコルはバージョン%2です。</translation>
+    </message>
+    <message>
+        <source>It was cancelled by a stop or by another command.</source>
+        <translation>停止または別のコマンドによって取り消されました。</translation>
+    </message>
+    <message>
+        <source>Motors were stopped.</source>
+        <translation>モーターが停止されました。</translation>
+    </message>
+    <message>
+        <source>The user has taken control back.</source>
+        <translation>ユーザーが操作権を取り戻しました。</translation>
+    </message>
+    <message>
+        <source>The user has commanded a motor.</source>
+        <translation>ユーザーがモーターに指令しました。</translation>
+    </message>
+    <message>
+        <source>The chain is no longer connected.</source>
+        <translation>チェーンはもう接続されていません。</translation>
+    </message>
+    <message>
+        <source>Other programs cannot connect.</source>
+        <translation>他のプログラムは接続できません。</translation>
+    </message>
+    <message>
+        <source>Another panel already lets programs in at %1.</source>
+        <translation>別のパネルが、すでに%1でプログラムの接続を許可しています。</translation>
+    </message>
+    <message>
+        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
+        <translation>%1はリンクであるか、他のユーザーの所有であるか、他のユーザーに公開されています。削除してから、もう一度お試しください。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created.</source>
+        <translation>%1を作成できません。</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
+        <translation>プログラム「%1」が接続しました。読み取りはできますが、モーターは動かせません。</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
+        <translation>プログラム「%1」が切断しました。このプログラムが動かしたモーターを停止します。</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected.</source>
+        <translation>プログラム「%1」が切断しました。</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot;: %2</source>
+        <translation>プログラム「%1」：%2</translation>
+    </message>
+</context>
+<context>
     <name>nmc::AxesPage</name>
     <message>
         <source>All axes</source>
@@ -6051,6 +6138,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>&amp;Restart the network: positions and gains are lost…</source>
         <translation>ネットワークを再起動：位置とゲインは失われます(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Let programs in</source>
+        <translation>プログラムの接続を許可(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Other programs on this computer may read the chain, and ask to move motors.</source>
+        <translation>このコンピューターの他のプログラムがチェーンを読み取り、モーターの操作を求めることができます。</translation>
     </message>
 </context>
 <context>
@@ -8498,6 +8593,42 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>HTML (*.html)</source>
         <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>Other programs</source>
+        <translation>他のプログラム</translation>
+    </message>
+    <message>
+        <source>End control</source>
+        <translation>操作権を終了</translation>
+    </message>
+    <message>
+        <source>The program may no longer move motors.</source>
+        <translation>このプログラムはモーターを動かせなくなります。</translation>
+    </message>
+    <message>
+        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
+        <translation>プログラム — 「%1」はモーターを動かせます。Escまたは操作者のコマンドで終了します。</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect once a port is open.</source>
+        <translation>プログラム — ポートを開くと接続できます。</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
+        <translation>プログラム — %1で接続できます。接続数：%2。</translation>
+    </message>
+    <message>
+        <source>Let the program &quot;%1&quot; move motors? Esc, STOP ALL or any command of yours ends that.</source>
+        <translation>プログラム「%1」にモーターの操作を許可しますか？Esc、全停止、または操作者のコマンドで終了します。</translation>
+    </message>
+    <message>
+        <source>Refuse</source>
+        <translation>拒否</translation>
+    </message>
+    <message>
+        <source>Let it move motors</source>
+        <translation>モーターの操作を許可</translation>
     </message>
 </context>
 <context>

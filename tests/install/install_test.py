@@ -22,6 +22,7 @@ SIDES = (16, 22, 24, 32, 48, 64, 128, 256)
 INSTALLED = {
     "bin/nmcpanel",
     "bin/nmcsim",
+    "lib/python3/dist-packages/nmcpanel.py",
     "lib/udev/rules.d/70-nmcpanel.rules",
     "libexec/nmcpanel/nmcguard",
     f"share/applications/{ID}.desktop",
@@ -239,8 +240,8 @@ class Completion(Folder):
     def test_knows_every_option_of_the_help(self):
         self.assertEqual(self.completed("nmcpanel --b"), "nmcpanel --baud".split())
         self.assertEqual(self.completed("nmcpanel --", "\x1b*"),
-                         "nmcpanel --baud --enable-faults --help --list-ports --port --read-only --simulator "
-                         "--version".split())
+                         "nmcpanel --baud --enable-faults --help --list-ports --port --read-only --serve "
+                         "--simulator --version".split())
         self.assertEqual(self.completed("nmcsim --", "\x1b*"),
                          "nmcsim --chain --deaf-when-addr-in-rises --enable-faults --help --line-margin --link "
                          "--reset-dead-time --seed --speed --stepped --unpaced --version".split())

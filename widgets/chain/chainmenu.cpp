@@ -30,7 +30,13 @@ ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, Requests& re
       m_scan(newAction(u"scanAction"_s, Common::tr("&Scan again"), Qt::Key_F5,
                        tr("Scans the chain again; nothing is reset."))),
       m_restart(newAction(u"restartNetworkAction"_s,
-                          tr("&Restart the network: positions and gains are lost…"), {}, {})) {
+                          tr("&Restart the network: positions and gains are lost…"), QKeySequence(),
+                          QString())),
+      m_programs(
+          newAction(u"letProgramsInAction"_s, tr("&Let programs in"), QKeySequence(),
+                    tr("Other programs on this computer may read the chain, and ask to move motors."))) {
+    m_programs->setCheckable(true);
+    connect(m_programs, &QAction::triggered, &requests, &Requests::letProgramsIn);
     connect(m_doctor, &QAction::triggered, this, &ChainMenu::openDoctor);
     connect(m_groups, &QAction::triggered, this, [this] { open(ChainDialog::Groups); });
     connect(m_rate, &QAction::triggered, this, [this] { open(ChainDialog::Rate); });
@@ -52,6 +58,12 @@ void ChainMenu::addTo(QMenu& menu) {
     menu.addActions({m_doctor, m_groups, m_rate});
     menu.addSeparator();
     menu.addActions({m_scan, m_restart});
+    menu.addSeparator();
+    menu.addAction(m_programs);
+}
+
+void ChainMenu::showPrograms(bool on) {
+    m_programs->setChecked(on);
 }
 
 void ChainMenu::refresh() {

@@ -26,6 +26,7 @@ public:
     void addTo(QMenu& menu);
     /// Call when the machine or the link has changed. Emits nothing.
     void refresh();
+    void showPrograms(bool on);
     void openDoctor();
 
 private:
@@ -43,6 +44,7 @@ private:
     QAction* m_rate;
     QAction* m_scan;
     QAction* m_restart;
+    QAction* m_programs;
 };
 
 }  // namespace nmc

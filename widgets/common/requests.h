@@ -89,6 +89,12 @@ signals:
     /// The frequency response of the selected module.
     void saveFrequencies(const QString& path, const QDateTime& measured);
 
+    // ---- of other programs (docs/api.md) ----
+
+    void letProgramsIn(bool on);
+    /// Takes back the right to move motors.
+    void endProgramControl();
+
     // ---- of the program ----
 
     /// A file is to be saved: packets, messages, step responses, what the scope shows, and the like. The user

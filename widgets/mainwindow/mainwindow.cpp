@@ -121,6 +121,7 @@ void MainWindow::buildTop() {
     layout->addWidget(m_simulatorRibbon);
     layout->addWidget(m_readOnlyRibbon);
     layout->addWidget(m_operatorRibbon);
+    layout->addWidget(m_programsRibbon);
     layout->addWidget(m_pendantRibbon);
     layout->addWidget(m_banner);
     setMenuWidget(top);
@@ -144,6 +145,11 @@ void MainWindow::buildRibbons(QWidget* top) {
     QPushButton* leave =
         m_operatorRibbon->addButton(u"leaveOperatorButton"_s, tr("Leave…"), Common::tr("Asks for the PIN."));
     connect(leave, &QPushButton::clicked, m_operator, &OperatorLock::open);
+    m_programsRibbon = new Ribbon(u"programsRibbon"_s, tr("Other programs"), {}, top);
+    m_endControl = m_programsRibbon->addButton(u"endProgramControlButton"_s, tr("End control"),
+                                               tr("The program may no longer move motors."));
+    m_endControl->setFocusPolicy(Qt::NoFocus);
+    connect(m_endControl, &QPushButton::clicked, m_requests, &Requests::endProgramControl);
     m_pendantRibbon = new Ribbon(u"pendantRibbon"_s, tr("Pendant"), {}, top);
     QPushButton* end =
         m_pendantRibbon->addButton(u"endPendantButton"_s, tr("End pendant mode"),
@@ -232,6 +238,40 @@ void MainWindow::showPendant() {
             ? tr("To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.")
             : tr("Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.");
     m_pendantRibbon->setText(tr("PENDANT — %1. %2").arg(texts::moduleName(module->info.index), what));
+}
+
+void MainWindow::showPrograms(const ProgramsShown& programs) {
+    m_chainMenu->showPrograms(programs.on);
+    m_programsRibbon->setVisible(programs.on);
+    m_endControl->setVisible(!programs.inControl.isEmpty());
+    m_programsRibbon->setText(
+        !programs.inControl.isEmpty()
+            ? tr("PROGRAM — \"%1\" may move motors. Esc or any command of yours ends that.")
+                  .arg(programs.inControl)
+        : programs.path.isEmpty()
+            ? tr("PROGRAMS — may connect once a port is open.")
+            : tr("PROGRAMS — may connect at %1. Connected: %2.").arg(programs.path).arg(programs.connected));
+}
+
+void MainWindow::askForControl(const QString& program, const std::function<bool()>& stands,
+                               const std::function<void(bool may)>& decided) {
+    AskDialog& dialog = AskDialog::ask(
+        {.name = u"programControlQuestion"_s,
+         .title = tr("Other programs"),
+         .text =
+             [program, stands] {
+                 return stands()
+                            ? tr("Let the program \"%1\" move motors? Esc, STOP ALL or any command of yours ends that.")
+                                  .arg(program)
+                            : QString();
+             },
+         .stay = tr("Refuse"),
+         .stayName = u"refuseControlButton"_s,
+         .stayIsDefault = true},
+        {{tr("Let it move motors"), u"grantControlButton"_s, [decided] { decided(true); }}}, this);
+    // Queued: the choice that closes the dialog is carried out after this.
+    connect(
+        &dialog, &QDialog::finished, this, [decided] { decided(false); }, Qt::QueuedConnection);
 }
 
 void MainWindow::showOperator() {

@@ -59,6 +59,14 @@ class StartPage;
 class ResponseDock;
 struct KeptResponse;
 
+/// What the window shows of other programs that use the chain.
+struct ProgramsShown {
+    bool on = false;  ///< they may connect
+    QString path{};   ///< the socket; empty while no port is open
+    int connected = 0;
+    QString inControl{};  ///< the one that may move motors; empty: none
+};
+
 /// The panel's window. Values in, intents out: it has no access to the bus, a thread or a port. Every
 /// show...() is idempotent and emits nothing, except that a hold that is no longer possible ends and reports
 /// that.
@@ -92,6 +100,11 @@ public:
     [[nodiscard]] const std::vector<ScopeModule>& scopeModules() const;
     /// Shows what the user has entered about the machine: names, units, and values stored for each axis.
     void showMachine(const Machine& machine);
+    void showPrograms(const ProgramsShown& programs);
+    /// Asks the user whether the program may move motors, for as long as `stands`; `decided` may be called
+    /// after that.
+    void askForControl(const QString& program, const std::function<bool()>& stands,
+                       const std::function<void(bool may)>& decided);
     /// Shows the progress or the result of a procedure of any module.
     void showProcedure(const ProcedureReport& report);
     /// Shows a step response that was recorded; the list of runs assigns its number.
@@ -246,6 +259,8 @@ private:
     Ribbon* m_readOnlyRibbon = nullptr;
     Ribbon* m_pendantRibbon = nullptr;
     Ribbon* m_operatorRibbon = nullptr;
+    Ribbon* m_programsRibbon = nullptr;
+    QPushButton* m_endControl = nullptr;
     Pendant* m_pendant = nullptr;
     OperatorLock* m_operator = nullptr;
     QString m_waiting;                            ///< title of the waiting question that the banner shows

@@ -5,6 +5,8 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 
+#include "model/intent/jog.h"
+
 namespace nmc {
 
 namespace {
@@ -26,8 +28,7 @@ HoldButton::HoldButton(QWidget* parent) : QPushButton(parent) {
 void HoldButton::begin() {
     if (isHeld() || !isEnabled())
         return;
-    static quint32 presses = 0;
-    m_press = ++presses;
+    m_press = nextPress();
     m_timer.start();
     emit held();
 }

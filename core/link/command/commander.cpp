@@ -38,18 +38,19 @@ Commander::Commander(BusStore& store, BusWorker& worker, QObject* parent)
     connect(&m_procedures, &ProcedureController::reported, this, &Commander::noteTest);
 }
 
-void Commander::carryOut(ModuleIndex index, const Intent& intent) {
+std::optional<bus::OperationId> Commander::carryOut(ModuleIndex index, const Intent& intent) {
     const ModuleState* module = m_store.module(index);
     if (module == nullptr)
-        return;
+        return std::nullopt;
     if (std::holds_alternative<intent::KeepGains>(intent)) {
         m_procedures.keep(index);
-        return m_worker.keepTrial(index);
+        m_worker.keepTrial(index);
+        return std::nullopt;
     }
     if (const auto* gains = std::get_if<intent::ApplyGains>(&intent);
         gains != nullptr && plan(intent, *module) && m_procedures.take(index, gains->gains)) {
         emit sent(index, intent);
-        return;
+        return std::nullopt;
     }
     const bool stops = isStop(intent);
     if (!std::holds_alternative<intent::AskAnew>(intent))
@@ -57,31 +58,38 @@ void Commander::carryOut(ModuleIndex index, const Intent& intent) {
     if (!stops)
         m_procedures.cancel(index);
     if (std::holds_alternative<intent::CancelProcedure>(intent))
-        return;
+        return std::nullopt;
     if (auto procedure = procedureFor(intent, *module)) {
         // The previous procedure is still stopping its motor; a motion must not wait in a queue.
         if (!m_procedures.begin(std::move(procedure)))
             emit refused(index, Refusal::Moving, intent);
-        return;
+        return std::nullopt;
     }
     auto orders = plan(intent, *module);
     if (!orders) {
         m_procedures.cancel(index);
         emit refused(index, orders.error(), intent);
-        return;
+        return std::nullopt;
     }
-    if (std::holds_alternative<intent::ResetModule>(intent))
-        return m_worker.resetModule(index);
-    if (const auto* save = std::get_if<intent::SaveConfiguration>(&intent))
-        return m_worker.resetModule(index, save->configuration);
-    if (const auto* declare = std::get_if<intent::DeclarePosition>(&intent))
-        return m_store.declarePosition(index, declare->right);
+    if (std::holds_alternative<intent::ResetModule>(intent)) {
+        m_worker.resetModule(index);
+        return std::nullopt;
+    }
+    if (const auto* save = std::get_if<intent::SaveConfiguration>(&intent)) {
+        m_worker.resetModule(index, save->configuration);
+        return std::nullopt;
+    }
+    if (const auto* declare = std::get_if<intent::DeclarePosition>(&intent)) {
+        m_store.declarePosition(index, declare->right);
+        return std::nullopt;
+    }
     const bus::OperationId id = submit({.id = {}, .orders = std::move(*orders)});
     emit sent(index, intent);
     if (stops)
         m_procedures.overtake(index);
     else
         m_store.noteAsked(index, id);
+    return id;
 }
 
 bool Commander::hold(const bus::HoldToMove& wanted) {

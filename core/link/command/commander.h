@@ -31,8 +31,8 @@ public:
     [[nodiscard]] SequenceController& sequences() { return m_sequences; }
     [[nodiscard]] bool anyRunning() const { return m_procedures.anyRunning() || m_sequences.running(); }
 
-    /// sent() or refused() follows, unless the intent needs no command.
-    void carryOut(ModuleIndex module, const Intent& intent);
+    /// Emits sent() or refused(), unless the intent needs no command. Returns the operation, if it is one.
+    std::optional<bus::OperationId> carryOut(ModuleIndex module, const Intent& intent);
     /// Towards a travel limit, the held motion becomes a move to it. Returns false if it is not possible now;
     /// nothing is sent then.
     [[nodiscard]] bool hold(const bus::HoldToMove& wanted);

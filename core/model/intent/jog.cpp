@@ -49,6 +49,11 @@ std::optional<bus::HoldToMove> jog(const ModuleState& module, const AxisSettings
     return hold;
 }
 
+std::uint32_t nextPress() {
+    static std::uint32_t presses = 0;
+    return ++presses;
+}
+
 std::optional<Refusal> whyNot(const bus::HoldToMove& hold, const ModuleState& module) {
     if (const auto refusal = whyNot(IntentKind::Hold, module))
         return refusal;

@@ -23,6 +23,8 @@ struct JogRange {
 /// number then means different speeds.
 [[nodiscard]] std::optional<bus::HoldToMove> jog(const ModuleState& module, const AxisSettings& axis,
                                                  double speed, bool reverse);
+/// The number of another press of a button, or of what acts as one: higher than all before. GUI thread.
+[[nodiscard]] std::uint32_t nextPress();
 /// Why it cannot be requested now.
 [[nodiscard]] std::optional<Refusal> whyNot(const bus::HoldToMove& hold, const ModuleState& module);
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "app/connection.h"
+#include "app/machinecontroller.h"
+#include "app/messagecontroller.h"
+#include "link/api/apiserver.h"
+#include "link/command/commander.h"
+#include "link/connection/busstore.h"
+#include "link/connection/busworker.h"
+#include "model/api/apimethods.h"
+#include "widgets/common/apitexts.h"
+#include "widgets/mainwindow/mainwindow.h"
+#include "widgets/messages/messagelines.h"
+
+namespace nmc {
+
+/// Lets other programs use the chain that the panel is connected to (docs/api.md): answers their calls, gives
+/// the right to move motors to one of them at a time, and takes it back. What they request of motors goes
+/// through the same checks as what the user requests. GUI thread.
+class ApiController : public QObject {
+    Q_OBJECT
+
+public:
+    ApiController(MainWindow& window, const BusStore& store, BusWorker& worker, Connection& connection,
+                  Commander& commander, MachineController& machine, MessageController& messages,
+                  QObject* parent = nullptr);
+
+    /// Opens the socket for the port of the present connection, and of every later one.
+    void letIn(bool on);
+    /// From now on, programs get the right to move motors without the user being asked.
+    void grantUnasked() { m_grantsUnasked = true; }
+    [[nodiscard]] const ApiServer& server() const { return m_server; }
+
+private:
+    using Json = api::Json;
+    using Client = ApiServer::Client;
+    /// A call that is answered later.
+    struct Pending {
+        Json id;
+        ModuleIndex module;
+    };
+    struct Session {
+        QString program{};  ///< empty until it has called hello
+        bool state = false, events = false, samples = false;
+        std::vector<std::uint64_t> sent{};                     ///< samples of each module
+        std::uint64_t missed = 0;                              ///< samples that it was too slow for
+        bool finishes = false;                                 ///< its moves finish when it disappears
+        std::set<ModuleIndex> moved{};                         ///< since it got control
+        bool runs = false;                                     ///< it has started the sequence that runs
+        std::map<ModuleIndex, bus::OperationId> operations{};  ///< the last one for each module
+        /// Why its last request to a module was not carried out to the end; "wait" reports it.
+        std::map<ModuleIndex, QString> failures{};
+        std::vector<Pending> waits{};
+        bus::HoldToMove held{};  ///< the last jog
+        std::optional<TimePoint> heldAt{};
+    };
+    struct Asked {
+        Client client;
+        Json id;
+    };
+
+    void follow();
+    void listen();
+    void read(Client client, const QByteArray& line);
+    void gone(Client client);
+    void call(Client client, const std::string& name, const Json& parameters, const Json& id);
+    void greet(Client client, const Json& parameters, const Json& id);
+    void subscribe(Client client, const Json& parameters);
+    void ask(Client client, const Json& parameters, const Json& id);
+    void grant(bool may);
+    void lose(texts::ControlLost why);
+    void stop(Client client, const Json& parameters, const Json& id);
+    void command(Client client, const api::Method& method, const Json& parameters, const Json& id);
+    void request(Client client, const api::Call& call, const Json& id);
+    void jog(Client client, bus::HoldToMove hold, const Json& id);
+    void run(Client client, const api::Method& method, const Json& parameters, const Json& id);
+    [[nodiscard]] bool isHeld(Client client);
+    [[nodiscard]] bool rests(ModuleIndex module) const;
+    void noteFinished(const bus::OperationFinished& finished);
+    void noteEnded(const ProcedureReport& report);
+    void answerWaits();
+    void publishState();
+    void publishSamples();
+    void publishEvent(const MessageEntry& entry);
+
+    void answer(Client client, const Json& id, const Json& result);
+    void refuse(Client client, const Json& id, const api::Problem& problem, const QString& sentence = {});
+    void fail(Client client, const Json& id, int code, const QString& sentence, const char* reason);
+    [[nodiscard]] Session& session(Client client) { return m_sessions.at(client); }
+    void showPrograms();
+
+    MainWindow& m_window;
+    const BusStore& m_store;
+    BusWorker& m_worker;
+    Connection& m_connection;
+    Commander& m_commander;
+    MachineController& m_machine;
+    MessageController& m_messages;
+    ApiServer m_server;
+    std::map<Client, Session> m_sessions;
+    std::optional<Client> m_control;
+    std::optional<Asked> m_asked;                       ///< the user is being asked
+    std::map<ModuleIndex, bus::OperationId> m_pending;  ///< the last one that a program requested
+    /// Only a status latched after this shows what was done (the reply to a command is older than its
+    /// effect).
+    std::map<ModuleIndex, TimePoint> m_doneAt;
+    std::optional<Refusal> m_refused;   ///< by Commander, during a call
+    std::optional<QString> m_notBegun;  ///< why a sequence was refused during a call
+    bool m_on = false;
+    bool m_grantsUnasked = false;
+    QTimer m_stateTimer;  ///< paces "state"
+};
+
+}  // namespace nmc

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QByteArray>
+#include <QLocalServer>
+#include <QObject>
+#include <map>
+
+#include <tl/expected.hpp>
+
+#include "link/api/apiserverproblem.h"
+
+class QLocalSocket;
+
+namespace nmc {
+
+/// The local socket to which other programs connect, one line for each message (docs/api.md). It knows
+/// nothing of what they say. A client that does not read what it must read is cut off, so that it costs the
+/// others nothing. GUI thread.
+class ApiServer : public QObject {
+    Q_OBJECT
+
+public:
+    /// Counted from 1, never used again.
+    using Client = quint64;
+
+    static constexpr qsizetype kLongestLine = 64 * 1024;
+    static constexpr qint64 kMostWaiting = 1024 * 1024;  ///< bytes of what a client must read
+    static constexpr qint64 kMostOffered = 64 * 1024;    ///< bytes waiting beyond which offers are dropped
+
+    explicit ApiServer(QObject* parent = nullptr);
+
+    /// $XDG_RUNTIME_DIR/nmcpanel/NAME.sock, NAME being what comes last in the name of the port.
+    [[nodiscard]] static QString pathFor(const QString& port);
+
+    /// Opens the socket, for this user only; one that was left behind by a program that ended is replaced.
+    [[nodiscard]] tl::expected<void, ApiServerProblem> listen(const QString& path);
+    /// Cuts all clients off.
+    void close();
+    [[nodiscard]] bool isOpen() const { return m_server.isListening(); }
+    [[nodiscard]] QString path() const { return m_server.fullServerName(); }
+    [[nodiscard]] qsizetype clients() const { return static_cast<qsizetype>(m_clients.size()); }
+
+    /// `line` has no line feed. The client must read it.
+    void send(Client client, const QByteArray& line);
+    /// The same, but dropped if the client is behind; returns whether it was sent.
+    bool offer(Client client, const QByteArray& line);
+    /// After this line, if it is read.
+    void cutOff(Client client, const QByteArray& line);
+
+signals:
+    void received(nmc::ApiServer::Client client, const QByteArray& line);
+    /// A line was longer than kLongestLine; the receiver cuts the client off.
+    void overflowed(nmc::ApiServer::Client client);
+    /// Also for those that were cut off.
+    void vanished(nmc::ApiServer::Client client);
+    void clientsChanged();
+
+private:
+    void accept();
+    void read(Client client);
+    void drop(Client client);
+
+    QLocalServer m_server;
+    std::map<Client, QLocalSocket*> m_clients;
+    Client m_last = 0;
+};
+
+}  // namespace nmc

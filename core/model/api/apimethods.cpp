@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: MIT
+#include "model/api/apimethods.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "base/enumname.h"
+#include "model/intent/jog.h"
+#include "model/intent/pace.h"
+#include "model/module/modulescale.h"
+#include "model/module/servodefaults.h"
+
+namespace nmc::api {
+
+namespace {
+
+using Kind = Field::Kind;
+
+template <typename T>
+using Or = tl::expected<T, Problem>;
+
+std::string lower(std::string_view name) {
+    std::string key(name);
+    std::ranges::transform(key, key.begin(), [](unsigned char c) { return std::tolower(c); });
+    return key;
+}
+
+/// Forms (protocol/commandform.h) that read the fields of Set Gain from parameters, and list them.
+struct GainsReader {
+    static constexpr bool kReads = true;
+    const Json& parameters;
+    std::string missing{};  ///< the last field that a first Set Gain needs and that is not given
+
+    [[nodiscard]] bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) const {
+        return true;
+    }
+    template <typename T>
+    void number(std::string_view name, T& value, ValueRange /*range*/ = kAnyValue) {
+        if (const auto given = parameters.find(lower(name)); given != parameters.end())
+            value = given->template get<T>();
+        else
+            missing = lower(name);
+    }
+    template <typename T>
+    void trailing(std::string_view name, std::optional<T>& value, ValueRange /*range*/ = kAnyValue) {
+        if (parameters.contains(lower(name)))
+            number(name, value.emplace());
+    }
+    void ignoreRest(std::size_t /*most*/) {}
+};
+struct GainsLister {
+    static constexpr bool kReads = false;
+    std::vector<Field>& fields;
+
+    [[nodiscard]] bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) const {
+        return true;
+    }
+    template <typename T>
+    void number(std::string_view name, const T& /*value*/,
+                ValueRange range = {std::numeric_limits<T>::min(), std::numeric_limits<T>::max()}) {
+        fields.push_back({lower(name), Kind::Whole, false,
+                          "as it is if left out; needed while no gains are known", range});
+    }
+    template <typename T>
+    void trailing(std::string_view name, const std::optional<T>& /*value*/) {
+        number(name, T{});
+    }
+    void ignoreRest(std::size_t /*most*/) {}
+};
+
+std::vector<Method> makeMethods() {
+    const Field axis{"axis", Kind::Axis, true, "name of the axis, or its number from 1"};
+    const Field velocity{"velocity", Kind::Velocity, false, "that of the axis if left out"};
+    const Field acceleration{"acceleration", Kind::Acceleration, false,
+                             "PIC-SERVO; that of the axis if left out"};
+    std::vector<Method> all{
+        {"hello",
+         Access::Read,
+         "Must be called first.",
+         {{"protocol", Kind::Text, true, "version that the client speaks, such as \"1.0\""},
+          {"program", Kind::Text, true, "name of the client, for the user"}}},
+        {"describe", Access::Read, "Lists all methods with their parameters."},
+        {"state", Access::Read, "The chain and all its modules."},
+        {"wait", Access::Read, "Answers once the axis is at rest and nothing is pending for it.", {axis}},
+        {"subscribe",
+         Access::Read,
+         "Selects what is sent without being asked for; calls replace one another.",
+         {{"state", Kind::Flag, false, "\"state\" after changes, at most ten times a second"},
+          {"events", Kind::Flag, false, "\"event\": every message that the window shows"},
+          {"samples", Kind::Flag, false, "\"samples\": every status reply of every module"}}},
+        {"request_control",
+         Access::Read,
+         "Asks the user for the right to move motors; answers once that is decided.",
+         {{"on_disconnect", Kind::Text, false,
+           "\"stop\" (default) or \"finish\": what becomes of its moves when the client disappears"}}},
+        {"release_control", Access::Read, "Gives the right to move motors back."},
+        {"stop",
+         Access::Stop,
+         "Stops all motors as STOP ALL does, or one axis smoothly.",
+         {{"axis", Kind::Axis, false, "all motors if left out"}}},
+        {"enable", Access::Control, "Switches amplifier and servo on.", {axis}},
+        {"motor_off", Access::Stop, "Switches the motor off.", {axis}},
+        {"move",
+         Access::Control,
+         "Moves to a position.",
+         {axis, {"to", Kind::Position, true, "goal"}, velocity, acceleration}},
+        {"move_by",
+         Access::Control,
+         "Moves by a distance.",
+         {axis, {"by", Kind::Distance, true, "signed"}, velocity, acceleration}},
+        {"jog",
+         Access::Control,
+         "Moves for as long as it is called again within 100 ms with the same axis and direction.",
+         {axis, {"velocity", Kind::Velocity, true, "signed"}}},
+        {"go_home", Access::Control, "Moves to home.", {axis, velocity, acceleration}},
+        {"home", Access::Control, "Searches for home as set up for the axis.", {axis}},
+        {"zero", Access::Control, "Sets the present position to 0.", {axis}},
+        {"clear_sticky_bits", Access::Control, "Clears the sticky bits of a PIC-SERVO.", {axis}},
+        {"set_gains", Access::Control, "Sends the gains of a PIC-SERVO.", {axis}},
+        {"set_output",
+         Access::Control,
+         "Sets an output of a PIC-I/O.",
+         {axis,
+          {"output", Kind::Whole, true, "number of the pin", ValueRange{1, io::kPins}},
+          {"high", Kind::Flag, true, ""}}},
+        {"start_sequence",
+         Access::Control,
+         "Runs a sequence of the machine.",
+         {{"name", Kind::Text, true, "its name"}}},
+        {"go_to_point",
+         Access::Control,
+         "Moves the axes of a point there, all at once.",
+         {{"name", Kind::Text, true, "its name"}}},
+    };
+    for (Method& method : all)
+        if (method.name == "set_gains") {
+            GainsLister lister{method.fields};
+            servo::SetGain gains{.db = std::uint8_t{0}};
+            servo::SetGain::fields(lister, gains);
+        }
+    return all;
+}
+
+std::string_view unitOf(Kind kind) {
+    switch (kind) {
+        case Kind::Position:
+        case Kind::Distance:
+            return "of the axis";
+        case Kind::Velocity:
+            return "of the axis, per second; counts per tick if it is in counts";
+        case Kind::Acceleration:
+            return "of the axis, per second squared; counts per tick squared if it is in counts";
+        case Kind::Axis:
+        case Kind::Whole:
+        case Kind::Flag:
+        case Kind::Text:
+            break;
+    }
+    return {};
+}
+
+/// Limits beyond which no value of an axis makes sense; they keep what follows within its range.
+constexpr double kMostValue = 1e12;
+
+bool fits(const Field& field, const Json& value) {
+    switch (field.kind) {
+        case Kind::Axis:
+            return value.is_string() || value.is_number_integer();
+        case Kind::Position:
+        case Kind::Distance:
+        case Kind::Velocity:
+        case Kind::Acceleration:
+            return value.is_number() && std::abs(value.get<double>()) <= kMostValue;
+        case Kind::Whole:
+            return value.is_number_integer() && std::abs(value.get<double>()) <= kMostValue &&
+                   field.range->contains(value.get<std::int64_t>());
+        case Kind::Flag:
+            return value.is_boolean();
+        case Kind::Text:
+            return value.is_string();
+    }
+    return false;
+}
+
+Problem refused(Refusal refusal, ModuleIndex axis) {
+    return {Problem::Kind::Refused, {}, refusal, axis};
+}
+Problem wrong(std::string field) {
+    return {Problem::Kind::FieldWrong, std::move(field)};
+}
+
+/// One call about one axis: its parameters in the chip's numbers.
+struct Caller {
+    const Json& parameters;
+    const ModuleState& module;
+    const AxisSettings& settings;
+    AxisScale scale = scaleOf(module, settings);
+
+    [[nodiscard]] bool has(const char* field) const { return parameters.contains(field); }
+    [[nodiscard]] double value(const char* field) const { return parameters.at(field).get<double>(); }
+
+    [[nodiscard]] Or<std::int32_t> counts(const char* field) const {
+        const double counts = std::round(scale.counts(value(field)));
+        if (counts < static_cast<double>(servo::kPositionRange.min) ||
+            counts > static_cast<double>(servo::kPositionRange.max))
+            return tl::unexpected(refused(Refusal::GoalOutOfRange, module.info.index));
+        return static_cast<std::int32_t>(counts);
+    }
+    [[nodiscard]] Or<double> velocity() const {
+        const auto native = scale.nativeVelocity(std::abs(value("velocity")));
+        if (!native)
+            return tl::unexpected(refused(Refusal::ServoRateUnknown, module.info.index));
+        return *native <= servodefaults::kLargest || module.isStepper() ? Or<double>(*native)
+                                                                        : tl::unexpected(wrong("velocity"));
+    }
+    /// At the velocity and acceleration given, or else at those of the axis.
+    [[nodiscard]] Or<Pace> pace() const {
+        AxisSettings axis = settings;
+        if (has("velocity")) {
+            const auto native = velocity();
+            if (!native)
+                return tl::unexpected(native.error());
+            if (*native == 0 || value("velocity") < 0)
+                return tl::unexpected(wrong("velocity"));
+            axis.motion.velocity = *native;
+        }
+        if (has("acceleration")) {
+            const auto native = scale.nativeAcceleration(value("acceleration"));
+            if (!native)
+                return tl::unexpected(refused(Refusal::ServoRateUnknown, module.info.index));
+            if (*native <= 0 || *native > servodefaults::kLargest || module.isStepper())
+                return tl::unexpected(wrong("acceleration"));
+            axis.motion.acceleration = *native;
+        }
+        return paceOf(module, axis);
+    }
+    [[nodiscard]] Or<Call> call(Intent intent) const { return Call{module.info.index, std::move(intent)}; }
+
+    [[nodiscard]] Or<Call> move() const {
+        const auto to = counts("to");
+        const auto pace = this->pace();
+        if (!to || !pace)
+            return tl::unexpected(to ? pace.error() : to.error());
+        return call(intent::Move{moveTo(*to, *pace)});
+    }
+    [[nodiscard]] Or<Call> moveBy() const {
+        const auto by = counts("by");
+        const auto pace = this->pace();
+        if (!by || !pace)
+            return tl::unexpected(by ? pace.error() : by.error());
+        return call(intent::MoveBy{{.counts = *by}, *pace});
+    }
+    [[nodiscard]] Or<Call> goHome() const {
+        return pace().and_then([this](const Pace& pace) { return call(intent::GoHome{pace}); });
+    }
+    [[nodiscard]] Or<Call> home() const {
+        if (!settings.homing)
+            return tl::unexpected(refused(Refusal::NothingToFind, module.info.index));
+        return call(intent::Home{*settings.homing, homeTolerance(settings.unit)});
+    }
+    [[nodiscard]] Or<Call> jog() const {
+        const auto native = velocity();
+        if (!native)
+            return tl::unexpected(native.error());
+        if (*native == 0)
+            return tl::unexpected(wrong("velocity"));
+        const bool reverse = (value("velocity") < 0) != scale.reversed();
+        const auto hold = nmc::jog(module, settings, *native, reverse);
+        if (!hold)
+            return tl::unexpected(refused(Refusal::ParametersUnknown, module.info.index));
+        return Call{module.info.index, *hold};
+    }
+    [[nodiscard]] Or<Call> setGains() const {
+        const auto& before = module.gains ? module.gains : settings.gains;
+        servo::SetGain gains = before.value_or(servo::SetGain{});
+        GainsReader reader{parameters};
+        servo::SetGain::fields(reader, gains);
+        if (!before && !reader.missing.empty())
+            return tl::unexpected(Problem{Problem::Kind::FieldMissing, reader.missing});
+        return call(intent::ApplyGains{gains});
+    }
+    [[nodiscard]] Or<Call> setOutput() const {
+        const auto pin = parameters.at("output").get<unsigned>() - 1;
+        return call(iointent::SetOutput{pin, parameters.at("high").get<bool>()});
+    }
+};
+
+Json orNull(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+}
+
+}  // namespace
+
+const std::vector<Method>& methods() {
+    static const std::vector<Method> all = makeMethods();
+    return all;
+}
+
+const Method* findMethod(std::string_view name) {
+    const auto found = std::ranges::find(methods(), name, &Method::name);
+    return found != methods().end() ? &*found : nullptr;
+}
+
+Json describe() {
+    Json list = Json::array();
+    for (const Method& method : methods()) {
+        Json fields = Json::array();
+        for (const Field& field : method.fields) {
+            Json entry{{"name", field.name},
+                       {"kind", lower(enumName<Kind::Text>(field.kind))},
+                       {"required", field.required}};
+            if (const std::string_view unit = unitOf(field.kind); !unit.empty())
+                entry["unit"] = unit;
+            if (field.range) {
+                entry["min"] = field.range->min;
+                entry["max"] = field.range->max;
+            }
+            if (!field.text.empty())
+                entry["text"] = field.text;
+            fields.push_back(std::move(entry));
+        }
+        list.push_back({{"name", method.name},
+                        {"needs", lower(enumName<Access::Stop>(method.access))},
+                        {"text", method.text},
+                        {"parameters", std::move(fields)}});
+    }
+    return {{"methods", std::move(list)}};
+}
+
+std::optional<Problem> problemOf(const Method& method, const Json& parameters) {
+    for (const Field& field : method.fields) {
+        const auto given = parameters.find(field.name);
+        if (given == parameters.end() && field.required)
+            return Problem{Problem::Kind::FieldMissing, field.name};
+        if (given != parameters.end() && !fits(field, *given))
+            return Problem{Problem::Kind::FieldWrong, field.name};
+    }
+    return std::nullopt;
+}
+
+Or<ModuleIndex> axisOf(const Json& parameters, const LinkState& link, const Machine& machine) {
+    const Json& axis = parameters.at("axis");
+    for (const ModuleState& module : link.modules) {
+        const ModuleIndex index = module.info.index;
+        if (axis.is_string() ? axis.get<std::string>() == machine.axis(index).name
+                             : axis.get<std::int64_t>() == index.value() + 1)
+            return index;
+    }
+    return tl::unexpected(Problem{Problem::Kind::AxisUnknown, "axis"});
+}
+
+Or<Call> callOf(std::string_view method, const Json& parameters, const LinkState& link,
+                const Machine& machine) {
+    const auto axis = axisOf(parameters, link, machine);
+    if (!axis)
+        return tl::unexpected(axis.error());
+    const Caller caller{parameters, link.modules[axis->value()], machine.axis(*axis)};
+    if (method == "move")
+        return caller.move();
+    if (method == "move_by")
+        return caller.moveBy();
+    if (method == "jog")
+        return caller.jog();
+    if (method == "go_home")
+        return caller.goHome();
+    if (method == "home")
+        return caller.home();
+    if (method == "set_gains")
+        return caller.setGains();
+    if (method == "set_output")
+        return caller.setOutput();
+    if (method == "enable")
+        return caller.call(intent::Enable{});
+    if (method == "motor_off")
+        return caller.call(intent::MotorOff{});
+    if (method == "zero")
+        return caller.call(intent::ResetPosition{});
+    if (method == "clear_sticky_bits")
+        return caller.call(intent::ClearStickyBits{});
+    return caller.call(intent::StopSmoothly{});
+}
+
+Json stateOf(const ModuleState& module, const AxisSettings& axis) {
+    const AxisScale scale = scaleOf(module, axis);
+    const StatusReport report = module.latest.value_or(StatusReport{});
+    const auto inUnits = [&](const std::optional<std::int32_t>& counts) {
+        return counts ? Json(scale.position(*counts)) : Json();
+    };
+    const auto perSecond = module.speed.perSecond();
+    return {{"number", module.info.index.value() + 1},
+            {"name", axis.name},
+            {"type", module.isKnown() ? Json(lower(enumName<ModuleType::Stepper>(module.info.identity.type)))
+                                      : Json()},
+            {"version", module.info.identity.version},
+            {"state", enumName<Activity::Ready>(module.activity())},
+            {"answers", !module.silent},
+            {"on", module.driveOn()},
+            {"moving", module.moving()},
+            {"position", inUnits(report.position)},
+            {"counts", report.position ? Json(*report.position) : Json()},
+            {"counts_per_second", orNull(perSecond)},
+            {"home", module.home.place() ? inUnits(module.home.place()->counts) : Json()},
+            {"goal", inUnits(module.goal())}};
+}
+
+Json stateOf(const LinkState& link, const Machine& machine) {
+    Json modules = Json::array();
+    for (const ModuleState& module : link.modules)
+        modules.push_back(stateOf(module, machine.axis(module.info.index)));
+    return {{"port", link.port},          {"simulated", link.simulated},
+            {"read_only", link.readOnly}, {"phase", lower(enumName<LinkPhase::Lost>(link.phase))},
+            {"baud", link.baud},          {"modules", std::move(modules)}};
+}
+
+}  // namespace nmc::api

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "model/intent/intent.h"
+#include "model/module/linkstate.h"
+#include "model/settings/machine.h"
+
+/// The methods that other programs may call (docs/api.md): their table, from which `describe` is made, and
+/// what each asks of which module. Values are in the units that the user has chosen for the axis. Pure.
+namespace nmc::api {
+
+using Json = nlohmann::ordered_json;
+
+/// What a client needs to call a method.
+enum class Access : std::uint8_t {
+    Read,     ///< nothing
+    Control,  ///< the right to move motors, which one client at a time may have
+    Stop,     ///< nothing; it passes every queue
+};
+
+/// One parameter of a method.
+struct Field {
+    enum class Kind : std::uint8_t { Axis, Position, Distance, Velocity, Acceleration, Whole, Flag, Text };
+    std::string name;
+    Kind kind;
+    bool required;
+    std::string text;
+    std::optional<ValueRange> range{};  ///< of a whole number
+};
+
+struct Method {
+    std::string name;
+    Access access;
+    std::string text;
+    std::vector<Field> fields{};
+};
+
+[[nodiscard]] const std::vector<Method>& methods();
+/// Null if there is no such method.
+[[nodiscard]] const Method* findMethod(std::string_view name);
+/// The table, for `describe`.
+[[nodiscard]] Json describe();
+
+/// Why a call is not possible.
+struct Problem {
+    enum class Kind : std::uint8_t {
+        FieldMissing,
+        FieldWrong,  ///< it has another type, or is out of its range
+        AxisUnknown,
+        SequenceUnknown,  ///< or point
+        Refused,
+    };
+    Kind kind;
+    std::string field{};                ///< its name
+    std::optional<Refusal> refusal{};   ///< only for Refused
+    std::optional<ModuleIndex> axis{};  ///< only for Refused
+    bool operator==(const Problem&) const = default;
+};
+
+/// What a method asks of one module.
+struct Call {
+    ModuleIndex module;
+    std::variant<Intent, bus::HoldToMove> what;
+};
+
+/// Checks that the parameters are those of the method, and have their types.
+[[nodiscard]] std::optional<Problem> problemOf(const Method& method, const Json& parameters);
+
+/// The module that the parameter "axis" means, by its number from 1 or by its name.
+[[nodiscard]] tl::expected<ModuleIndex, Problem> axisOf(const Json& parameters, const LinkState& link,
+                                                        const Machine& machine);
+
+/// The call of a method with Access::Control that is about one axis. The parameters have been checked with
+/// problemOf(). Whether it is possible now is for plan() to say.
+[[nodiscard]] tl::expected<Call, Problem> callOf(std::string_view method, const Json& parameters,
+                                                 const LinkState& link, const Machine& machine);
+
+/// The chain and its modules as `state` reports them; unknown values are null.
+[[nodiscard]] Json stateOf(const LinkState& link, const Machine& machine);
+/// One module of it.
+[[nodiscard]] Json stateOf(const ModuleState& module, const AxisSettings& axis);
+
+}  // namespace nmc::api

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: MIT
+"""Use a chain of NMC motor modules through NMC Panel, while the panel has the serial port.
+
+    with Panel(program="scan.py") as panel:
+        panel.request_control()
+        x = panel.axis("X")
+        x.enable()
+        x.move(12.5)
+        print(x.position)
+
+The panel must let programs in (menu Chain, or nmcpanel --serve). Values are in the unit of the axis. A call that the panel
+refuses raises Refused. Not for use by several threads at once.
+"""
+from __future__ import annotations
+
+import json
+import os
+import socket
+import sys
+import time
+from collections import deque
+from pathlib import Path
+from typing import Any, Iterator, NamedTuple
+
+__all__ = ["Axis", "ControlLost", "Panel", "PanelError", "Refused", "Sample"]
+
+PROTOCOL = "1.0"
+KEPT_NOTIFICATIONS = 10_000
+
+
+class PanelError(Exception):
+    """The panel cannot be reached, or has gone away."""
+
+
+class Refused(Exception):
+    """The panel refused a call, with the sentence that its window would show."""
+
+    def __init__(self, message: str, code: int, reason: str) -> None:
+        super().__init__(message)
+        self.code = code
+        self.reason = reason  #: such as "NeedsStop"; docs/api.md lists them
+
+
+class ControlLost(Refused):
+    """This program may not move motors, or no longer."""
+
+
+class Sample(NamedTuple):
+    """One status reply of a module; what is not known is None."""
+
+    axis: int  #: number of the module, from 1
+    time: float  #: s
+    position: int  #: counts
+    error: float | None  #: position error in counts
+    velocity: float | None  #: counts per second
+
+
+def sockets() -> list[Path]:
+    """Where panels let programs in."""
+    runtime = os.environ.get("XDG_RUNTIME_DIR") or f"/run/user/{os.getuid()}"
+    return sorted(Path(runtime, "nmcpanel").glob("*.sock"))
+
+
+class Panel:
+    """A connection to the panel at `path`, or to the only one there is."""
+
+    def __init__(self, path: str | os.PathLike[str] | None = None, program: str | None = None) -> None:
+        if path is None:
+            found = sockets()
+            if len(found) != 1:
+                raise PanelError("no panel lets programs in" if not found else
+                                 "several panels let programs in; give the path of one: " + ", ".join(map(str, found)))
+            path = found[0]
+        self._socket = socket.socket(socket.AF_UNIX)
+        try:
+            self._socket.connect(os.fspath(path))
+        except OSError as error:
+            self._socket.close()
+            raise PanelError(f"{path}: {error.strerror}") from error
+        self._lines = self._socket.makefile("r", encoding="utf-8")
+        self._last_id = 0
+        self._notifications: deque[dict[str, Any]] = deque(maxlen=KEPT_NOTIFICATIONS)
+        name = program or Path(sys.argv[0]).name or "python"
+        self.about: dict[str, Any] = self.call("hello", protocol=PROTOCOL, program=name)
+
+    def __enter__(self) -> Panel:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Motors that this program has moved are stopped, unless it asked for "finish"."""
+        self._lines.close()
+        self._socket.close()
+
+    def call(self, method: str, **parameters: Any) -> Any:
+        """Calls any method (docs/api.md); parameters that are None are left out."""
+        self._last_id += 1
+        request = {"jsonrpc": "2.0", "id": self._last_id, "method": method,
+                   "params": {name: value for name, value in parameters.items() if value is not None}}
+        try:
+            self._socket.sendall(json.dumps(request).encode() + b"\n")
+        except OSError as error:
+            raise PanelError("the panel has gone away") from error
+        while True:
+            line = self._read()
+            if "method" in line:
+                self._notifications.append(line)
+            elif line.get("id") == self._last_id:
+                if "error" in line:
+                    error = line["error"]
+                    kind = ControlLost if error["data"]["reason"] == "NoControl" else Refused
+                    raise kind(error["message"], error["code"], error["data"]["reason"])
+                return line["result"]
+
+    def _read(self) -> dict[str, Any]:
+        try:
+            line = self._lines.readline()
+        except OSError as error:
+            raise PanelError("the panel has gone away") from error
+        if not line:
+            raise PanelError("the panel has gone away")
+        return json.loads(line)
+
+    # ---- the chain ----
+
+    def state(self) -> dict[str, Any]:
+        return self.call("state")
+
+    def axis(self, axis: str | int) -> Axis:
+        """An axis by its name, or by its number from 1."""
+        return Axis(self, axis)
+
+    def stop(self) -> None:
+        """STOP ALL; always possible."""
+        self.call("stop")
+
+    def request_control(self, on_disconnect: str = "stop") -> None:
+        """Asks the user for the right to move motors, and waits for the answer."""
+        if not self.call("request_control", on_disconnect=on_disconnect)["granted"]:
+            raise ControlLost("control was refused, or another program has it", -32001, "NoControl")
+
+    def release_control(self) -> None:
+        self.call("release_control")
+
+    def start_sequence(self, name: str) -> None:
+        self.call("start_sequence", name=name)
+
+    def go_to_point(self, name: str) -> None:
+        self.call("go_to_point", name=name)
+
+    # ---- what arrives unasked ----
+
+    def notifications(self) -> Iterator[dict[str, Any]]:
+        """What was subscribed to, as it arrives; without end."""
+        while True:
+            while self._notifications:
+                yield self._notifications.popleft()
+            line = self._read()
+            if "method" in line:
+                yield line
+
+    def samples(self) -> Iterator[Sample]:
+        """Every status reply of every module, as it arrives; without end."""
+        self.call("subscribe", samples=True)
+        for line in self.notifications():
+            if line["method"] == "samples":
+                for row in line["params"]["rows"]:
+                    yield Sample(line["params"]["axis"], *row)
+
+
+class Axis:
+    """One axis of a panel."""
+
+    def __init__(self, panel: Panel, axis: str | int) -> None:
+        self._panel = panel
+        self._axis = axis
+
+    def call(self, method: str, **parameters: Any) -> Any:
+        return self._panel.call(method, axis=self._axis, **parameters)
+
+    def state(self) -> dict[str, Any]:
+        for module in self._panel.state()["modules"]:
+            if self._axis in (module["name"], module["number"]):
+                return module
+        raise Refused("There is no such axis.", -32602, "AxisUnknown")
+
+    @property
+    def position(self) -> float | None:
+        return self.state()["position"]
+
+    def wait(self) -> dict[str, Any]:
+        """Waits until the axis is at rest; returns its state then."""
+        return self.call("wait")
+
+    def _do(self, wait: bool, method: str, **parameters: Any) -> None:
+        self.call(method, **parameters)
+        if wait:
+            self.wait()
+
+    def enable(self, wait: bool = True) -> None:
+        self._do(wait, "enable")
+
+    def motor_off(self, wait: bool = True) -> None:
+        self._do(wait, "motor_off")
+
+    def stop(self, wait: bool = True) -> None:
+        self._do(wait, "stop")
+
+    def move(self, to: float, velocity: float | None = None, acceleration: float | None = None,
+             wait: bool = True) -> None:
+        self._do(wait, "move", to=to, velocity=velocity, acceleration=acceleration)
+
+    def move_by(self, by: float, velocity: float | None = None, acceleration: float | None = None,
+                wait: bool = True) -> None:
+        self._do(wait, "move_by", by=by, velocity=velocity, acceleration=acceleration)
+
+    def jog(self, velocity: float, seconds: float) -> None:
+        """Moves for that long, and stops by itself if this program does."""
+        until = time.monotonic() + seconds
+        while time.monotonic() < until:
+            self.call("jog", velocity=velocity)
+            time.sleep(0.03)
+        self.wait()
+
+    def go_home(self, wait: bool = True) -> None:
+        self._do(wait, "go_home")
+
+    def home(self, wait: bool = True) -> None:
+        self._do(wait, "home")
+
+    def zero(self, wait: bool = True) -> None:
+        self._do(wait, "zero")
+
+    def set_gains(self, wait: bool = True, **gains: int) -> None:
+        """kp, kd, ki, il, ol, cl, el, sr, db; what is left out stays as it is."""
+        self._do(wait, "set_gains", **gains)

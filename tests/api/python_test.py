@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Python client at a real panel on the built-in simulator. usage: python_test.py NMCPANEL"""
+import itertools
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "core" / "python"))
+from nmcpanel import ControlLost, Panel, PanelError, Refused, sockets  # noqa: E402
+
+PROGRAM = sys.argv.pop()
+GAINS = {"kp": 200, "kd": 2000, "ki": 20, "il": 200, "ol": 255, "cl": 0, "el": 8000, "sr": 1}
+
+
+class Client(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        for name in ("XDG_RUNTIME_DIR", "XDG_CONFIG_HOME", "XDG_DATA_HOME"):
+            os.environ[name] = os.path.join(cls.folder.name, name)
+            os.mkdir(os.environ[name], 0o700)
+        os.environ.update(QT_QPA_PLATFORM="offscreen", LANG="C.UTF-8")
+        cls.panel = subprocess.Popen([PROGRAM, "--serve=control", "--simulator", "servo,servo"],
+                                     stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while not sockets() and cls.panel.poll() is None:
+            time.sleep(0.05)
+        with Panel() as panel:
+            while panel.state()["phase"] != "connected":
+                time.sleep(0.05)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.panel.terminate()
+        cls.panel.wait()
+        cls.folder.cleanup()
+
+    def test_moves_and_reads(self):
+        with Panel(program="test") as panel:
+            panel.request_control()
+            axis = panel.axis(1)
+            axis.set_gains(**GAINS)
+            axis.enable()
+            axis.move(400)
+            self.assertAlmostEqual(axis.position, 400, delta=2)
+            axis.move_by(-150, velocity=2)
+            self.assertAlmostEqual(axis.position, 250, delta=2)
+            axis.jog(-0.5, 0.3)
+            self.assertLess(axis.position, 250)
+            for sample in itertools.islice(panel.samples(), 50):
+                self.assertIn(sample.axis, (1, 2))
+            axis.motor_off()
+            self.assertFalse(axis.state()["on"])
+
+    def test_is_refused_in_words(self):
+        with Panel() as panel, Panel(program="another") as other:
+            with self.assertRaises(ControlLost):
+                panel.axis(1).enable()
+            panel.request_control()
+            with self.assertRaises(ControlLost):
+                other.request_control()
+            with self.assertRaises(Refused) as caught:
+                panel.axis(2).move(1)
+            self.assertEqual(caught.exception.reason, "ServoOff")
+            self.assertTrue(str(caught.exception).endswith("."))
+            with self.assertRaises(Refused) as caught:
+                panel.axis("nobody").enable()
+            self.assertEqual(caught.exception.reason, "AxisUnknown")
+            other.stop()
+            time.sleep(0.5)  # so that the stop is over for the next test, too
+            with self.assertRaises(ControlLost):
+                panel.axis(2).enable()
+
+    def test_says_where_there_is_no_panel(self):
+        with self.assertRaises(PanelError):
+            Panel(Path(self.folder.name, "nmcpanel", "none.sock"))
+
+
+if __name__ == "__main__":
+    unittest.main()

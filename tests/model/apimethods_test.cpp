@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/api/apimethods.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "base/enumname.h"
+
+namespace nmc {
+namespace {
+
+using api::Json;
+using Kind = api::Problem::Kind;
+
+/// A chain of a PIC-SERVO with servo rate 1 and a PIC-STEP, of which nothing is known but that they are
+/// there.
+struct Chain {
+    LinkState link{};
+    Machine machine;
+
+    Chain() {
+        link.phase = LinkPhase::Connected;
+        link.modules.resize(2);
+        link.modules[0].info = {ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}};
+        link.modules[0].servoRate = 1;
+        link.modules[1].info = {ModuleIndex(1), BusAddress(2), {ModuleType::Stepper, 1}};
+        machine.axes.resize(2);
+        machine.axes[0].name = "X";
+    }
+    [[nodiscard]] auto call(const char* method, const Json& parameters) const {
+        return api::callOf(method, parameters, link, machine);
+    }
+    template <typename T>
+    [[nodiscard]] T intentOf(const char* method, const Json& parameters) const {
+        return std::get<T>(std::get<Intent>(call(method, parameters).value().what));
+    }
+    [[nodiscard]] servomotion::Trapezoid moveOf(const Json& parameters) const {
+        const auto move = intentOf<intent::Move>("move", parameters);
+        return std::get<servomotion::Trapezoid>(std::get<ServoMotion>(move.motion));
+    }
+};
+
+TEST(ApiMethods, AreDescribedWithTheirParameters) {
+    const Json list = api::describe()["methods"];
+    ASSERT_EQ(list.size(), api::methods().size());
+    const auto find = [](const Json& all, const char* name) {
+        for (const Json& one : all)
+            if (one["name"] == name)
+                return one;
+        return Json();
+    };
+    const Json move = find(list, "move");
+    EXPECT_EQ(move["needs"], "control");
+    EXPECT_EQ(find(move["parameters"], "to")["kind"], "position");
+    EXPECT_EQ(find(move["parameters"], "to")["required"], true);
+    EXPECT_EQ(find(list, "stop")["needs"], "stop");
+    // Ranges of Set Gain: DS-V 5.1.
+    const Json gains = find(list, "set_gains")["parameters"];
+    EXPECT_EQ(find(gains, "kp")["max"], 32'767);
+    EXPECT_EQ(find(gains, "ol")["max"], 255);
+    EXPECT_EQ(find(gains, "sr")["min"], 1);
+    EXPECT_EQ(find(gains, "db")["max"], 255);
+}
+
+TEST(ApiMethods, AreOnTheirPage) {
+    std::ifstream file(API_PAGE);
+    const std::string page(std::istreambuf_iterator<char>(file), {});
+    for (const Json& method : api::describe()["methods"]) {
+        std::string fields;
+        for (const Json& field : method["parameters"])
+            fields += (fields.empty() ? "`" : ", `") + field["name"].get<std::string>() + '`';
+        const std::string row = "| `" + method["name"].get<std::string>() + "` | " +
+                                method["needs"].get<std::string>() + " | " + fields +
+                                (fields.empty() ? "| " : " | ") + method["text"].get<std::string>() + " |\n";
+        EXPECT_NE(page.find(row), std::string::npos) << row;
+    }
+}
+
+TEST(ApiMethods, TakeParametersOfTheirTypesOnly) {
+    const api::Method& move = *api::findMethod("move");
+    EXPECT_EQ(api::problemOf(move, {{"axis", 1}, {"to", 5}}), std::nullopt);
+    EXPECT_EQ(api::problemOf(move, {{"axis", 1}, {"to", 5}, {"later", true}}), std::nullopt)
+        << "unknown: ignored";
+    EXPECT_EQ(api::problemOf(move, {{"axis", 1}}), (api::Problem{Kind::FieldMissing, "to"}));
+    EXPECT_EQ(api::problemOf(move, {{"axis", 1.5}, {"to", 5}}), (api::Problem{Kind::FieldWrong, "axis"}));
+    EXPECT_EQ(api::problemOf(move, {{"axis", 1}, {"to", true}}), (api::Problem{Kind::FieldWrong, "to"}));
+    EXPECT_EQ(api::problemOf(move, {{"axis", 1}, {"to", 1e300}}), (api::Problem{Kind::FieldWrong, "to"}));
+    const api::Method& gains = *api::findMethod("set_gains");
+    EXPECT_EQ(api::problemOf(gains, {{"axis", 1}, {"kp", 32'768}}), (api::Problem{Kind::FieldWrong, "kp"}));
+    EXPECT_EQ(api::problemOf(gains, {{"axis", 1}, {"sr", 0}}), (api::Problem{Kind::FieldWrong, "sr"}));
+    EXPECT_EQ(api::findMethod("dance"), nullptr);
+}
+
+TEST(ApiMethods, FindAnAxisByNameOrNumber) {
+    const Chain chain;
+    EXPECT_EQ(api::axisOf({{"axis", "X"}}, chain.link, chain.machine).value(), ModuleIndex(0));
+    EXPECT_EQ(api::axisOf({{"axis", 2}}, chain.link, chain.machine).value(), ModuleIndex(1));
+    for (const Json& axis : {Json("Y"), Json(0), Json(3), Json(-1), Json(18'446'744'073'709'551'615U)})
+        EXPECT_EQ(api::axisOf({{"axis", axis}}, chain.link, chain.machine).error().kind, Kind::AxisUnknown)
+            << axis;
+}
+
+/// 400 counts per mm, forward being the chip's reverse. A tick is 0.512 ms: 10 mm/s are 4 000 counts/s, 2.048
+/// counts per tick; 100 mm/s² are 40 000 counts/s², 40 000 x 0.000512² = 0.01048576 counts per tick squared.
+TEST(ApiMethods, SpeakTheUnitsOfTheAxis) {
+    Chain chain;
+    chain.machine.axes[0].unit = {UnitKind::Millimetres, -400};
+    const auto move = chain.moveOf({{"axis", "X"}, {"to", 12.5}, {"velocity", 10}, {"acceleration", 100}});
+    EXPECT_EQ(move.position, Counts(-5'000));
+    EXPECT_EQ(move.velocity, CountsPerTick(134'218));         // 2.048 x 65 536 = 134 217.7
+    EXPECT_EQ(move.acceleration, CountsPerTickSquared(687));  // 0.01048576 x 65 536 = 687.2
+    const auto by = chain.intentOf<intent::MoveBy>("move_by", {{"axis", 1}, {"by", 1}});
+    EXPECT_EQ(by.moves.counts, -400);
+    EXPECT_EQ(by.moves.rounds, 1U);
+    const auto forward =
+        std::get<bus::HoldToMove>(chain.call("jog", {{"axis", 1}, {"velocity", 10}}).value().what);
+    EXPECT_TRUE(forward.reverse) << "the chip's direction";
+    EXPECT_EQ(forward.velocity, CountsPerTick(134'218));
+    EXPECT_FALSE(
+        std::get<bus::HoldToMove>(chain.call("jog", {{"axis", 1}, {"velocity", -10}}).value().what).reverse);
+}
+
+TEST(ApiMethods, UseTheVelocityOfTheAxisIfNoneIsGiven) {
+    Chain chain;
+    chain.machine.axes[0].motion.velocity = 3;
+    chain.machine.axes[0].motion.acceleration = 0.5;
+    const auto move = chain.moveOf({{"axis", 1}, {"to", 100}});
+    EXPECT_EQ(move.velocity, CountsPerTick(3 * 65'536));
+    EXPECT_EQ(move.acceleration, CountsPerTickSquared(32'768));
+    EXPECT_EQ(chain.moveOf({{"axis", 1}, {"to", 100}, {"velocity", 2}}).velocity, CountsPerTick(2 * 65'536));
+}
+
+TEST(ApiMethods, RefuseWhatCannotBeMeant) {
+    Chain chain;
+    const auto kindOf = [&](const char* method, const Json& parameters) {
+        return chain.call(method, parameters).error();
+    };
+    EXPECT_EQ(kindOf("move", {{"axis", 1}, {"to", 3e9}}).refusal, Refusal::GoalOutOfRange);
+    EXPECT_EQ(kindOf("move", {{"axis", 1}, {"to", 1}, {"velocity", -1}}).kind, Kind::FieldWrong);
+    EXPECT_EQ(kindOf("move", {{"axis", 1}, {"to", 1}, {"velocity", 40'000}}).kind, Kind::FieldWrong);
+    EXPECT_EQ(kindOf("move", {{"axis", 1}, {"to", 1}, {"acceleration", 0}}).kind, Kind::FieldWrong);
+    EXPECT_EQ(kindOf("jog", {{"axis", 1}, {"velocity", 0}}).kind, Kind::FieldWrong);
+    EXPECT_EQ(kindOf("jog", {{"axis", 2}, {"velocity", 100}}).refusal, Refusal::ParametersUnknown);
+    EXPECT_EQ(kindOf("home", {{"axis", 1}}).refusal, Refusal::NothingToFind);
+    EXPECT_EQ(kindOf("set_gains", {{"axis", 1}, {"kp", 1}}).kind, Kind::FieldMissing) << "no gains are known";
+    chain.machine.axes[0].unit = {UnitKind::Millimetres, 400};
+    chain.link.modules[0].servoRate.reset();
+    EXPECT_EQ(kindOf("move", {{"axis", 1}, {"to", 1}, {"velocity", 1}}).refusal, Refusal::ServoRateUnknown);
+}
+
+TEST(ApiMethods, ChangeOnlyTheGainsThatAreGiven) {
+    Chain chain;
+    chain.link.modules[0].gains = servo::SetGain{100, 1'000, 10, 50, 255, 0, 2'000, 1, std::uint8_t{0}};
+    const servo::SetGain gains =
+        chain.intentOf<intent::ApplyGains>("set_gains", {{"axis", 1}, {"kd", 1'500}, {"db", 7}}).gains;
+    EXPECT_EQ(gains.kp, 100);
+    EXPECT_EQ(gains.kd, 1'500);
+    EXPECT_EQ(gains.el, 2'000);
+    EXPECT_EQ(gains.db, std::uint8_t{7});
+}
+
+TEST(ApiMethods, NeedAllGainsWhileNoneAreKnown) {
+    const Chain chain;
+    const Json all{{"axis", 1}, {"kp", 1}, {"kd", 2}, {"ki", 3}, {"il", 4},
+                   {"ol", 5},   {"cl", 6}, {"el", 7}, {"sr", 8}};
+    const servo::SetGain gains = chain.intentOf<intent::ApplyGains>("set_gains", all).gains;
+    EXPECT_EQ(gains.kp, 1);
+    EXPECT_EQ(gains.el, 7);
+    EXPECT_EQ(gains.sr, 8);
+    EXPECT_FALSE(gains.db) << "may be left out (DS-V 5.1)";
+}
+
+TEST(ApiMethods, ReportWhatIsNotKnownAsNull) {
+    const Chain chain;
+    const Json state = api::stateOf(chain.link, chain.machine);
+    EXPECT_EQ(state["phase"], "connected");
+    const Json& servo = state["modules"][0];
+    EXPECT_EQ(servo["name"], "X");
+    EXPECT_EQ(servo["type"], "servo");
+    for (const char* value : {"position", "counts", "counts_per_second", "home", "goal"})
+        EXPECT_TRUE(servo[value].is_null()) << value;
+    EXPECT_EQ(state["modules"][1]["type"], "stepper");
+}
+
+TEST(EnumName, IsTheNameInTheSource) {
+    EXPECT_EQ(enumName<Refusal::TooFar>(Refusal::NotConnected), "NotConnected");
+    EXPECT_EQ(enumName<Refusal::TooFar>(Refusal::NeedsStop), "NeedsStop");
+    EXPECT_EQ(enumName<Activity::Ready>(Activity::Ready), "Ready");
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Other programs at the panel's socket (docs/api.md). The oracle is what the simulator knows about the
+// motors.
+#include <gtest/gtest.h>
+
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QFile>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLocalServer>
+#include <QLocalSocket>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "link/api/apiserver.h"
+#include "tests/support/virtualpanel.h"
+#include "widgets/common/requests.h"
+#include "widgets/common/words.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using Json = nlohmann::json;
+using testing_support::moves;
+using testing_support::VirtualChain;
+using testing_support::VirtualPanel;
+
+/// A folder for sockets that belongs to the test alone.
+class Runtime {
+public:
+    Runtime() : m_before(qgetenv("XDG_RUNTIME_DIR")) { qputenv("XDG_RUNTIME_DIR", m_folder.path().toUtf8()); }
+    ~Runtime() { qputenv("XDG_RUNTIME_DIR", m_before); }
+    Runtime(const Runtime&) = delete;
+    Runtime& operator=(const Runtime&) = delete;
+
+private:
+    QByteArray m_before;
+    QTemporaryDir m_folder;
+};
+
+/// Another program, as simple as one can be.
+class Client {
+public:
+    Client(VirtualPanel& panel, const QString& path) : m_panel(panel) { m_socket.connectToServer(path); }
+
+    void write(const QByteArray& line) {
+        m_socket.write(line + '\n');
+        m_socket.flush();
+    }
+    int request(const char* method, const Json& parameters = Json::object()) {
+        write(QByteArray::fromStdString(
+            Json{{"jsonrpc", "2.0"}, {"id", ++m_id}, {"method", method}, {"params", parameters}}.dump()));
+        return m_id;
+    }
+    /// The answer to a request, once it is there.
+    Json answer(int id) {
+        const auto isIt = [&](const Json& line) { return line.contains("id") && line["id"] == id; };
+        return await(isIt);
+    }
+    Json notification(const char* method) {
+        return await([&](const Json& line) { return line.value("method", "") == method; });
+    }
+    Json call(const char* method, const Json& parameters = Json::object()) {
+        return answer(request(method, parameters));
+    }
+    void hello(const char* name = "scan.py") {
+        ASSERT_TRUE(call("hello", {{"protocol", "1.0"}, {"program", name}}).contains("result"));
+    }
+    [[nodiscard]] bool cutOff() {
+        return m_panel.waitFor([&] { return m_socket.state() == QLocalSocket::UnconnectedState; });
+    }
+    void vanish() { m_socket.abort(); }
+    /// Lines that have arrived and were not asked for yet.
+    std::vector<Json>& arrived() {
+        while (m_socket.canReadLine())
+            m_lines.push_back(Json::parse(m_socket.readLine().toStdString()));
+        return m_lines;
+    }
+
+private:
+    template <typename Condition>
+    Json await(const Condition& isIt) {
+        Json found;
+        EXPECT_TRUE(m_panel.waitFor([&] {
+            const auto line = std::find_if(arrived().begin(), arrived().end(), isIt);
+            if (line == m_lines.end())
+                return false;
+            found = *line;
+            m_lines.erase(line);
+            return true;
+        }));
+        return found;
+    }
+
+    VirtualPanel& m_panel;
+    QLocalSocket m_socket;
+    std::vector<Json> m_lines;
+    int m_id = 1'000;  ///< other than in what a test writes itself
+};
+
+class OtherPrograms : public testing::Test {
+protected:
+    void SetUp() override {
+        panel.composition().show({.port = sim.terminal(), .baud = 115'200});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
+        panel.window().findChild<QAction*>(u"letProgramsInAction"_s)->trigger();
+        ASSERT_TRUE(panel.waitFor([&] { return QFile::exists(path()); }));
+    }
+    [[nodiscard]] QString path() const { return ApiServer::pathFor(sim.terminal()); }
+    /// A click of the user on the question.
+    void decide(const char* button) {
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return panel.window().findChild<QAbstractButton*>(QLatin1String(button)) != nullptr; }));
+        QTest::mouseClick(panel.window().findChild<QAbstractButton*>(QLatin1String(button)), Qt::LeftButton);
+    }
+    void control(Client& client, const Json& parameters = Json::object()) {
+        const int asked = client.request("request_control", parameters);
+        ASSERT_NO_FATAL_FAILURE(decide("grantControlButton"));
+        ASSERT_EQ(client.answer(asked)["result"]["granted"], true);
+    }
+    /// Motor 1 holds.
+    void ready(Client& client) {
+        ASSERT_NO_FATAL_FAILURE(control(client));
+        ASSERT_EQ(client.call("set_gains", kGains)["result"]["accepted"], true);
+        ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+        ASSERT_EQ(client.call("enable", {{"axis", 1}})["result"]["accepted"], true);
+        ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+    }
+    [[nodiscard]] QString ribbon() {
+        return panel.window().findChild<QLabel*>(u"programsRibbonText"_s)->text();
+    }
+
+    const Json kGains{{"axis", 1}, {"kp", 200}, {"kd", 2'000}, {"ki", 20}, {"il", 200},
+                      {"ol", 255}, {"cl", 0},   {"el", 8'000}, {"sr", 1}};
+    Runtime runtime;
+    VirtualChain sim{u"servo,servo"_s};
+    VirtualPanel panel;
+};
+
+TEST_F(OtherPrograms, ReadWithoutAsking) {
+    Client client(panel, path());
+    client.hello();
+    const Json state = client.call("state")["result"];
+    EXPECT_EQ(state["phase"], "connected");
+    EXPECT_EQ(state["modules"].size(), 2U);
+    EXPECT_EQ(state["modules"][0]["type"], "servo");
+    EXPECT_EQ(state["modules"][0]["position"], 0.0);
+    EXPECT_TRUE(state["modules"][0]["home"].is_null());
+    EXPECT_TRUE(state["control"].is_null());
+    EXPECT_TRUE(ribbon().contains(u"Connected: 1."_s)) << ribbon().toStdString();
+}
+
+TEST_F(OtherPrograms, MustSayHelloInAProtocolThatIsSpokenHere) {
+    Client client(panel, path());
+    EXPECT_EQ(client.call("state")["error"]["data"]["reason"], "HelloFirst");
+    EXPECT_EQ(client.call("hello", {{"protocol", "2.0"}, {"program", "new"}})["error"]["data"]["reason"],
+              "OtherProtocol");
+    EXPECT_TRUE(
+        client.call("hello", {{"protocol", "1.7"}, {"program", "new"}, {"unheard_of", 1}}).contains("result"))
+        << "a later minor version, and what it adds, is no obstacle";
+}
+
+TEST_F(OtherPrograms, MoveNothingWithoutControl) {
+    Client client(panel, path());
+    client.hello();
+    for (const char* method : {"enable", "zero", "go_home", "home", "clear_sticky_bits"})
+        EXPECT_EQ(client.call(method, {{"axis", 1}})["error"]["data"]["reason"], "NoControl") << method;
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 500}})["error"]["data"]["reason"], "NoControl");
+    EXPECT_EQ(client.call("jog", {{"axis", 1}, {"velocity", 1}})["error"]["data"]["reason"], "NoControl");
+    EXPECT_FALSE(sim.isOn(0));
+}
+
+TEST_F(OtherPrograms, MoveWhereTheyWantOnceTheUserAgrees) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_TRUE(ribbon().contains(u"\"scan.py\" may move motors"_s)) << ribbon().toStdString();
+    EXPECT_EQ(client.call("state")["result"]["control"], "scan.py");
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 500}})["result"]["accepted"], true);
+    const Json rest = client.call("wait", {{"axis", 1}})["result"];
+    EXPECT_EQ(rest["moving"], false);
+    EXPECT_NEAR(rest["position"].get<double>(), 500, 2);
+    EXPECT_EQ(client.call("move_by", {{"axis", 1}, {"by", -200}, {"velocity", 2}})["result"]["accepted"],
+              true);
+    EXPECT_NEAR(client.call("wait", {{"axis", 1}})["result"]["position"].get<double>(), 300, 2);
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(OtherPrograms, AreRefusedInTheWordsOfTheWindow) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(control(client));
+    const Json error = client.call("move", {{"axis", 1}, {"to", 500}})["error"];
+    EXPECT_EQ(error["data"]["reason"], "ServoOff");
+    EXPECT_EQ(error["message"], texts::refusal(Refusal::ServoOff).toStdString());
+    EXPECT_EQ(client.call("move", {{"axis", 7}, {"to", 500}})["error"]["data"]["reason"], "AxisUnknown");
+    EXPECT_EQ(client.call("move", {{"axis", 1}})["error"]["data"]["reason"], "FieldMissing");
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", "far"}})["error"]["data"]["reason"], "FieldWrong");
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 3e9}})["error"]["data"]["reason"], "GoalOutOfRange");
+    EXPECT_EQ(client.call("dance")["error"]["data"]["reason"], "NoMethod");
+}
+
+TEST_F(OtherPrograms, LearnFromWaitWhatFailed) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
+    const int waits = client.request("wait", {{"axis", 1}});
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    const int moves = client.request("move_by", {{"axis", 1}, {"by", 50}});
+    EXPECT_EQ(client.answer(moves)["error"]["data"]["reason"], "Moving");
+    EXPECT_EQ(client.call("stop", {{"axis", 1}})["result"]["accepted"], true);
+    EXPECT_TRUE(client.answer(waits).contains("result")) << "the move was begun, and then stopped on request";
+    EXPECT_EQ(client.call("move_by", {{"axis", 1}, {"by", 100'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().moving(); }));
+    EXPECT_EQ(client.call("stop")["result"]["sent"], true);
+    EXPECT_EQ(client.call("wait", {{"axis", 1}})["error"]["data"]["reason"], "NotCarriedOut")
+        << "repeated moves are a procedure, which the stop cancelled";
+}
+
+TEST_F(OtherPrograms, GetNoControlThatTheUserRefuses) {
+    Client client(panel, path());
+    client.hello();
+    const int asked = client.request("request_control");
+    ASSERT_NO_FATAL_FAILURE(decide("refuseControlButton"));
+    EXPECT_EQ(client.answer(asked)["result"]["granted"], false);
+    EXPECT_EQ(client.call("enable", {{"axis", 1}})["error"]["data"]["reason"], "NoControl");
+}
+
+TEST_F(OtherPrograms, HaveControlOneAtATime) {
+    Client first(panel, path()), second(panel, path());
+    first.hello("first");
+    second.hello("second");
+    ASSERT_NO_FATAL_FAILURE(control(first));
+    EXPECT_EQ(second.call("request_control")["result"]["granted"], false);
+    EXPECT_TRUE(first.call("release_control").contains("result"));
+    ASSERT_NO_FATAL_FAILURE(control(second));
+    EXPECT_EQ(first.call("enable", {{"axis", 1}})["error"]["data"]["reason"], "NoControl");
+}
+
+TEST_F(OtherPrograms, LoseControlByEsc) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 100'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    QTest::keyClick(panel.window().windowHandle(), Qt::Key_Escape);
+    EXPECT_TRUE(client.notification("control_lost")["params"].contains("reason"));
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 0}})["error"]["data"]["reason"], "NoControl");
+}
+
+TEST_F(OtherPrograms, LoseControlByACommandOfTheUser) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    emit panel.window().requests().intent(ModuleIndex(1), intent::ClearStickyBits{});
+    EXPECT_FALSE(client.notification("control_lost").is_null());
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 0}})["error"]["data"]["reason"], "NoControl");
+}
+
+TEST_F(OtherPrograms, LoseControlByTheButton) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(control(client));
+    panel.click("endProgramControlButton");
+    EXPECT_FALSE(client.notification("control_lost").is_null());
+}
+
+TEST_F(OtherPrograms, StopWithoutHelloAndWithoutControl) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    Client other(panel, path());
+    EXPECT_EQ(other.call("stop")["result"]["sent"], true);
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_FALSE(client.notification("control_lost").is_null());
+}
+
+TEST_F(OtherPrograms, LeaveNoMotorMovingWhenTheyVanish) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    client.vanish();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    EXPECT_LT(*panel.module().latest->position, 900'000);
+    EXPECT_EQ(panel.module().activity(), Activity::Holding);
+}
+
+TEST_F(OtherPrograms, MayLetTheirMovesFinish) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_TRUE(client.call("release_control").contains("result"));
+    ASSERT_NO_FATAL_FAILURE(control(client, {{"on_disconnect", "finish"}}));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 3'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    client.vanish();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    EXPECT_NEAR(*panel.module().latest->position, 3'000, 2);
+}
+
+/// A jog is evidence for 100 ms, as a held button is; calls sooner than that keep it up.
+TEST_F(OtherPrograms, JogOnlyWhileTheySaySo) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    const Json jog{{"axis", 1}, {"velocity", 0.5}};
+    for (int i = 0; i < 20; ++i) {
+        EXPECT_EQ(client.call("jog", jog)["result"]["accepted"], true);
+        panel.answersFor(0.05);
+    }
+    EXPECT_TRUE(moves(sim));
+    const auto before = *panel.module().latest->position;
+    EXPECT_GT(before, 0);
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    EXPECT_EQ(client.call("jog", jog)["result"]["accepted"], true) << "as another press";
+    EXPECT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(OtherPrograms, AreToldWhatTheySubscribeTo) {
+    Client client(panel, path());
+    client.hello();
+    EXPECT_TRUE(
+        client.call("subscribe", {{"state", true}, {"samples", true}, {"events", true}}).contains("result"));
+    EXPECT_EQ(client.notification("state")["params"]["modules"].size(), 2U);
+    const Json samples = client.notification("samples")["params"];
+    EXPECT_EQ(samples["missed"], 0);
+    EXPECT_EQ(samples["rows"][0].size(), 4U);
+    Client other(panel, path());
+    other.hello("other.py");
+    EXPECT_TRUE(client.notification("event")["params"]["text"].get<std::string>().find("other.py") !=
+                std::string::npos);
+}
+
+/// Whatever arrives, it is answered or its sender is cut off, and nothing moves.
+TEST_F(OtherPrograms, SurviveNonsense) {
+    std::mt19937 random(7);
+    const auto place = [&random](qsizetype size) {
+        return static_cast<qsizetype>(random() % static_cast<unsigned>(size));
+    };
+    const QByteArray right = R"({"jsonrpc":"2.0","id":1,"method":"move","params":{"axis":1,"to":100}})";
+    for (int round = 0; round < 20; ++round) {
+        Client client(panel, path());
+        for (int i = 0; i < 50; ++i) {
+            QByteArray line = right;
+            for (int change = 0; change < 1 + i % 5; ++change)
+                line[place(line.size())] = static_cast<char>(random() % 256);
+            line.truncate(place(line.size() + 1));
+            line.replace('\n', ' ');
+            client.write(line);
+        }
+        const int last = client.request("stop");
+        EXPECT_EQ(client.answer(last)["result"]["sent"], true);
+        for (const Json& line : client.arrived())
+            EXPECT_TRUE(line.contains("error")) << line.dump();
+    }
+    Client client(panel, path());
+    client.write(QByteArray(static_cast<qsizetype>(ApiServer::kLongestLine) + 10, 'x'));
+    EXPECT_TRUE(client.cutOff());
+    EXPECT_FALSE(moves(sim));
+    EXPECT_FALSE(sim.isOn(0));
+}
+
+TEST_F(OtherPrograms, AreCutOffWhenTheUserKeepsThemOut) {
+    Client client(panel, path());
+    client.hello();
+    panel.window().findChild<QAction*>(u"letProgramsInAction"_s)->trigger();
+    EXPECT_TRUE(client.cutOff());
+    EXPECT_FALSE(QFile::exists(path()));
+}
+
+TEST(ApiSocket, IsForThisUserOnlyAndReplacesOneThatWasLeftBehind) {
+    const Runtime runtime;
+    const QString path = ApiServer::pathFor(u"/dev/ttyUSB0"_s);
+    {
+        ApiServer server;
+        ASSERT_TRUE(server.listen(path));
+        struct stat status {};
+        ASSERT_EQ(::stat(path.toUtf8().constData(), &status), 0);
+        EXPECT_EQ(status.st_mode & 0777U, 0600U);
+        ApiServer second;
+        const auto refused = second.listen(path);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().kind, ApiServerProblem::Kind::InUse);
+    }
+    // As a killed panel leaves it: the socket is there, and nobody answers.
+    const int left = ::socket(AF_UNIX, SOCK_STREAM, 0);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::strncpy(address.sun_path, path.toUtf8().constData(), sizeof address.sun_path - 1);
+    ASSERT_EQ(::bind(left, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    ::close(left);
+    ASSERT_EQ(::chmod(path.toUtf8().constData(), 0600), 0);
+    ApiServer server;
+    EXPECT_TRUE(server.listen(path));
+}
+
+TEST(ApiSocket, TrustsNeitherLinksNorOpenFolders) {
+    const Runtime runtime;
+    const QString path = ApiServer::pathFor(u"/dev/ttyUSB0"_s);
+    ApiServer server;
+    ASSERT_TRUE(server.listen(path));
+    server.close();
+    ASSERT_TRUE(QFile::link(u"/tmp/elsewhere"_s, path));
+    auto refused = server.listen(path);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ApiServerProblem::Kind::NotPrivate);
+    ASSERT_TRUE(QFile::remove(path));
+    ASSERT_EQ(::chmod(QFileInfo(path).absolutePath().toUtf8().constData(), 0777), 0);
+    refused = server.listen(path);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ApiServerProblem::Kind::NotPrivate);
+}
+
+}  // namespace
+}  // namespace nmc

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/apitexts.h"
+
+#include <QCoreApplication>
+
+#include "widgets/common/words.h"
+
+namespace nmc::texts {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+class ApiWords {
+    Q_DECLARE_TR_FUNCTIONS(nmc::ApiWords)
+};
+
+/// Messages about one program replace one another.
+[[nodiscard]] Message aboutProgram(const QString& program, const QString& headline) {
+    return {.key = u"program/"_s + program, .headline = headline, .replaces = true};
+}
+}  // namespace
+
+QString apiProblem(const api::Problem& problem) {
+    using enum api::Problem::Kind;
+    const QString field = QString::fromStdString(problem.field);
+    switch (problem.kind) {
+        case FieldMissing:
+            return ApiWords::tr("The parameter \"%1\" is missing.").arg(field);
+        case FieldWrong:
+            return ApiWords::tr("The parameter \"%1\" has the wrong type, or is out of its range.")
+                .arg(field);
+        case AxisUnknown:
+            return ApiWords::tr("There is no such axis.");
+        case SequenceUnknown:
+            return ApiWords::tr("There is no sequence or point of that name.");
+        case Refused:
+            return refusal(problem.refusal.value());
+    }
+    return {};
+}
+
+QString noControl() {
+    return ApiWords::tr("This program may not move motors now: call request_control first.");
+}
+
+QString helloFirst() {
+    return ApiWords::tr("Call hello first.");
+}
+
+QString otherProtocol(const QString& theirs, const QString& ours) {
+    return ApiWords::tr("This panel speaks version %1 of the protocol, and the program version %2.")
+        .arg(ours, theirs);
+}
+
+QString wasCancelled() {
+    return ApiWords::tr("It was cancelled by a stop or by another command.");
+}
+
+QString controlLost(ControlLost why) {
+    switch (why) {
+        case ControlLost::Stopped:
+            return ApiWords::tr("Motors were stopped.");
+        case ControlLost::TakenBack:
+            return ApiWords::tr("The user has taken control back.");
+        case ControlLost::Commanded:
+            return ApiWords::tr("The user has commanded a motor.");
+        case ControlLost::Disconnected:
+            return ApiWords::tr("The chain is no longer connected.");
+    }
+    return {};
+}
+
+Message apiClosed(const ApiServerProblem& problem) {
+    Message message{.key = u"api"_s,
+                    .severity = Severity::Attention,
+                    .headline = ApiWords::tr("Other programs cannot connect."),
+                    .replaces = true};
+    switch (problem.kind) {
+        case ApiServerProblem::Kind::InUse:
+            message.body = ApiWords::tr("Another panel already lets programs in at %1.").arg(problem.path);
+            break;
+        case ApiServerProblem::Kind::NotPrivate:
+            message.body =
+                ApiWords::tr(
+                    "%1 is a link, belongs to another user, or is open to others. Remove it, and try again.")
+                    .arg(problem.path);
+            break;
+        case ApiServerProblem::Kind::System:
+            message.body = ApiWords::tr("%1 cannot be created.").arg(problem.path);
+            message.details = problem.reason;
+            break;
+    }
+    return message;
+}
+
+Message programConnected(const QString& program) {
+    return aboutProgram(
+        program,
+        ApiWords::tr("Program \"%1\" has connected. It may read, but not move motors.").arg(program));
+}
+
+Message programGone(const QString& program, bool stops) {
+    Message message = aboutProgram(
+        program,
+        (stops ? ApiWords::tr("Program \"%1\" has disconnected; the motors that it moved are stopped.")
+               : ApiWords::tr("Program \"%1\" has disconnected."))
+            .arg(program));
+    if (stops)
+        message.severity = Severity::Attention;
+    return message;
+}
+
+Message programCalled(const QString& program, const QString& call) {
+    return aboutProgram(program, ApiWords::tr("Program \"%1\": %2").arg(program, call));
+}
+
+}  // namespace nmc::texts

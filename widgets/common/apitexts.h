@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "link/api/apiserverproblem.h"
+#include "model/api/apimethods.h"
+#include "widgets/common/message.h"
+
+/// What is said about other programs: to the user, and to them (docs/api.md).
+namespace nmc::texts {
+
+/// Why a call is not possible.
+[[nodiscard]] QString apiProblem(const api::Problem& problem);
+/// What a program without the right to move motors is told.
+[[nodiscard]] QString noControl();
+[[nodiscard]] QString helloFirst();
+[[nodiscard]] QString otherProtocol(const QString& theirs, const QString& ours);
+
+/// A request was not carried out to the end.
+[[nodiscard]] QString wasCancelled();
+
+/// Why a program has lost the right to move motors.
+enum class ControlLost : std::uint8_t { Stopped, TakenBack, Commanded, Disconnected };
+[[nodiscard]] QString controlLost(ControlLost why);
+
+[[nodiscard]] Message apiClosed(const ApiServerProblem& problem);
+[[nodiscard]] Message programConnected(const QString& program);
+/// `stops`: motors that it had moved are stopped.
+[[nodiscard]] Message programGone(const QString& program, bool stops);
+/// A program has requested something of a motor; `call` is the method with its parameters.
+[[nodiscard]] Message programCalled(const QString& program, const QString& call);
+
+}  // namespace nmc::texts
