@@ -22,9 +22,9 @@ namespace {
 
 constexpr auto kProtocol = "1.0";
 constexpr qsizetype kLongestName = 60;
-constexpr int kStateInterval = 100;                              ///< ms
+constexpr int kPublishInterval = 100;                            ///< ms
 constexpr Duration kStillHeld = std::chrono::milliseconds(250);  ///< a jog after that is another press
-constexpr std::uint64_t kMostSamples = 500;                      ///< in one message
+constexpr std::uint64_t kMostSamples = 500;                      ///< of a module in one message
 
 // Codes of JSON-RPC 2.0, and ours.
 constexpr int kParseError = -32700, kInvalidRequest = -32600, kNoMethod = -32601, kBadParameters = -32602;
@@ -51,9 +51,12 @@ ApiController::ApiController(MainWindow& window, const BusStore& store, BusWorke
       m_commander(commander),
       m_machine(machine),
       m_messages(messages) {
-    m_stateTimer.setInterval(kStateInterval);
-    m_stateTimer.setSingleShot(true);
-    connect(&m_stateTimer, &QTimer::timeout, this, &ApiController::publishState);
+    m_publishTimer.setInterval(kPublishInterval);
+    m_publishTimer.setSingleShot(true);
+    connect(&m_publishTimer, &QTimer::timeout, this, [this] {
+        publishSamples();
+        publishState();
+    });
     connect(&m_server, &ApiServer::received, this, &ApiController::read);
     connect(&m_server, &ApiServer::vanished, this, &ApiController::gone);
     connect(&m_server, &ApiServer::overflowed, this, [this](Client client) {
@@ -79,16 +82,14 @@ ApiController::ApiController(MainWindow& window, const BusStore& store, BusWorke
     connect(requests, &Requests::letProgramsIn, this, &ApiController::letIn);
     connect(requests, &Requests::endProgramControl, this, [this] { lose(texts::ControlLost::TakenBack); });
     connect(&m_window, &MainWindow::stopAllRequested, this, [this] { lose(texts::ControlLost::Stopped); });
-    const auto commanded = [this] { lose(texts::ControlLost::Commanded); };
-    connect(requests, &Requests::intent, this, [commanded](ModuleIndex, const Intent&) { commanded(); });
-    connect(requests, &Requests::hold, this, [commanded](const bus::HoldToMove&) { commanded(); });
-    connect(requests, &Requests::groupCommand, this, [commanded](const bus::GroupCommand&) { commanded(); });
-    connect(requests, &Requests::homeAll, this, commanded);
-    connect(requests, &Requests::goToPoint, this, [commanded](const std::string&) { commanded(); });
-    connect(requests, &Requests::goToPlace, this, [commanded](const Point&) { commanded(); });
-    connect(requests, &Requests::startSequence, this,
-            [commanded](const std::string&, std::size_t, bool) { commanded(); });
-    connect(requests, &Requests::stopSequence, this, commanded);
+    connect(requests, &Requests::intent, this, &ApiController::noteCommand);
+    connect(requests, &Requests::hold, this, &ApiController::noteCommand);
+    connect(requests, &Requests::groupCommand, this, &ApiController::noteCommand);
+    connect(requests, &Requests::homeAll, this, &ApiController::noteCommand);
+    connect(requests, &Requests::goToPoint, this, &ApiController::noteCommand);
+    connect(requests, &Requests::goToPlace, this, &ApiController::noteCommand);
+    connect(requests, &Requests::startSequence, this, &ApiController::noteCommand);
+    connect(requests, &Requests::stopSequence, this, &ApiController::noteCommand);
 }
 
 // ---- the socket ----
@@ -127,9 +128,8 @@ void ApiController::follow() {
         lose(texts::ControlLost::Disconnected);
     }
     answerWaits();
-    publishSamples();
-    if (!m_stateTimer.isActive())
-        m_stateTimer.start();
+    if (!m_publishTimer.isActive())
+        m_publishTimer.start();
     showPrograms();
 }
 
@@ -256,10 +256,6 @@ void ApiController::subscribe(Client client, const Json& parameters) {
     session.state = parameters.value("state", false);
     session.events = parameters.value("events", false);
     session.samples = parameters.value("samples", false);
-    session.sent.clear();
-    const History& history = m_store.history();
-    for (std::size_t i = 0; i < history.modules(); ++i)
-        session.sent.push_back(history.module(ModuleIndex(static_cast<std::uint8_t>(i)))->count());
 }
 
 // ---- the right to move motors ----
@@ -481,34 +477,44 @@ void ApiController::publishState() {
     }
 }
 
+/// One line for all clients, however many they are.
 void ApiController::publishSamples() {
     const History& history = m_store.history();
     const TimePoint zero = history.zero().value_or(TimePoint{});
     const auto known = [](float value) { return value == value ? Json(value) : Json(); };
+    const bool wanted = std::ranges::any_of(m_sessions, [](const auto& each) { return each.second.samples; });
+    m_published.resize(history.modules());
+    std::size_t count = 0;
+    Json modules = Json::array();
+    for (std::size_t i = 0; i < history.modules(); ++i) {
+        const ModuleHistory& module = *history.module(ModuleIndex(static_cast<std::uint8_t>(i)));
+        if (!wanted || module.count() < m_published[i]) {
+            m_published[i] = module.count();
+            continue;
+        }
+        Json rows = Json::array();
+        m_published[i] = module.visitSince(
+            m_published[i],
+            [&](const ScopeSample& sample) {
+                rows.push_back({toSeconds(sample.time - zero), sample.position, known(sample.error),
+                                known(sample.velocity)});
+            },
+            kMostSamples);
+        count += rows.size();
+        if (!rows.empty())
+            modules.push_back({{"axis", i + 1}, {"rows", std::move(rows)}});
+    }
+    if (modules.empty())
+        return;
+    Json parameters{{"missed", 0}, {"modules", std::move(modules)}};
+    const QByteArray line = lineOf(notification("samples", parameters));
     for (auto& [client, session] : m_sessions) {
         if (!session.samples)
             continue;
-        session.sent.resize(history.modules());
-        for (std::size_t i = 0; i < history.modules(); ++i) {
-            const ModuleHistory& module = *history.module(ModuleIndex(static_cast<std::uint8_t>(i)));
-            Json rows = Json::array();
-            const std::uint64_t from = std::min(session.sent[i], module.count());
-            session.sent[i] = module.visitSince(
-                from,
-                [&](const ScopeSample& sample) {
-                    rows.push_back({toSeconds(sample.time - zero), sample.position, known(sample.error),
-                                    known(sample.velocity)});
-                },
-                kMostSamples);
-            if (rows.empty())
-                continue;
-            const std::size_t count = rows.size();
-            const bool sent = m_server.offer(
-                client,
-                lineOf(notification(
-                    "samples", {{"axis", i + 1}, {"missed", session.missed}, {"rows", std::move(rows)}})));
-            session.missed = sent ? 0 : session.missed + count;
-        }
+        parameters["missed"] = session.missed;
+        const bool sent =
+            m_server.offer(client, session.missed == 0 ? line : lineOf(notification("samples", parameters)));
+        session.missed = sent ? 0 : session.missed + count;
     }
 }
 

@@ -37,6 +37,8 @@ public:
     void letIn(bool on);
     /// From now on, programs get the right to move motors without the user being asked.
     void grantUnasked() { m_grantsUnasked = true; }
+    /// The user has commanded a motor other than through Requests.
+    void noteCommand() { lose(texts::ControlLost::Commanded); }
     [[nodiscard]] const ApiServer& server() const { return m_server; }
 
 private:
@@ -50,7 +52,6 @@ private:
     struct Session {
         QString program{};  ///< empty until it has called hello
         bool state = false, events = false, samples = false;
-        std::vector<std::uint64_t> sent{};                     ///< samples of each module
         std::uint64_t missed = 0;                              ///< samples that it was too slow for
         bool finishes = false;                                 ///< its moves finish when it disappears
         std::set<ModuleIndex> moved{};                         ///< since it got control
@@ -116,7 +117,8 @@ private:
     std::optional<QString> m_notBegun;  ///< why a sequence was refused during a call
     bool m_on = false;
     bool m_grantsUnasked = false;
-    QTimer m_stateTimer;  ///< paces "state"
+    QTimer m_publishTimer;                   ///< paces "state" and "samples"
+    std::vector<std::uint64_t> m_published;  ///< samples of each module
 };
 
 }  // namespace nmc

@@ -178,6 +178,8 @@ void Composition::wireMachine() {
     connect(&m_commander, &Commander::sent, &m_machine, &MachineController::noteSent);
     connect(&m_actions, &MessageActions::intentRequested, this, &Composition::carryOut);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
+    connect(&m_actions, &MessageActions::intentRequested, &m_api, &ApiController::noteCommand);
+    connect(&m_machine, &MachineController::intentRequested, &m_api, &ApiController::noteCommand);
     connect(&m_machine, &MachineController::groupChangeRequested, this, &Composition::change);
     connect(&m_machine, &MachineController::machineChanged, this, [this] {
         m_positions.setMachine(machine().name);

@@ -13,6 +13,7 @@ refuses raises Refused. Not for use by several threads at once.
 """
 from __future__ import annotations
 
+import getpass
 import json
 import os
 import socket
@@ -57,7 +58,7 @@ class Sample(NamedTuple):
 
 def sockets() -> list[Path]:
     """Where panels let programs in."""
-    runtime = os.environ.get("XDG_RUNTIME_DIR") or f"/run/user/{os.getuid()}"
+    runtime = os.environ.get("XDG_RUNTIME_DIR") or f"/tmp/runtime-{getpass.getuser()}"  # as Qt does
     return sorted(Path(runtime, "nmcpanel").glob("*.sock"))
 
 
@@ -166,8 +167,9 @@ class Panel:
         self.call("subscribe", samples=True)
         for line in self.notifications():
             if line["method"] == "samples":
-                for row in line["params"]["rows"]:
-                    yield Sample(line["params"]["axis"], *row)
+                for module in line["params"]["modules"]:
+                    for row in module["rows"]:
+                        yield Sample(module["axis"], *row)
 
 
 class Axis:

@@ -341,7 +341,8 @@ TEST_F(OtherPrograms, AreToldWhatTheySubscribeTo) {
     EXPECT_EQ(client.notification("state")["params"]["modules"].size(), 2U);
     const Json samples = client.notification("samples")["params"];
     EXPECT_EQ(samples["missed"], 0);
-    EXPECT_EQ(samples["rows"][0].size(), 4U);
+    EXPECT_EQ(samples["modules"][0]["axis"], 1);
+    EXPECT_EQ(samples["modules"][0]["rows"][0].size(), 4U);
     Client other(panel, path());
     other.hello("other.py");
     EXPECT_TRUE(client.notification("event")["params"]["text"].get<std::string>().find("other.py") !=
