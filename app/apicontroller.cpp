@@ -82,20 +82,24 @@ ApiController::ApiController(MainWindow& window, const BusStore& store, BusWorke
     connect(requests, &Requests::letProgramsIn, this, &ApiController::letIn);
     connect(requests, &Requests::endProgramControl, this, [this] { lose(texts::ControlLost::TakenBack); });
     connect(&m_window, &MainWindow::stopAllRequested, this, [this] { lose(texts::ControlLost::Stopped); });
-    connect(requests, &Requests::intent, this, &ApiController::noteCommand);
-    connect(requests, &Requests::hold, this, &ApiController::noteCommand);
-    connect(requests, &Requests::groupCommand, this, &ApiController::noteCommand);
-    connect(requests, &Requests::homeAll, this, &ApiController::noteCommand);
-    connect(requests, &Requests::goToPoint, this, &ApiController::noteCommand);
-    connect(requests, &Requests::goToPlace, this, &ApiController::noteCommand);
-    connect(requests, &Requests::startSequence, this, &ApiController::noteCommand);
-    connect(requests, &Requests::stopSequence, this, &ApiController::noteCommand);
+    connect(requests, &Requests::intent, this,
+            [this](ModuleIndex module, const Intent&) { noteCommand(module); });
+    connect(requests, &Requests::hold, this,
+            [this](const bus::HoldToMove& hold) { noteCommand(hold.module); });
+    const auto several = [this] { noteCommand({}); };
+    connect(requests, &Requests::groupCommand, this, several);
+    connect(requests, &Requests::homeAll, this, several);
+    connect(requests, &Requests::goToPoint, this, several);
+    connect(requests, &Requests::goToPlace, this, several);
+    connect(requests, &Requests::startSequence, this, several);
+    connect(requests, &Requests::stopSequence, this, several);
 }
 
 // ---- the socket ----
 
 void ApiController::letIn(bool on) {
     m_on = on;
+    m_tried.clear();
     if (on)
         listen();
     else
@@ -109,8 +113,9 @@ void ApiController::listen() {
         return;
     const QString port = link.simulated ? QStringLiteral("simulator") : QString::fromStdString(link.port);
     const QString path = ApiServer::pathFor(port);
-    if (m_server.isOpen() && m_server.path() == path)
+    if (m_tried == path)
         return;
+    m_tried = path;
     if (const auto opened = m_server.listen(path); !opened)
         m_messages.report(texts::apiClosed(opened.error()));
     else
@@ -152,9 +157,10 @@ void ApiController::gone(Client client) {
         m_asked.reset();
         AskDialog::reviewAll(m_window);
     }
+    if (m_control == client)
+        m_control.reset();
     bool stops = false;
-    if (std::exchange(m_control, m_control == client ? std::nullopt : m_control) == client &&
-        !session.finishes) {
+    if (!session.finishes) {
         if (session.runs && m_commander.sequences().running()) {
             m_commander.sequences().stop();
             stops = true;
@@ -285,11 +291,8 @@ void ApiController::grant(bool may) {
     const auto asked = std::exchange(m_asked, std::nullopt);
     if (!asked)
         return;
-    if (may) {
+    if (may)
         m_control = asked->client;
-        session(*m_control).moved.clear();
-        session(*m_control).runs = false;
-    }
     answer(asked->client, asked->id, {{"granted", may}});
     showPrograms();
 }
@@ -303,7 +306,25 @@ void ApiController::lose(texts::ControlLost why) {
     showPrograms();
 }
 
+void ApiController::noteCommand(std::optional<ModuleIndex> module) {
+    for (auto& [client, session] : m_sessions) {
+        if (module) {
+            session.moved.erase(*module);
+        } else {
+            session.moved.clear();
+            session.runs = false;
+        }
+    }
+    lose(texts::ControlLost::Commanded);
+}
+
 // ---- motors ----
+
+void ApiController::noteMoved(Client client, ModuleIndex module) {
+    for (auto& [other, session] : m_sessions)
+        session.moved.erase(module);
+    session(client).moved.insert(module);
+}
 
 /// Needs neither hello nor control.
 void ApiController::stop(Client client, const Json& parameters, const Json& id) {
@@ -355,7 +376,7 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
     if (m_refused)
         return why(*m_refused);
     if (!isStop(intent))
-        session.moved.insert(call.module);
+        noteMoved(client, call.module);
     if (operation)
         m_pending[call.module] = session.operations[call.module] = *operation;
     answer(client, id, {{"accepted", true}});
@@ -373,7 +394,7 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
         return refuse(client, id, {api::Problem::Kind::Refused, {}, Refusal::Moving, hold.module});
     session.held = hold;
     session.heldAt = monotonicNow();
-    session.moved.insert(hold.module);
+    noteMoved(client, hold.module);
     answer(client, id, {{"accepted", true}});
 }
 
@@ -396,7 +417,8 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
         m_commander.sequences().goTo(machine, name);
     if (m_notBegun)
         return fail(client, id, kRefused, *m_notBegun, "SequenceRefused");
-    session(client).runs = true;
+    for (auto& [other, session] : m_sessions)
+        session.runs = other == client;
     answer(client, id, {{"accepted", true}});
 }
 
@@ -555,6 +577,8 @@ void ApiController::refuse(Client client, const Json& id, const api::Problem& pr
 
 void ApiController::fail(Client client, const Json& id, int code, const QString& sentence,
                          const char* reason) {
+    if (id.is_null() && code != kParseError && code != kInvalidRequest)
+        return;
     m_server.send(
         client,
         lineOf({{"jsonrpc", "2.0"},

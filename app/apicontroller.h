@@ -37,8 +37,8 @@ public:
     void letIn(bool on);
     /// From now on, programs get the right to move motors without the user being asked.
     void grantUnasked() { m_grantsUnasked = true; }
-    /// The user has commanded a motor other than through Requests.
-    void noteCommand() { lose(texts::ControlLost::Commanded); }
+    /// The user has commanded this motor, or any number of them.
+    void noteCommand(std::optional<ModuleIndex> module);
     [[nodiscard]] const ApiServer& server() const { return m_server; }
 
 private:
@@ -52,9 +52,10 @@ private:
     struct Session {
         QString program{};  ///< empty until it has called hello
         bool state = false, events = false, samples = false;
-        std::uint64_t missed = 0;                              ///< samples that it was too slow for
-        bool finishes = false;                                 ///< its moves finish when it disappears
-        std::set<ModuleIndex> moved{};                         ///< since it got control
+        std::uint64_t missed = 0;  ///< samples that it was too slow for
+        bool finishes = false;     ///< its moves finish when it disappears
+        /// These were commanded by nobody else since.
+        std::set<ModuleIndex> moved{};
         bool runs = false;                                     ///< it has started the sequence that runs
         std::map<ModuleIndex, bus::OperationId> operations{};  ///< the last one for each module
         /// Why its last request to a module was not carried out to the end; "wait" reports it.
@@ -83,6 +84,7 @@ private:
     void request(Client client, const api::Call& call, const Json& id);
     void jog(Client client, bus::HoldToMove hold, const Json& id);
     void run(Client client, const api::Method& method, const Json& parameters, const Json& id);
+    void noteMoved(Client client, ModuleIndex module);
     [[nodiscard]] bool isHeld(Client client);
     [[nodiscard]] bool rests(ModuleIndex module) const;
     void noteFinished(const bus::OperationFinished& finished);
@@ -116,6 +118,7 @@ private:
     std::optional<Refusal> m_refused;   ///< by Commander, during a call
     std::optional<QString> m_notBegun;  ///< why a sequence was refused during a call
     bool m_on = false;
+    QString m_tried;  ///< the path that was to be opened last
     bool m_grantsUnasked = false;
     QTimer m_publishTimer;                   ///< paces "state" and "samples"
     std::vector<std::uint64_t> m_published;  ///< samples of each module

@@ -178,8 +178,9 @@ void Composition::wireMachine() {
     connect(&m_commander, &Commander::sent, &m_machine, &MachineController::noteSent);
     connect(&m_actions, &MessageActions::intentRequested, this, &Composition::carryOut);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
-    connect(&m_actions, &MessageActions::intentRequested, &m_api, &ApiController::noteCommand);
-    connect(&m_machine, &MachineController::intentRequested, &m_api, &ApiController::noteCommand);
+    const auto commanded = [this](ModuleIndex module, const Intent&) { m_api.noteCommand(module); };
+    connect(&m_actions, &MessageActions::intentRequested, &m_api, commanded);
+    connect(&m_machine, &MachineController::intentRequested, &m_api, commanded);
     connect(&m_machine, &MachineController::groupChangeRequested, this, &Composition::change);
     connect(&m_machine, &MachineController::machineChanged, this, [this] {
         m_positions.setMachine(machine().name);

@@ -25,6 +25,7 @@
 #include "tests/support/virtualpanel.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/words.h"
+#include "widgets/messages/messagemodel.h"
 
 namespace nmc {
 namespace {
@@ -301,6 +302,34 @@ TEST_F(OtherPrograms, LeaveNoMotorMovingWhenTheyVanish) {
     EXPECT_EQ(panel.module().activity(), Activity::Holding);
 }
 
+TEST_F(OtherPrograms, LeaveNoMotorMovingThatOnlyTheyHaveCommanded) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    emit panel.window().requests().intent(ModuleIndex(1), intent::ClearStickyBits{});
+    EXPECT_FALSE(client.notification("control_lost").is_null());
+    EXPECT_TRUE(moves(sim)) << "a command to another motor";
+    client.vanish();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+}
+
+TEST_F(OtherPrograms, DoNotStopWhatTheUserMovesWhenTheyVanish) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 10}})["result"]["accepted"], true);
+    ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+    panel.ask(intent::Move{
+        servomotion::VelocityProfile{CountsPerTick(65'536), CountsPerTickSquared(1'311), false}});
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    client.vanish();
+    EXPECT_TRUE(panel.answersFor(1));
+    EXPECT_TRUE(moves(sim));
+    EXPECT_TRUE(panel.module().moving());
+}
+
 TEST_F(OtherPrograms, MayLetTheirMovesFinish) {
     Client client(panel, path());
     client.hello();
@@ -384,6 +413,21 @@ TEST_F(OtherPrograms, AreCutOffWhenTheUserKeepsThemOut) {
     panel.window().findChild<QAction*>(u"letProgramsInAction"_s)->trigger();
     EXPECT_TRUE(client.cutOff());
     EXPECT_FALSE(QFile::exists(path()));
+}
+
+TEST_F(OtherPrograms, AreKeptOutOnceWhereAnotherPanelLetsThemIn) {
+    QAction* action = panel.window().findChild<QAction*>(u"letProgramsInAction"_s);
+    action->trigger();
+    ApiServer other;
+    ASSERT_TRUE(other.listen(path()));
+    action->trigger();
+    EXPECT_TRUE(panel.answersFor(1));
+    const auto& entries = panel.window().messageModel().entries();
+    const auto entry = std::ranges::find_if(entries, [](const MessageEntry& each) {
+        return each.message.headline == u"Other programs cannot connect."_s;
+    });
+    ASSERT_NE(entry, entries.end());
+    EXPECT_EQ(entry->count, 1);
 }
 
 TEST(ApiSocket, IsForThisUserOnlyAndReplacesOneThatWasLeftBehind) {
