@@ -26,6 +26,8 @@ constexpr int kPublishInterval = 100;                            ///< ms
 constexpr Duration kStillHeld = std::chrono::milliseconds(250);  ///< a jog after that is another press
 constexpr std::uint64_t kMostSamples = 500;                      ///< of a module in one message
 
+constexpr std::size_t kMostWaits = 64;  ///< pending, of one client
+
 // Codes of JSON-RPC 2.0, and ours.
 constexpr int kParseError = -32700, kInvalidRequest = -32600, kNoMethod = -32601, kBadParameters = -32602;
 constexpr int kRefused = -32000, kNoControl = -32001, kNotGreeted = -32002;
@@ -74,6 +76,9 @@ ApiController::ApiController(MainWindow& window, const BusStore& store, BusWorke
     connect(&m_store, &BusStore::happened, this, [this](const StoreEvent& event) {
         if (const auto* finished = std::get_if<bus::OperationFinished>(&event))
             noteFinished(*finished);
+        // Nor may it go on where nobody but the panel itself has stopped the motors.
+        if (std::holds_alternative<bus::StopFinished>(event))
+            lose(texts::ControlLost::Stopped);
     });
     connect(&m_commander.procedures(), &ProcedureController::reported, this, &ApiController::noteEnded);
     connect(&m_window.messageModel(), &MessageModel::reported, this, &ApiController::publishEvent);
@@ -234,6 +239,8 @@ void ApiController::call(Client client, const std::string& name, const Json& par
     const auto axis = api::axisOf(parameters, m_store.link(), m_machine.machine());
     if (!axis)
         return refuse(client, id, axis.error());
+    if (session(client).waits.size() >= kMostWaits)
+        return fail(client, id, kRefused, QStringLiteral("Too many calls of wait are pending."), "TooMany");
     session(client).waits.push_back({id, *axis});
     answerWaits();
 }

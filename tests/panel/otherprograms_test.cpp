@@ -270,6 +270,26 @@ TEST_F(OtherPrograms, LoseControlByACommandOfTheUser) {
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 0}})["error"]["data"]["reason"], "NoControl");
 }
 
+/// As before the computer sleeps.
+TEST_F(OtherPrograms, LoseControlByAStopThatNobodyRequested) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(control(client));
+    panel.composition().worker().stopAll();
+    EXPECT_FALSE(client.notification("control_lost").is_null());
+}
+
+TEST_F(OtherPrograms, WaitForALimitedNumberOfThings) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    for (int i = 0; i < 64; ++i)
+        client.request("wait", {{"axis", 1}});
+    EXPECT_EQ(client.call("wait", {{"axis", 1}})["error"]["data"]["reason"], "TooMany");
+}
+
 TEST_F(OtherPrograms, LoseControlByTheButton) {
     Client client(panel, path());
     client.hello();
