@@ -63,7 +63,7 @@ ApiController::ApiController(MainWindow& window, const BusStore& store, BusWorke
     connect(&m_server, &ApiServer::vanished, this, &ApiController::gone);
     connect(&m_server, &ApiServer::overflowed, this, [this](Client client) {
         fail(client, {}, kParseError, QStringLiteral("A line is longer than 64 KiB."), "LineTooLong");
-        m_server.cutOff(client, {});
+        m_server.cutOff(client);
     });
     connect(&m_server, &ApiServer::clientsChanged, this, &ApiController::showPrograms);
     connect(&m_store, &BusStore::linkChanged, this, &ApiController::follow);
@@ -117,14 +117,14 @@ void ApiController::listen() {
     if (!m_on || link.port.empty())
         return;
     const QString port = link.simulated ? QStringLiteral("simulator") : QString::fromStdString(link.port);
-    const QString path = ApiServer::pathFor(port);
-    if (m_tried == path)
+    if (m_tried == port)
         return;
-    m_tried = path;
-    if (const auto opened = m_server.listen(path); !opened)
+    m_tried = port;
+    if (const auto opened = m_server.listen(ApiServer::pathFor(port)); !opened)
         m_messages.report(texts::apiClosed(opened.error()));
     else
         m_messages.end(QStringLiteral("api"));
+    showPrograms();
 }
 
 /// Everything that follows from a change of the chain.
@@ -140,7 +140,6 @@ void ApiController::follow() {
     answerWaits();
     if (!m_publishTimer.isActive())
         m_publishTimer.start();
-    showPrograms();
 }
 
 void ApiController::showPrograms() {
@@ -278,7 +277,7 @@ void ApiController::ask(Client client, const Json& parameters, const Json& id) {
     if (mode != "stop" && mode != "finish")
         return refuse(client, id, {api::Problem::Kind::FieldWrong, "on_disconnect"});
     if (const auto refusal = whyInaccessible(m_store.link()); refusal && refusal != Refusal::OperatorMode)
-        return refuse(client, id, {api::Problem::Kind::Refused, {}, refusal});
+        return refuse(client, id, api::refused(*refusal));
     if (m_control == client)
         return answer(client, id, {{"granted", true}});
     if (m_control || m_asked)
@@ -349,7 +348,7 @@ void ApiController::command(Client client, const api::Method& method, const Json
     if (method.access == api::Access::Control && m_control != client)
         return fail(client, id, kNoControl, texts::noControl(), "NoControl");
     if (const auto refusal = whyNoChain(m_store.link()))
-        return refuse(client, id, {api::Problem::Kind::Refused, {}, refusal});
+        return refuse(client, id, api::refused(*refusal));
     if (method.name != "jog" || !isHeld(client))
         m_messages.report(texts::programCalled(
             session(client).program.isEmpty() ? QStringLiteral("?") : session(client).program,
@@ -370,8 +369,7 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
     const ModuleState& module = *m_store.module(call.module);
     const AxisScale scale = scaleOf(module, m_machine.machine().axis(call.module));
     const auto why = [&](Refusal refusal) {
-        refuse(client, id, {api::Problem::Kind::Refused, {}, refusal, call.module},
-               texts::refusal(refusal, intent, module, scale));
+        refuse(client, id, api::refused(refusal), texts::refusal(refusal, intent, module, scale));
     };
     if (const auto orders = plan(intent, module); !orders)
         return why(orders.error());
@@ -396,9 +394,9 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
     hold.press = same ? session.held.press : nextPress();
     const ModuleState& module = *m_store.module(hold.module);
     if (const auto refusal = whyNot(hold, module); refusal && !same)
-        return refuse(client, id, {api::Problem::Kind::Refused, {}, refusal, hold.module});
+        return refuse(client, id, api::refused(*refusal));
     if (!m_commander.hold(hold))
-        return refuse(client, id, {api::Problem::Kind::Refused, {}, Refusal::Moving, hold.module});
+        return refuse(client, id, api::refused(Refusal::Moving));
     session.held = hold;
     session.heldAt = monotonicNow();
     noteMoved(client, hold.module);
@@ -416,7 +414,7 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
     if (!known)
         return refuse(client, id, {api::Problem::Kind::SequenceUnknown, "name"});
     if (m_commander.sequences().running())
-        return refuse(client, id, {api::Problem::Kind::Refused, {}, Refusal::Moving});
+        return refuse(client, id, api::refused(Refusal::Moving));
     m_notBegun.reset();
     if (sequence)
         m_commander.sequences().start(machine, name, 0, false);
@@ -477,10 +475,7 @@ void ApiController::answerWaits() {
             const ModuleState* module = m_store.module(wait.module);
             if (!connected || module == nullptr || module->silent)
                 refuse(client, wait.id,
-                       {api::Problem::Kind::Refused,
-                        {},
-                        connected ? Refusal::Unresponsive : Refusal::NotConnected,
-                        wait.module});
+                       api::refused(connected ? Refusal::Unresponsive : Refusal::NotConnected));
             else if (!rests(wait.module))
                 waiting.push_back(std::move(wait));
             else if (const auto failure = session.failures.find(wait.module);
@@ -550,18 +545,16 @@ void ApiController::publishSamples() {
 void ApiController::publishEvent(const MessageEntry& entry) {
     const Message& message = entry.message;
     std::optional<QByteArray> line;
-    std::vector<Client> receivers;
-    for (const auto& [client, session] : m_sessions)
-        if (session.events)
-            receivers.push_back(client);
-    for (const Client client : receivers) {
+    for (const auto& [client, session] : m_sessions) {
+        if (!session.events)
+            continue;
         if (!line)
             line = lineOf(
                 notification("event", {{"severity", enumName<Severity::Fault>(message.severity)},
                                        {"axis", message.module ? Json(message.module->value() + 1) : Json()},
                                        {"text", message.headline.toStdString()},
                                        {"detail", message.body.toStdString()}}));
-        m_server.send(client, *line);  // may cut it off
+        m_server.send(client, *line);
     }
 }
 
@@ -579,11 +572,11 @@ void ApiController::refuse(Client client, const Json& id, const api::Problem& pr
     const auto reason = refused ? enumName<Refusal::TooFar>(*problem.refusal)
                                 : enumName<api::Problem::Kind::Refused>(problem.kind);
     fail(client, id, refused ? kRefused : kBadParameters,
-         sentence.isEmpty() ? texts::apiProblem(problem) : sentence, std::string(reason).c_str());
+         sentence.isEmpty() ? texts::apiProblem(problem) : sentence, reason);
 }
 
 void ApiController::fail(Client client, const Json& id, int code, const QString& sentence,
-                         const char* reason) {
+                         std::string_view reason) {
     if (id.is_null() && code != kParseError && code != kInvalidRequest)
         return;
     m_server.send(

@@ -39,7 +39,6 @@ public:
     void grantUnasked() { m_grantsUnasked = true; }
     /// The user has commanded this motor, or any number of them.
     void noteCommand(std::optional<ModuleIndex> module);
-    [[nodiscard]] const ApiServer& server() const { return m_server; }
 
 private:
     using Json = api::Json;
@@ -96,7 +95,7 @@ private:
 
     void answer(Client client, const Json& id, const Json& result);
     void refuse(Client client, const Json& id, const api::Problem& problem, const QString& sentence = {});
-    void fail(Client client, const Json& id, int code, const QString& sentence, const char* reason);
+    void fail(Client client, const Json& id, int code, const QString& sentence, std::string_view reason);
     [[nodiscard]] Session& session(Client client) { return m_sessions.at(client); }
     void showPrograms();
 
@@ -118,7 +117,7 @@ private:
     std::optional<Refusal> m_refused;   ///< by Commander, during a call
     std::optional<QString> m_notBegun;  ///< why a sequence was refused during a call
     bool m_on = false;
-    QString m_tried;  ///< the path that was to be opened last
+    QString m_tried;  ///< the port whose socket was to be opened last
     bool m_grantsUnasked = false;
     QTimer m_publishTimer;                   ///< paces "state" and "samples"
     std::vector<std::uint64_t> m_published;  ///< samples of each module

@@ -97,7 +97,8 @@ TEST(ApiMethods, FindAnAxisByNameOrNumber) {
     const Chain chain;
     EXPECT_EQ(api::axisOf({{"axis", "X"}}, chain.link, chain.machine).value(), ModuleIndex(0));
     EXPECT_EQ(api::axisOf({{"axis", 2}}, chain.link, chain.machine).value(), ModuleIndex(1));
-    for (const Json& axis : {Json("Y"), Json(0), Json(3), Json(-1), Json(18'446'744'073'709'551'615U)})
+    for (const Json& axis :
+         {Json("Y"), Json(0), Json(3), Json(-1), Json(""), Json(18'446'744'073'709'551'615U)})
         EXPECT_EQ(api::axisOf({{"axis", axis}}, chain.link, chain.machine).error().kind, Kind::AxisUnknown)
             << axis;
 }

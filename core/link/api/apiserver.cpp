@@ -135,8 +135,7 @@ bool ApiServer::offer(Client client, const QByteArray& line) {
     return true;
 }
 
-void ApiServer::cutOff(Client client, const QByteArray& line) {
-    send(client, line);
+void ApiServer::cutOff(Client client) {
     if (const auto found = m_clients.find(client); found != m_clients.end())
         found->second->flush();
     drop(client);

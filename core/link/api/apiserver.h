@@ -45,8 +45,8 @@ public:
     void send(Client client, const QByteArray& line);
     /// The same, but dropped if the client is behind; returns whether it was sent.
     bool offer(Client client, const QByteArray& line);
-    /// After this line, if it is read.
-    void cutOff(Client client, const QByteArray& line);
+    /// After what was sent to it, as far as the system takes that at once.
+    void cutOff(Client client);
 
 signals:
     void received(nmc::ApiServer::Client client, const QByteArray& line);

@@ -183,9 +183,6 @@ bool fits(const Field& field, const Json& value) {
     return false;
 }
 
-Problem refused(Refusal refusal, ModuleIndex axis) {
-    return {Problem::Kind::Refused, {}, refusal, axis};
-}
 Problem wrong(std::string field) {
     return {Problem::Kind::FieldWrong, std::move(field)};
 }
@@ -204,13 +201,13 @@ struct Caller {
         const double counts = std::round(scale.counts(value(field)));
         if (counts < static_cast<double>(servo::kPositionRange.min) ||
             counts > static_cast<double>(servo::kPositionRange.max))
-            return tl::unexpected(refused(Refusal::GoalOutOfRange, module.info.index));
+            return tl::unexpected(refused(Refusal::GoalOutOfRange));
         return static_cast<std::int32_t>(counts);
     }
     [[nodiscard]] Or<double> velocity() const {
         const auto native = scale.nativeVelocity(std::abs(value("velocity")));
         if (!native)
-            return tl::unexpected(refused(Refusal::ServoRateUnknown, module.info.index));
+            return tl::unexpected(refused(Refusal::ServoRateUnknown));
         return *native <= servodefaults::kLargest || module.isStepper() ? Or<double>(*native)
                                                                         : tl::unexpected(wrong("velocity"));
     }
@@ -228,7 +225,7 @@ struct Caller {
         if (has("acceleration")) {
             const auto native = scale.nativeAcceleration(value("acceleration"));
             if (!native)
-                return tl::unexpected(refused(Refusal::ServoRateUnknown, module.info.index));
+                return tl::unexpected(refused(Refusal::ServoRateUnknown));
             if (*native <= 0 || *native > servodefaults::kLargest || module.isStepper())
                 return tl::unexpected(wrong("acceleration"));
             axis.motion.acceleration = *native;
@@ -256,7 +253,7 @@ struct Caller {
     }
     [[nodiscard]] Or<Call> home() const {
         if (!settings.homing)
-            return tl::unexpected(refused(Refusal::NothingToFind, module.info.index));
+            return tl::unexpected(refused(Refusal::NothingToFind));
         return call(intent::Home{*settings.homing, homeTolerance(settings.unit)});
     }
     [[nodiscard]] Or<Call> jog() const {
@@ -268,7 +265,7 @@ struct Caller {
         const bool reverse = (value("velocity") < 0) != scale.reversed();
         const auto hold = nmc::jog(module, settings, *native, reverse);
         if (!hold)
-            return tl::unexpected(refused(Refusal::ParametersUnknown, module.info.index));
+            return tl::unexpected(refused(Refusal::ParametersUnknown));
         return Call{module.info.index, *hold};
     }
     [[nodiscard]] Or<Call> setGains() const {
@@ -341,9 +338,11 @@ std::optional<Problem> problemOf(const Method& method, const Json& parameters) {
 
 Or<ModuleIndex> axisOf(const Json& parameters, const LinkState& link, const Machine& machine) {
     const Json& axis = parameters.at("axis");
+    const std::string name = axis.is_string() ? axis.get<std::string>() : std::string();
     for (const ModuleState& module : link.modules) {
         const ModuleIndex index = module.info.index;
-        if (axis.is_string() ? axis.get<std::string>() == machine.axis(index).name
+        // An axis without a name has only its number.
+        if (axis.is_string() ? !name.empty() && name == machine.axis(index).name
                              : axis.get<std::int64_t>() == index.value() + 1)
             return index;
     }

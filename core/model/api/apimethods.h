@@ -60,11 +60,14 @@ struct Problem {
         Refused,
     };
     Kind kind;
-    std::string field{};                ///< its name
-    std::optional<Refusal> refusal{};   ///< only for Refused
-    std::optional<ModuleIndex> axis{};  ///< only for Refused
+    std::string field{};               ///< its name
+    std::optional<Refusal> refusal{};  ///< only for Refused
     bool operator==(const Problem&) const = default;
 };
+
+[[nodiscard]] inline Problem refused(Refusal refusal) {
+    return {Problem::Kind::Refused, {}, refusal};
+}
 
 /// What a method asks of one module.
 struct Call {
