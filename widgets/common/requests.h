@@ -67,7 +67,7 @@ signals:
     void resumeSequence();
     void stepSequence();
     void stopSequence();
-    /// A simulated run, as which nothing is sent.
+    /// Simulates a run of the sequence; nothing is sent.
     void foresee(const std::string& sequence, std::size_t row);
     void foresightDropped();
     /// PathsPage shows the path, or why it cannot be read.
@@ -79,7 +79,7 @@ signals:
     void stageGains(const nmc::servo::SetGain& gains);
     /// A motor model of the module, which ResponsePage::showMotor() shows.
     void identify(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
-    /// With every move of a slider, although the calculation takes some tenths of a second;
+    /// Emitted with every move of a slider; the calculation takes some tenths of a second.
     /// ResponsePage::showSuggestion() shows the gains.
     void suggest(const nmc::SuggestionTask& task);
     /// A step response to compare with others.
