@@ -5,16 +5,14 @@
 #include <utility>
 
 #include "base/enumname.h"
+#include "base/overloaded.h"
 #include "link/clock.h"
 #include "model/intent/jog.h"
 #include "model/module/modulescale.h"
-#include "widgets/common/askdialog.h"
-#include "widgets/common/requests.h"
 #include "widgets/common/sequencetexts.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
-#include "widgets/messages/messagemodel.h"
 
 namespace nmc {
 
@@ -22,43 +20,46 @@ namespace {
 
 constexpr auto kProtocol = "1.0";
 constexpr qsizetype kLongestName = 60;
-constexpr int kPublishInterval = 100;                            ///< ms
 constexpr Duration kStillHeld = std::chrono::milliseconds(250);  ///< a jog after that is another press
-constexpr std::uint64_t kMostSamples = 500;                      ///< of a module in one message
-
-constexpr std::size_t kMostWaits = 64;  ///< pending, of one client
+constexpr std::size_t kMostWaits = 64;                           ///< pending, of one client
+constexpr qsizetype kLongestCall = 120;                          ///< characters of it in a message
 
 // Codes of JSON-RPC 2.0, and ours.
 constexpr int kParseError = -32700, kInvalidRequest = -32600, kNoMethod = -32601, kBadParameters = -32602;
 constexpr int kRefused = -32000, kNoControl = -32001, kNotGreeted = -32002;
 
-[[nodiscard]] QByteArray lineOf(const api::Json& json) {
-    return QByteArray::fromStdString(json.dump(-1, ' ', false, api::Json::error_handler_t::replace));
+[[nodiscard]] int codeOf(api::Problem::Kind kind) {
+    switch (kind) {
+        case api::Problem::Kind::NotJson:
+            return kParseError;
+        case api::Problem::Kind::InvalidRequest:
+            return kInvalidRequest;
+        case api::Problem::Kind::NoMethod:
+            return kNoMethod;
+        case api::Problem::Kind::FieldMissing:
+        case api::Problem::Kind::FieldWrong:
+        case api::Problem::Kind::AxisUnknown:
+        case api::Problem::Kind::SequenceUnknown:
+            return kBadParameters;
+        case api::Problem::Kind::Refused:
+            break;
+    }
+    return kRefused;
 }
 
-[[nodiscard]] api::Json notification(const char* method, api::Json parameters) {
-    return {{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(parameters)}};
+[[nodiscard]] bool leadsToGoal(const Intent& intent) {
+    return std::visit(
+        [](const auto& one) {
+            return AnyOf<std::decay_t<decltype(one)>, intent::Move, intent::MoveBy, intent::GoHome>;
+        },
+        intent);
 }
 
 }  // namespace
 
-ApiController::ApiController(MainWindow& window, const BusStore& store, BusWorker& worker,
-                             Connection& connection, Commander& commander, MachineController& machine,
-                             MessageController& messages, QObject* parent)
-    : QObject(parent),
-      m_window(window),
-      m_store(store),
-      m_worker(worker),
-      m_connection(connection),
-      m_commander(commander),
-      m_machine(machine),
-      m_messages(messages) {
-    m_publishTimer.setInterval(kPublishInterval);
-    m_publishTimer.setSingleShot(true);
-    connect(&m_publishTimer, &QTimer::timeout, this, [this] {
-        publishSamples();
-        publishState();
-    });
+ApiController::ApiController(const BusStore& store, BusWorker& worker, Connection& connection,
+                             Commander& commander, QObject* parent)
+    : QObject(parent), m_store(store), m_worker(worker), m_connection(connection), m_commander(commander) {
     connect(&m_server, &ApiServer::received, this, &ApiController::read);
     connect(&m_server, &ApiServer::vanished, this, &ApiController::gone);
     connect(&m_server, &ApiServer::overflowed, this, [this](Client client) {
@@ -71,33 +72,17 @@ ApiController::ApiController(MainWindow& window, const BusStore& store, BusWorke
             [this](ModuleIndex, Refusal refusal, const Intent&) { m_refused = refusal; });
     connect(&m_commander.sequences(), &SequenceController::refused, this,
             [this](const std::vector<SequenceProblem>& problems) {
-                m_notBegun = texts::sequenceNotBegun(problems.front()).headline;
+                m_notBegun = texts::sequenceProblem(problems.front());
             });
     connect(&m_store, &BusStore::happened, this, [this](const StoreEvent& event) {
         if (const auto* finished = std::get_if<bus::OperationFinished>(&event))
             noteFinished(*finished);
         // Nor may it go on where nobody but the panel itself has stopped the motors.
         if (std::holds_alternative<bus::StopFinished>(event))
-            lose(texts::ControlLost::Stopped);
+            endControl(texts::ControlLost::Stopped);
     });
+    connect(&m_commander.sequences(), &SequenceController::reported, this, &ApiController::noteSequence);
     connect(&m_commander.procedures(), &ProcedureController::reported, this, &ApiController::noteEnded);
-    connect(&m_window.messageModel(), &MessageModel::reported, this, &ApiController::publishEvent);
-
-    const Requests* requests = &m_window.requests();
-    connect(requests, &Requests::letProgramsIn, this, &ApiController::letIn);
-    connect(requests, &Requests::endProgramControl, this, [this] { lose(texts::ControlLost::TakenBack); });
-    connect(&m_window, &MainWindow::stopAllRequested, this, [this] { lose(texts::ControlLost::Stopped); });
-    connect(requests, &Requests::intent, this,
-            [this](ModuleIndex module, const Intent&) { noteCommand(module); });
-    connect(requests, &Requests::hold, this,
-            [this](const bus::HoldToMove& hold) { noteCommand(hold.module); });
-    const auto several = [this] { noteCommand({}); };
-    connect(requests, &Requests::groupCommand, this, several);
-    connect(requests, &Requests::homeAll, this, several);
-    connect(requests, &Requests::goToPoint, this, several);
-    connect(requests, &Requests::goToPlace, this, several);
-    connect(requests, &Requests::startSequence, this, several);
-    connect(requests, &Requests::stopSequence, this, several);
 }
 
 // ---- the socket ----
@@ -121,9 +106,9 @@ void ApiController::listen() {
         return;
     m_tried = port;
     if (const auto opened = m_server.listen(ApiServer::pathFor(port)); !opened)
-        m_messages.report(texts::apiClosed(opened.error()));
+        emit reported(texts::apiClosed(opened.error()));
     else
-        m_messages.end(QStringLiteral("api"));
+        emit ended(QStringLiteral("api"));
     showPrograms();
 }
 
@@ -135,20 +120,18 @@ void ApiController::follow() {
     if (m_store.link().phase != LinkPhase::Connected) {
         m_pending.clear();
         m_doneAt.clear();
-        lose(texts::ControlLost::Disconnected);
+        endControl(texts::ControlLost::Disconnected);
     }
     answerWaits();
-    if (!m_publishTimer.isActive())
-        m_publishTimer.start();
 }
 
 void ApiController::showPrograms() {
-    ProgramsShown shown{.on = m_on, .path = m_server.isOpen() ? m_server.path() : QString()};
+    ProgramsShown shown{.on = m_on, .path = socket()};
     for (const auto& [client, session] : m_sessions)
         shown.connected += session.program.isEmpty() ? 0 : 1;
     if (m_control)
         shown.inControl = session(*m_control).program;
-    m_window.showPrograms(shown);
+    emit changed(shown);
 }
 
 void ApiController::gone(Client client) {
@@ -157,9 +140,10 @@ void ApiController::gone(Client client) {
         return;
     const Session session = std::move(found->second);
     m_sessions.erase(found);
+    m_feed.forget(client);
     if (m_asked && m_asked->client == client) {
         m_asked.reset();
-        AskDialog::reviewAll(m_window);
+        emit askingEnded();
     }
     if (m_control == client)
         m_control.reset();
@@ -176,7 +160,7 @@ void ApiController::gone(Client client) {
             }
     }
     if (!session.program.isEmpty())
-        m_messages.report(texts::programGone(session.program, stops));
+        emit reported(texts::programGone(session.program, stops));
     showPrograms();
 }
 
@@ -184,45 +168,31 @@ void ApiController::gone(Client client) {
 
 void ApiController::read(Client client, const QByteArray& line) {
     m_sessions.try_emplace(client);
-    const Json request = Json::parse(line.begin(), line.end(), nullptr, false);
-    if (request.is_discarded())
-        return fail(client, {}, kParseError, QStringLiteral("This line is not JSON."), "NotJson");
-    const auto part = [&request](const char* name) {
-        return request.is_object() && request.contains(name) ? request.at(name) : Json();
-    };
-    const Json id = part("id");
-    const Json method = part("method");
-    const Json parameters = part("params").is_null() ? Json::object() : part("params");
-    if (!method.is_string() || !parameters.is_object() || id.is_structured() || id.is_boolean())
-        return fail(client, {}, kInvalidRequest,
-                    QStringLiteral("A request is an object with method, params (an object) and id."),
-                    "InvalidRequest");
-    call(client, method.get<std::string>(), parameters, id);
+    const auto request = api::readRequest({line.data(), static_cast<std::size_t>(line.size())});
+    if (!request)
+        return refuse(client, request.error().id, request.error().problem);
+    call(client, *request->method, request->parameters, request->id);
 }
 
-void ApiController::call(Client client, const std::string& name, const Json& parameters, const Json& id) {
-    const api::Method* method = api::findMethod(name);
-    if (method == nullptr)
-        return fail(client, id, kNoMethod, QStringLiteral("There is no such method."), "NoMethod");
-    if (const auto problem = api::problemOf(*method, parameters))
-        return refuse(client, id, *problem);
+void ApiController::call(Client client, const api::Method& method, const Json& parameters, const Json& id) {
+    const std::string& name = method.name;
     if (name == "hello")
         return greet(client, parameters, id);
     if (name == "stop")
         return stop(client, parameters, id);
     if (session(client).program.isEmpty())
         return fail(client, id, kNotGreeted, texts::helloFirst(), "HelloFirst");
-    if (method->access != api::Access::Read)
-        return command(client, *method, parameters, id);
+    if (method.access != api::Access::Read)
+        return command(client, method, parameters, id);
     if (name == "describe")
         return answer(client, id, api::describe());
     if (name == "state") {
-        Json state = api::stateOf(m_store.link(), m_machine.machine());
+        Json state = api::stateOf(m_store.link(), m_store.machine());
         state["control"] = m_control ? Json(session(*m_control).program.toStdString()) : Json();
         return answer(client, id, state);
     }
     if (name == "subscribe") {
-        subscribe(client, parameters);
+        m_feed.subscribe(client, parameters);
         return answer(client, id, Json::object());
     }
     if (name == "request_control")
@@ -235,12 +205,16 @@ void ApiController::call(Client client, const std::string& name, const Json& par
         return answer(client, id, Json::object());
     }
     // "wait"
-    const auto axis = api::axisOf(parameters, m_store.link(), m_machine.machine());
-    if (!axis)
-        return refuse(client, id, axis.error());
+    std::optional<ModuleIndex> module;
+    if (parameters.contains("axis")) {
+        const auto axis = api::axisOf(parameters, m_store.link(), m_store.machine());
+        if (!axis)
+            return refuse(client, id, axis.error());
+        module = *axis;
+    }
     if (session(client).waits.size() >= kMostWaits)
         return fail(client, id, kRefused, QStringLiteral("Too many calls of wait are pending."), "TooMany");
-    session(client).waits.push_back({id, *axis});
+    session(client).waits.push_back({id, module});
     answerWaits();
 }
 
@@ -256,18 +230,12 @@ void ApiController::greet(Client client, const Json& parameters, const Json& id)
     answer(client, id,
            {{"protocol", kProtocol},
             {"program", "NMC Panel " NMC_VERSION},
-            {"chain", api::stateOf(m_store.link(), m_machine.machine())},
-            {"capabilities", Json::array({"control", "subscribe", "samples"})}});
+            {"chain", api::stateOf(m_store.link(), m_store.machine())},
+            {"capabilities", Json::array({"control", "subscribe", "samples"})},
+            {"asks_user", !m_grantsUnasked}});
     if (first)
-        m_messages.report(texts::programConnected(session(client).program));
+        emit reported(texts::programConnected(session(client).program));
     showPrograms();
-}
-
-void ApiController::subscribe(Client client, const Json& parameters) {
-    Session& session = this->session(client);
-    session.state = parameters.value("state", false);
-    session.events = parameters.value("events", false);
-    session.samples = parameters.value("samples", false);
 }
 
 // ---- the right to move motors ----
@@ -278,37 +246,33 @@ void ApiController::ask(Client client, const Json& parameters, const Json& id) {
         return refuse(client, id, {api::Problem::Kind::FieldWrong, "on_disconnect"});
     if (const auto refusal = whyInaccessible(m_store.link()); refusal && refusal != Refusal::OperatorMode)
         return refuse(client, id, api::refused(*refusal));
-    if (m_control == client)
-        return answer(client, id, {{"granted", true}});
-    if (m_control || m_asked)
+    if ((m_control && m_control != client) || m_asked)
         return answer(client, id, {{"granted", false}});
     session(client).finishes = mode == "finish";
+    if (m_control)
+        return answer(client, id, {{"granted", true}});
     m_asked = Asked{client, id};
     if (m_grantsUnasked)
-        return grant(true);
-    const auto asked = [this, client] { return m_asked && m_asked->client == client; };
-    m_window.askForControl(session(client).program, asked, [this, asked](bool may) {
-        if (asked())
-            grant(may);
-    });
+        return decide(client, true);
+    emit controlAsked(client, session(client).program);
 }
 
-void ApiController::grant(bool may) {
-    const auto asked = std::exchange(m_asked, std::nullopt);
-    if (!asked)
+void ApiController::decide(Client client, bool may) {
+    if (!isAsking(client))
         return;
+    const Json id = std::exchange(m_asked, std::nullopt)->id;
     if (may)
-        m_control = asked->client;
-    answer(asked->client, asked->id, {{"granted", may}});
+        m_control = client;
+    answer(client, id, {{"granted", may}});
     showPrograms();
 }
 
-void ApiController::lose(texts::ControlLost why) {
+void ApiController::endControl(texts::ControlLost why) {
     if (!m_control)
         return;
     const Client client = *std::exchange(m_control, std::nullopt);
     m_server.send(client,
-                  lineOf(notification("control_lost", {{"reason", texts::controlLost(why).toStdString()}})));
+                  ApiFeed::notification("control_lost", {{"reason", texts::controlLost(why).toStdString()}}));
     showPrograms();
 }
 
@@ -321,7 +285,7 @@ void ApiController::noteCommand(std::optional<ModuleIndex> module) {
             session.runs = false;
         }
     }
-    lose(texts::ControlLost::Commanded);
+    endControl(texts::ControlLost::Commanded);
 }
 
 // ---- motors ----
@@ -337,7 +301,7 @@ void ApiController::stop(Client client, const Json& parameters, const Json& id) 
     if (!parameters.contains("axis")) {
         m_worker.stopAll();
         m_commander.endRuns();
-        lose(texts::ControlLost::Stopped);
+        endControl(texts::ControlLost::Stopped);
         return answer(client, id, {{"sent", true}});
     }
     command(client, *api::findMethod("stop"), parameters, id);
@@ -350,13 +314,14 @@ void ApiController::command(Client client, const api::Method& method, const Json
     if (const auto refusal = whyNoChain(m_store.link()))
         return refuse(client, id, api::refused(*refusal));
     if (method.name != "jog" || !isHeld(client))
-        m_messages.report(texts::programCalled(
+        emit reported(texts::programCalled(
             session(client).program.isEmpty() ? QStringLiteral("?") : session(client).program,
             QString::fromStdString(method.name + ' ' +
-                                   parameters.dump(-1, ' ', false, Json::error_handler_t::replace))));
+                                   parameters.dump(-1, ' ', false, Json::error_handler_t::replace))
+                .left(kLongestCall)));
     if (method.name == "start_sequence" || method.name == "go_to_point")
         return run(client, method, parameters, id);
-    const auto call = api::callOf(method.name, parameters, m_store.link(), m_machine.machine());
+    const auto call = api::callOf(method.name, parameters, m_store.link(), m_store.machine());
     if (!call)
         return refuse(client, id, call.error());
     if (const auto* hold = std::get_if<bus::HoldToMove>(&call->what))
@@ -367,7 +332,7 @@ void ApiController::command(Client client, const api::Method& method, const Json
 void ApiController::request(Client client, const api::Call& call, const Json& id) {
     const Intent& intent = std::get<Intent>(call.what);
     const ModuleState& module = *m_store.module(call.module);
-    const AxisScale scale = scaleOf(module, m_machine.machine().axis(call.module));
+    const AxisScale scale = scaleOf(module, m_store.machine().axis(call.module));
     const auto why = [&](Refusal refusal) {
         refuse(client, id, api::refused(refusal), texts::refusal(refusal, intent, module, scale));
     };
@@ -376,6 +341,13 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
     m_refused.reset();
     Session& session = this->session(client);
     session.failures.erase(call.module);
+    session.goals.erase(call.module);
+    if (leadsToGoal(intent))
+        session.goals[call.module];
+    if (isHeld(client) && session.held.module == call.module) {
+        m_worker.release();
+        session.heldAt.reset();
+    }
     m_connection.dropSearch();
     const auto operation = m_commander.carryOut(call.module, intent);
     if (m_refused)
@@ -404,7 +376,7 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
 }
 
 void ApiController::run(Client client, const api::Method& method, const Json& parameters, const Json& id) {
-    const Machine& machine = m_machine.machine();
+    const Machine& machine = m_store.machine();
     const std::string name = parameters.at("name").get<std::string>();
     const bool sequence = method.name == "start_sequence";
     const bool known = sequence ? std::ranges::any_of(machine.program.sequences,
@@ -424,6 +396,7 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
         return fail(client, id, kRefused, *m_notBegun, "SequenceRefused");
     for (auto& [other, session] : m_sessions)
         session.runs = other == client;
+    session(client).sequenceFailure.reset();
     answer(client, id, {{"accepted", true}});
 }
 
@@ -448,12 +421,15 @@ void ApiController::noteFinished(const bus::OperationFinished& finished) {
         m_pending.erase(pending);
         m_doneAt[finished.module] = m_store.module(finished.module)->latestTime;
     }
-    if (finished.outcome == bus::Outcome::Done)
-        return;
-    for (auto& [client, session] : m_sessions)
-        if (const auto own = session.operations.find(finished.module);
-            own != session.operations.end() && own->second == finished.id)
+    for (auto& [client, session] : m_sessions) {
+        const auto own = session.operations.find(finished.module);
+        if (own == session.operations.end() || own->second != finished.id)
+            continue;
+        if (finished.outcome != bus::Outcome::Done)
             session.failures[finished.module] = texts::operationFailed(finished).headline;
+        else if (const auto goal = session.goals.find(finished.module); goal != session.goals.end())
+            goal->second = m_store.module(finished.module)->goal();
+    }
 }
 
 void ApiController::noteEnded(const ProcedureReport& report) {
@@ -461,10 +437,20 @@ void ApiController::noteEnded(const ProcedureReport& report) {
     if (!report.over() || report.stage == ProcedureStage::Done || module == nullptr)
         return;
     const auto message =
-        texts::procedureEnded(report, scaleOf(*module, m_machine.machine().axis(report.module)));
+        texts::procedureEnded(report, scaleOf(*module, m_store.machine().axis(report.module)));
     for (auto& [client, session] : m_sessions)
         if (session.moved.contains(report.module))
             session.failures[report.module] = message ? message->headline : texts::wasCancelled();
+}
+
+void ApiController::noteSequence(const SequenceReport& report) {
+    if (!report.over())
+        return;
+    const auto message = texts::sequenceOver(report);
+    for (auto& [client, session] : m_sessions)
+        if (std::exchange(session.runs, false) && report.stage != SequenceStage::Done)
+            session.sequenceFailure =
+                message ? message->headline + u' ' + message->body : texts::wasCancelled();
 }
 
 void ApiController::answerWaits() {
@@ -472,90 +458,59 @@ void ApiController::answerWaits() {
     for (auto& [client, session] : m_sessions) {
         std::vector<Pending> waiting;
         for (Pending& wait : std::exchange(session.waits, {})) {
-            const ModuleState* module = m_store.module(wait.module);
-            if (!connected || module == nullptr || module->silent)
+            const std::vector<ModuleIndex> modules = awaited(session, wait.module);
+            const auto silent = std::ranges::any_of(modules, [this](ModuleIndex module) {
+                return m_store.module(module) == nullptr || m_store.module(module)->silent;
+            });
+            if (!connected || silent)
                 refuse(client, wait.id,
                        api::refused(connected ? Refusal::Unresponsive : Refusal::NotConnected));
-            else if (!rests(wait.module))
+            else if ((!wait.module && m_commander.sequences().running()) ||
+                     !std::ranges::all_of(modules, [this](ModuleIndex module) { return rests(module); }))
                 waiting.push_back(std::move(wait));
-            else if (const auto failure = session.failures.find(wait.module);
-                     failure != session.failures.end())
-                fail(client, wait.id, kRefused, failure->second, "NotCarriedOut");
+            else if (const auto failure = failureOf(session, modules, !wait.module))
+                fail(client, wait.id, kRefused, *failure, "NotCarriedOut");
+            else if (wait.module)
+                answer(client, wait.id,
+                       api::stateOf(*m_store.module(*wait.module), m_store.machine().axis(*wait.module)));
             else
-                answer(client, wait.id, api::stateOf(*module, m_machine.machine().axis(wait.module)));
+                answer(client, wait.id, api::stateOf(m_store.link(), m_store.machine()));
         }
         session.waits = std::move(waiting);
     }
 }
 
-// ---- what is sent without being asked for ----
-
-void ApiController::publishState() {
-    std::optional<QByteArray> line;
-    for (const auto& [client, session] : m_sessions) {
-        if (!session.state)
-            continue;
-        if (!line)
-            line = lineOf(notification("state", api::stateOf(m_store.link(), m_machine.machine())));
-        m_server.offer(client, *line);
-    }
+/// All axes are those that answer, and those that the client has moved.
+std::vector<ModuleIndex> ApiController::awaited(const Session& session,
+                                                std::optional<ModuleIndex> module) const {
+    if (module)
+        return {*module};
+    std::vector<ModuleIndex> all;
+    for (const ModuleState& each : m_store.link().modules)
+        if (!each.silent || session.moved.contains(each.info.index))
+            all.push_back(each.info.index);
+    return all;
 }
 
-/// One line for all clients, however many they are.
-void ApiController::publishSamples() {
-    const History& history = m_store.history();
-    const TimePoint zero = history.zero().value_or(TimePoint{});
-    const auto known = [](float value) { return value == value ? Json(value) : Json(); };
-    const bool wanted = std::ranges::any_of(m_sessions, [](const auto& each) { return each.second.samples; });
-    m_published.resize(history.modules());
-    std::size_t count = 0;
-    Json modules = Json::array();
-    for (std::size_t i = 0; i < history.modules(); ++i) {
-        const ModuleHistory& module = *history.module(ModuleIndex(static_cast<std::uint8_t>(i)));
-        if (!wanted || module.count() < m_published[i]) {
-            m_published[i] = module.count();
-            continue;
-        }
-        Json rows = Json::array();
-        m_published[i] = module.visitSince(
-            m_published[i],
-            [&](const ScopeSample& sample) {
-                rows.push_back({toSeconds(sample.time - zero), sample.position, known(sample.error),
-                                known(sample.velocity)});
-            },
-            kMostSamples);
-        count += rows.size();
-        if (!rows.empty())
-            modules.push_back({{"axis", i + 1}, {"rows", std::move(rows)}});
-    }
-    if (modules.empty())
-        return;
-    Json parameters{{"missed", 0}, {"modules", std::move(modules)}};
-    const QByteArray line = lineOf(notification("samples", parameters));
-    for (auto& [client, session] : m_sessions) {
-        if (!session.samples)
-            continue;
-        parameters["missed"] = session.missed;
-        const bool sent =
-            m_server.offer(client, session.missed == 0 ? line : lineOf(notification("samples", parameters)));
-        session.missed = sent ? 0 : session.missed + count;
-    }
+std::optional<QString> ApiController::failureOf(const Session& session,
+                                                const std::vector<ModuleIndex>& modules,
+                                                bool withSequence) const {
+    if (withSequence && session.sequenceFailure)
+        return session.sequenceFailure;
+    for (const ModuleIndex module : modules)
+        if (auto failure = failureOf(session, module))
+            return failure;
+    return std::nullopt;
 }
 
-void ApiController::publishEvent(const MessageEntry& entry) {
-    const Message& message = entry.message;
-    std::optional<QByteArray> line;
-    for (const auto& [client, session] : m_sessions) {
-        if (!session.events)
-            continue;
-        if (!line)
-            line = lineOf(
-                notification("event", {{"severity", enumName<Severity::Fault>(message.severity)},
-                                       {"axis", message.module ? Json(message.module->value() + 1) : Json()},
-                                       {"text", message.headline.toStdString()},
-                                       {"detail", message.body.toStdString()}}));
-        m_server.send(client, *line);
-    }
+std::optional<QString> ApiController::failureOf(const Session& session, ModuleIndex module) const {
+    if (const auto failure = session.failures.find(module); failure != session.failures.end())
+        return failure->second;
+    const auto goal = session.goals.find(module);
+    // Whatever has stopped the motor, or commanded it since, has replaced the goal.
+    const bool replaced =
+        goal != session.goals.end() && goal->second && goal->second != m_store.module(module)->goal();
+    return replaced ? std::optional(texts::wasCancelled()) : std::nullopt;
 }
 
 // ---- answers ----
@@ -563,16 +518,15 @@ void ApiController::publishEvent(const MessageEntry& entry) {
 /// A request without an id is not answered (JSON-RPC 2.0, notifications).
 void ApiController::answer(Client client, const Json& id, const Json& result) {
     if (!id.is_null())
-        m_server.send(client, lineOf({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}));
+        m_server.send(client, ApiFeed::lineOf({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}));
 }
 
 void ApiController::refuse(Client client, const Json& id, const api::Problem& problem,
                            const QString& sentence) {
-    const bool refused = problem.kind == api::Problem::Kind::Refused;
-    const auto reason = refused ? enumName<Refusal::TooFar>(*problem.refusal)
-                                : enumName<api::Problem::Kind::Refused>(problem.kind);
-    fail(client, id, refused ? kRefused : kBadParameters,
-         sentence.isEmpty() ? texts::apiProblem(problem) : sentence, reason);
+    const auto reason = problem.refusal ? enumName<Refusal::TooFar>(*problem.refusal)
+                                        : enumName<api::Problem::Kind::Refused>(problem.kind);
+    fail(client, id, codeOf(problem.kind), sentence.isEmpty() ? texts::apiProblem(problem) : sentence,
+         reason);
 }
 
 void ApiController::fail(Client client, const Json& id, int code, const QString& sentence,
@@ -581,10 +535,11 @@ void ApiController::fail(Client client, const Json& id, int code, const QString&
         return;
     m_server.send(
         client,
-        lineOf({{"jsonrpc", "2.0"},
-                {"id", id},
-                {"error",
-                 {{"code", code}, {"message", sentence.toStdString()}, {"data", {{"reason", reason}}}}}}));
+        ApiFeed::lineOf(
+            {{"jsonrpc", "2.0"},
+             {"id", id},
+             {"error",
+              {{"code", code}, {"message", sentence.toStdString()}, {"data", {{"reason", reason}}}}}}));
 }
 
 }  // namespace nmc

@@ -2,43 +2,60 @@
 #pragma once
 
 #include <QObject>
-#include <QTimer>
 #include <map>
 #include <optional>
 #include <set>
 #include <vector>
 
+#include "app/apifeed.h"
 #include "app/connection.h"
-#include "app/machinecontroller.h"
-#include "app/messagecontroller.h"
 #include "link/api/apiserver.h"
 #include "link/command/commander.h"
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
 #include "model/api/apimethods.h"
 #include "widgets/common/apitexts.h"
-#include "widgets/mainwindow/mainwindow.h"
-#include "widgets/messages/messagelines.h"
 
 namespace nmc {
 
-/// Lets other programs use the chain that the panel is connected to (docs/api.md): answers their calls, gives
+/// Lets other programs use the chain that this one is connected to (docs/api.md): answers their calls, gives
 /// the right to move motors to one of them at a time, and takes it back. What they request of motors goes
-/// through the same checks as what the user requests. GUI thread.
+/// through the same checks as what the user requests. It needs no window. GUI thread.
 class ApiController : public QObject {
     Q_OBJECT
 
 public:
-    ApiController(MainWindow& window, const BusStore& store, BusWorker& worker, Connection& connection,
-                  Commander& commander, MachineController& machine, MessageController& messages,
+    ApiController(const BusStore& store, BusWorker& worker, Connection& connection, Commander& commander,
                   QObject* parent = nullptr);
 
     /// Opens the socket for the port of the present connection, and of every later one.
     void letIn(bool on);
+    /// Empty while none is open.
+    [[nodiscard]] QString socket() const { return m_server.isOpen() ? m_server.path() : QString(); }
     /// From now on, programs get the right to move motors without the user being asked.
     void grantUnasked() { m_grantsUnasked = true; }
     /// The user has commanded this motor, or any number of them.
     void noteCommand(std::optional<ModuleIndex> module);
+    /// Takes the right to move motors back.
+    void endControl(texts::ControlLost why);
+    /// The user is being asked whether this client may move motors.
+    [[nodiscard]] bool isAsking(ApiServer::Client client) const {
+        return m_asked && m_asked->client == client;
+    }
+    /// The user's answer; too late if isAsking() is false.
+    void decide(ApiServer::Client client, bool may);
+    /// Sends a message to the programs that want events.
+    void publish(const Message& message) { m_feed.publish(message); }
+
+signals:
+    void changed(const nmc::ProgramsShown& programs);
+    /// decide() must follow, unless isAsking() becomes false.
+    void controlAsked(nmc::ApiServer::Client client, const QString& program);
+    /// isAsking() has become false without decide().
+    void askingEnded();
+    void reported(const nmc::Message& message);
+    /// The message with this key is over.
+    void ended(const QString& key);
 
 private:
     using Json = api::Json;
@@ -46,19 +63,20 @@ private:
     /// A call that is answered later.
     struct Pending {
         Json id;
-        ModuleIndex module;
+        std::optional<ModuleIndex> module;  ///< empty: all, and the sequence that runs
     };
     struct Session {
-        QString program{};  ///< empty until it has called hello
-        bool state = false, events = false, samples = false;
-        std::uint64_t missed = 0;  ///< samples that it was too slow for
-        bool finishes = false;     ///< its moves finish when it disappears
+        QString program{};      ///< empty until it has called hello
+        bool finishes = false;  ///< its moves finish when it disappears
         /// These were commanded by nobody else since.
         std::set<ModuleIndex> moved{};
         bool runs = false;                                     ///< it has started the sequence that runs
         std::map<ModuleIndex, bus::OperationId> operations{};  ///< the last one for each module
         /// Why its last request to a module was not carried out to the end; "wait" reports it.
         std::map<ModuleIndex, QString> failures{};
+        /// Where its last request to a module leads, once that is known.
+        std::map<ModuleIndex, std::optional<std::int32_t>> goals{};
+        std::optional<QString> sequenceFailure{};  ///< the same for the last sequence
         std::vector<Pending> waits{};
         bus::HoldToMove held{};  ///< the last jog
         std::optional<TimePoint> heldAt{};
@@ -72,12 +90,9 @@ private:
     void listen();
     void read(Client client, const QByteArray& line);
     void gone(Client client);
-    void call(Client client, const std::string& name, const Json& parameters, const Json& id);
+    void call(Client client, const api::Method& method, const Json& parameters, const Json& id);
     void greet(Client client, const Json& parameters, const Json& id);
-    void subscribe(Client client, const Json& parameters);
     void ask(Client client, const Json& parameters, const Json& id);
-    void grant(bool may);
-    void lose(texts::ControlLost why);
     void stop(Client client, const Json& parameters, const Json& id);
     void command(Client client, const api::Method& method, const Json& parameters, const Json& id);
     void request(Client client, const api::Call& call, const Json& id);
@@ -88,10 +103,14 @@ private:
     [[nodiscard]] bool rests(ModuleIndex module) const;
     void noteFinished(const bus::OperationFinished& finished);
     void noteEnded(const ProcedureReport& report);
+    void noteSequence(const SequenceReport& report);
     void answerWaits();
-    void publishState();
-    void publishSamples();
-    void publishEvent(const MessageEntry& entry);
+    [[nodiscard]] std::vector<ModuleIndex> awaited(const Session& session,
+                                                   std::optional<ModuleIndex> module) const;
+    [[nodiscard]] std::optional<QString> failureOf(const Session& session,
+                                                   const std::vector<ModuleIndex>& modules,
+                                                   bool withSequence) const;
+    [[nodiscard]] std::optional<QString> failureOf(const Session& session, ModuleIndex module) const;
 
     void answer(Client client, const Json& id, const Json& result);
     void refuse(Client client, const Json& id, const api::Problem& problem, const QString& sentence = {});
@@ -99,14 +118,12 @@ private:
     [[nodiscard]] Session& session(Client client) { return m_sessions.at(client); }
     void showPrograms();
 
-    MainWindow& m_window;
     const BusStore& m_store;
     BusWorker& m_worker;
     Connection& m_connection;
     Commander& m_commander;
-    MachineController& m_machine;
-    MessageController& m_messages;
     ApiServer m_server;
+    ApiFeed m_feed{m_store, m_server};
     std::map<Client, Session> m_sessions;
     std::optional<Client> m_control;
     std::optional<Asked> m_asked;                       ///< the user is being asked
@@ -119,8 +136,6 @@ private:
     bool m_on = false;
     QString m_tried;  ///< the port whose socket was to be opened last
     bool m_grantsUnasked = false;
-    QTimer m_publishTimer;                   ///< paces "state" and "samples"
-    std::vector<std::uint64_t> m_published;  ///< samples of each module
 };
 
 }  // namespace nmc

@@ -6,11 +6,13 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "app/guardianplace.h"
 #include "link/clock.h"
-#include "link/guardian/guardreport.h"
+#include "widgets/common/askdialog.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 #include "widgets/mainwindow/operatorlock.h"
+#include "widgets/messages/messagemodel.h"
 #include "widgets/paths/pathsdock.h"
 
 namespace nmc {
@@ -26,19 +28,6 @@ PacketSession packetSession(const QString& port, bool simulated) {
     session.simulated = simulated;
     session.zero = monotonicNow();
     return session;
-}
-
-/// Beside the settings, in the folder that also records which motors move.
-QString guardFolder(const QSettings& settings) {
-    return QFileInfo(settings.fileName()).absolutePath();
-}
-
-GuardianPlace guardianPlace(const QSettings& settings) {
-    const QString folder = guardFolder(settings);
-    QDir().mkpath(folder);
-    const QString program =
-        QCoreApplication::applicationDirPath() + QStringLiteral("/" NMC_GUARD_FOLDER "/nmcguard");
-    return {QDir::cleanPath(program).toStdString(), guardReportFile(folder.toStdString())};
 }
 
 }  // namespace
@@ -59,6 +48,7 @@ Composition::Composition(QSettings& settings, PortController::Places places, con
       m_motions(m_folder, disk, m_store, m_commander, m_messages),
       m_runs(QDir(m_folder).filePath(QStringLiteral("runs")), m_window, disk) {
     m_worker.addGuard(m_guardian);
+    wirePrograms();
     wireWindow();
     wireConnection();
     wireMachine();
@@ -103,6 +93,40 @@ void Composition::show(const Start& start) {
 void Composition::quit() {
     m_window.finishClose();
     QCoreApplication::quit();
+}
+
+/// First, so that a program loses control before the user's command is carried out.
+void Composition::wirePrograms() {
+    connect(&m_api, &ApiController::changed, &m_window, &MainWindow::showPrograms);
+    connect(&m_api, &ApiController::controlAsked, this,
+            [this](ApiServer::Client client, const QString& program) {
+                m_window.askForControl(
+                    program, [this, client] { return m_api.isAsking(client); },
+                    [this, client](bool may) { m_api.decide(client, may); });
+            });
+    connect(&m_api, &ApiController::askingEnded, &m_window, [this] { AskDialog::reviewAll(m_window); });
+    connect(&m_api, &ApiController::reported, &m_messages, &MessageController::report);
+    connect(&m_api, &ApiController::ended, &m_messages, &MessageController::end);
+    connect(&m_window.messageModel(), &MessageModel::reported, &m_api,
+            [this](const MessageEntry& entry) { m_api.publish(entry.message); });
+
+    const Requests* requests = &m_window.requests();
+    connect(requests, &Requests::letProgramsIn, &m_api, &ApiController::letIn);
+    connect(requests, &Requests::endProgramControl, &m_api,
+            [this] { m_api.endControl(texts::ControlLost::TakenBack); });
+    connect(&m_window, &MainWindow::stopAllRequested, &m_api,
+            [this] { m_api.endControl(texts::ControlLost::Stopped); });
+    connect(requests, &Requests::intent, &m_api,
+            [this](ModuleIndex module, const Intent&) { m_api.noteCommand(module); });
+    connect(requests, &Requests::hold, &m_api,
+            [this](const bus::HoldToMove& hold) { m_api.noteCommand(hold.module); });
+    const auto several = [this] { m_api.noteCommand({}); };
+    connect(requests, &Requests::groupCommand, &m_api, several);
+    connect(requests, &Requests::homeAll, &m_api, several);
+    connect(requests, &Requests::goToPoint, &m_api, several);
+    connect(requests, &Requests::goToPlace, &m_api, several);
+    connect(requests, &Requests::startSequence, &m_api, several);
+    connect(requests, &Requests::stopSequence, &m_api, several);
 }
 
 void Composition::wireWindow() {

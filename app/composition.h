@@ -54,6 +54,7 @@ public:
     [[nodiscard]] const Machine& machine() const { return m_machine.machine(); }
 
 private:
+    void wirePrograms();
     void wireWindow();
     void wireConnection();
     void wireMachine();
@@ -86,7 +87,7 @@ private:
     MessageActions m_actions{m_window,  m_store,   m_worker, m_connection, m_ports,
                              m_machine, m_motions, m_flight, m_messages};
     TuningController m_tuning{m_window};
-    ApiController m_api{m_window, m_store, m_worker, m_connection, m_commander, m_machine, m_messages};
+    ApiController m_api{m_store, m_worker, m_connection, m_commander};
     RunKeeper m_runs;
     Printing m_printing{m_window, m_settings};
     SleepInhibitor m_sleep;

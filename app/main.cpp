@@ -23,13 +23,6 @@ Q_LOGGING_CATEGORY(startLog, "nmc.start", QtWarningMsg)
 
 constexpr int kNoDisplay = 3;
 
-void nameApplication() {
-    QCoreApplication::setOrganizationName(QStringLiteral("nmcpanel"));
-    QCoreApplication::setOrganizationDomain(QStringLiteral("nmcpanel.org"));
-    QCoreApplication::setApplicationName(QStringLiteral("NMC Panel"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(NMC_VERSION));
-}
-
 int say(const nmc::Say& words) {
     if (!words.text.isEmpty())
         QTextStream(words.exitCode == 0 ? stdout : stderr) << words.text << Qt::endl;
@@ -61,7 +54,7 @@ void logStart(const nmc::Translations& translations) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    nameApplication();
+    nmc::nameApplication();
     nmc::PanelSettings settings;
     const QLocale locale = nmc::languages::localeOf(settings.value(nmc::languages::kSetting).toString());
     QLocale::setDefault(locale);
@@ -87,7 +80,7 @@ int main(int argc, char** argv) {
     logStart(translations);
     nmc::Composition composition(settings, {},
                                  QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
-    const nmc::UnixSignals signalsOfTheSystem(composition.worker());
+    const nmc::UnixSignals signalsOfTheSystem(&composition.worker());
     QObject::connect(&signalsOfTheSystem, &nmc::UnixSignals::terminationAsked, &composition,
                      &nmc::Composition::stopAndQuit);
     composition.show(start);

@@ -18,6 +18,13 @@ constexpr int kTryAgain = 300;
 
 }  // namespace
 
+void nameApplication() {
+    QCoreApplication::setOrganizationName(QStringLiteral("nmcpanel"));
+    QCoreApplication::setOrganizationDomain(QStringLiteral("nmcpanel.org"));
+    QCoreApplication::setApplicationName(QStringLiteral("NMC Panel"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(NMC_VERSION));
+}
+
 PanelSettings::PanelSettings() {
     (void)isLocked(kLongest);
 }

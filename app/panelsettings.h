@@ -5,6 +5,9 @@
 
 namespace nmc {
 
+/// Names the program; the place of the settings follows from this. Call first.
+void nameApplication();
+
 /// The settings of the program. QSettings waits, in the GUI thread, for the lock that another panel holds
 /// while it writes the same file, and honours the lock of a panel that was killed in that moment for half a
 /// minute. Here such a lock counts for a second: at the start and at the end, this waits for it, and in

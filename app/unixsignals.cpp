@@ -41,10 +41,10 @@ void handle(void (*handler)(int)) {
 
 }  // namespace
 
-UnixSignals::UnixSignals(BusWorker& worker, QObject* parent) : QObject(parent) {
+UnixSignals::UnixSignals(BusWorker* worker, QObject* parent) : QObject(parent) {
     static const Wakeup wakeup;
     g_wakeup = &wakeup;
-    g_worker = &worker;
+    g_worker = worker;
     auto* notifier = new QSocketNotifier(wakeup.fd(), QSocketNotifier::Read, this);
     connect(notifier, &QSocketNotifier::activated, this, [this] {
         wakeup.reset();

@@ -14,8 +14,8 @@ class UnixSignals : public QObject {
     Q_OBJECT
 
 public:
-    /// `worker` must outlive the object.
-    explicit UnixSignals(BusWorker& worker, QObject* parent = nullptr);
+    /// `worker` must outlive the object; null: there are no motors to stop.
+    explicit UnixSignals(BusWorker* worker, QObject* parent = nullptr);
     ~UnixSignals() override;
 
 signals:

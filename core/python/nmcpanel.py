@@ -54,6 +54,8 @@ class Sample(NamedTuple):
     position: int  #: counts
     error: float | None  #: position error in counts
     velocity: float | None  #: counts per second
+    status: int  #: the status byte
+    aux: int  #: auxiliary status or inputs, as last reported
 
 
 def sockets() -> list[Path]:
@@ -145,11 +147,19 @@ class Panel:
     def release_control(self) -> None:
         self.call("release_control")
 
-    def start_sequence(self, name: str) -> None:
+    def start_sequence(self, name: str, wait: bool = True) -> None:
         self.call("start_sequence", name=name)
+        if wait:
+            self.wait()
 
-    def go_to_point(self, name: str) -> None:
+    def go_to_point(self, name: str, wait: bool = True) -> None:
         self.call("go_to_point", name=name)
+        if wait:
+            self.wait()
+
+    def wait(self) -> dict[str, Any]:
+        """Waits until all axes are at rest and no sequence runs; returns the state then."""
+        return self.call("wait")
 
     # ---- what arrives unasked ----
 
@@ -169,7 +179,7 @@ class Panel:
             if line["method"] == "samples":
                 for module in line["params"]["modules"]:
                     for row in module["rows"]:
-                        yield Sample(module["axis"], *row)
+                        yield Sample(module["axis"], *row[:6])
 
 
 class Axis:
@@ -224,7 +234,7 @@ class Axis:
         while time.monotonic() < until:
             self.call("jog", velocity=velocity)
             time.sleep(0.03)
-        self.wait()
+        self.stop()
 
     def go_home(self, wait: bool = True) -> None:
         self._do(wait, "go_home")

@@ -75,6 +75,29 @@ class Client(unittest.TestCase):
             with self.assertRaises(ControlLost):
                 panel.axis(2).enable()
 
+    def test_runs_the_examples(self):
+        with Panel(program="test") as panel:
+            panel.request_control()
+            for axis in (panel.axis(1), panel.axis(2)):
+                axis.set_gains(**GAINS)
+                axis.enable()
+        record = Path(self.folder.name, "scan.csv")
+        self.example("raster_scan.py", "1", "2", "40", "3", record)
+        rows = [[float(cell) for cell in row.split(",")] for row in record.read_text().splitlines()[1:]]
+        self.assertEqual([row[:2] for row in rows], [[0, 0], [20, 0], [40, 0], [40, 20], [20, 20], [0, 20],
+                                                     [0, 40], [20, 40], [40, 40]])
+        for x, y, x_measured, y_measured in rows:
+            self.assertAlmostEqual(x_measured, x, delta=3)
+            self.assertAlmostEqual(y_measured, y, delta=3)
+        said = self.example("repeatability.py", "1", "100", "50", "2")
+        self.assertEqual(len(said.splitlines()), 3, said)
+        self.assertIn("turns", self.example("centrifuge.py", "1", "60", "0.3"))
+
+    def example(self, name, *words):
+        source = Path(__file__).resolve().parents[2]
+        return subprocess.run([sys.executable, source / "docs/examples" / name, *words], check=True, text=True,
+                              stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(source / "core/python")}).stdout
+
     def test_says_where_there_is_no_panel(self):
         with self.assertRaises(PanelError):
             Panel(Path(self.folder.name, "nmcpanel", "none.sock"))

@@ -29,16 +29,17 @@ class Simulator:
         self.process.wait()
 
 
-def measure(programs, baud, modules):
+def measure(programs, baud, modules, options=(), meanwhile=lambda panel: time.sleep(SECONDS)):
+    """Exchanges per second, their share of the wire, and violations, while the panel's process and `meanwhile` run."""
     simulator = Simulator(programs, modules)
-    panel = subprocess.Popen([programs + "/nmcpanel", "--port", simulator.terminal, "--baud", str(baud)],
+    panel = subprocess.Popen([programs + "/nmcpanel", "--port", simulator.terminal, "--baud", str(baud), *options],
                              stderr=subprocess.DEVNULL)
     try:
         # Every module has been polled ten times: enumeration and start-up are over.
         while min(m["replies"] for m in simulator.ask("stats")["modules"]) < 14:
             time.sleep(0.1)
         before = simulator.ask("stats")
-        time.sleep(SECONDS)
+        meanwhile(panel)
         after = simulator.ask("stats")
     finally:
         panel.terminate()
@@ -62,4 +63,5 @@ def main():
                   + (f", {len(violations)} VIOLATIONS" if violations else ""))
 
 
-main()
+if __name__ == "__main__":
+    main()

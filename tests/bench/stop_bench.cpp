@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The time from the request to the last byte of the stop on the wire, with 32 modules moving and the whole
-// window in use: by the Esc key in a dialog, and from another thread while the GUI thread is blocked.
+// window in use: by the Esc key in a dialog, by another program, and from another thread while the GUI thread
+// is blocked.
 //   stop_bench [TRIALS]
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
 #include <QApplication>
 #include <QDialog>
 #include <QElapsedTimer>
@@ -18,6 +23,7 @@
 #include <functional>
 #include <random>
 #include <set>
+#include <string_view>
 #include <thread>
 
 #include "app/composition.h"
@@ -88,8 +94,14 @@ public:
         QObject::connect(&m_composition.store(), &BusStore::happened, [this](const StoreEvent& event) {
             m_stops += std::holds_alternative<bus::StopFinished>(event) ? 1 : 0;
         });
-        m_composition.show({QString::fromStdString(m_chain.terminal()), baud, false});
+        const QString terminal = QString::fromStdString(m_chain.terminal());
+        m_composition.show({.port = terminal, .baud = baud, .programs = Start::Programs::LetIn});
         waitFor("no chain", [&] { return link().phase == LinkPhase::Connected; });
+        sockaddr_un place{.sun_family = AF_UNIX, .sun_path = {}};
+        ApiServer::pathFor(terminal).toLocal8Bit().toStdString().copy(place.sun_path,
+                                                                      sizeof place.sun_path - 1);
+        if (::connect(m_program, reinterpret_cast<const sockaddr*>(&place), sizeof place) != 0)
+            fail("programs are not let in");
         if (link().modules.size() != kModules)
             fail("not 32 modules");
         m_dialog.show();
@@ -106,6 +118,15 @@ public:
         return trial([target] {
             QCoreApplication::postEvent(target,
                                         new QKeyEvent(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier));
+        });
+    }
+
+    Trial byProgram() {
+        startAll();
+        return trial([this] {
+            constexpr std::string_view line = "{\"jsonrpc\":\"2.0\",\"method\":\"stop\"}\n";
+            if (::write(m_program, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
+                fail("the panel does not read");
         });
     }
 
@@ -207,6 +228,7 @@ private:
     QSettings m_settings;
     Composition m_composition;
     QDialog m_dialog{&m_composition.window()};
+    const int m_program = ::socket(AF_UNIX, SOCK_STREAM, 0);
     std::mt19937 m_random{1};
     std::uniform_int_distribution<int> m_phase{0, 60'000};  // us: some polls long
     TimePoint m_requested;
@@ -257,15 +279,21 @@ int main(int argc, char** argv) {
     qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
     (void)QInputDevice::primaryKeyboard();  // belongs to this thread
     const int trials = argc > 1 ? std::atoi(argv[1]) : 100;
+    const QTemporaryDir runtime;
+    qputenv("XDG_RUNTIME_DIR", runtime.path().toUtf8());
     for (const std::uint32_t baud : {19'200U, 115'200U}) {
         Bench bench(baud);
         std::vector<Trial> byKey;
         std::vector<Trial> blocked;
+        std::vector<Trial> byProgram;
         for (int i = 0; i < trials; ++i)
             byKey.push_back(bench.byKey());
         for (int i = 0; i < trials; ++i)
             blocked.push_back(bench.whileBlocked());
+        for (int i = 0; i < trials; ++i)
+            byProgram.push_back(bench.byProgram());
         report("Esc in a dialog            ", baud, byKey);
+        report("another program            ", baud, byProgram);
         report("other thread, GUI blocked  ", baud, blocked);
     }
 }

@@ -20,18 +20,20 @@ ID = "org.nmcpanel.NmcPanel"
 SIDES = (16, 22, 24, 32, 48, 64, 128, 256)
 
 INSTALLED = {
+    "bin/nmcctl",
     "bin/nmcpanel",
     "bin/nmcsim",
-    "lib/python3/dist-packages/nmcpanel.py",
     "lib/udev/rules.d/70-nmcpanel.rules",
     "libexec/nmcpanel/nmcguard",
     f"share/applications/{ID}.desktop",
+    "share/bash-completion/completions/nmcctl",
     "share/bash-completion/completions/nmcpanel",
     "share/bash-completion/completions/nmcsim",
     "share/doc/nmcpanel/README.md",
     "share/doc/nmcpanel/changelog.gz",
     "share/doc/nmcpanel/copyright",
     f"share/icons/hicolor/scalable/apps/{ID}.svg",
+    "share/man/man1/nmcctl.1.gz",
     "share/man/man1/nmcpanel.1.gz",
     "share/man/man1/nmcsim.1.gz",
     f"share/metainfo/{ID}.metainfo.xml",
@@ -277,7 +279,9 @@ class Package(Folder):
     def setUpClass(cls):
         super().setUpClass()
         run("cpack", "-G", "DEB", "-B", cls.folder / "deb", cwd=BUILD)
-        (cls.deb,) = (cls.folder / "deb").glob("*.deb")
+        run("cpack", "--config", "CPackPython.cmake", "-B", cls.folder / "deb", cwd=BUILD)
+        (cls.deb,) = (cls.folder / "deb").glob("nmcpanel_*.deb")
+        (cls.python,) = (cls.folder / "deb").glob("python3-nmcpanel_*_all.deb")
 
     def field(self, name):
         return run("dpkg-deb", "--field", self.deb, name).strip()
@@ -313,11 +317,29 @@ class Package(Folder):
 
     def test_has_the_same_programs_without_debug_symbols(self):
         run("dpkg-deb", "--extract", self.deb, self.folder / "tree")
-        for program in ("bin/nmcpanel", "bin/nmcsim", "libexec/nmcpanel/nmcguard"):
+        for program in ("bin/nmcctl", "bin/nmcpanel", "bin/nmcsim", "libexec/nmcpanel/nmcguard"):
             self.assertNotIn(".debug_info", run("readelf", "--sections", "--wide", self.folder / "tree/usr" / program))
 
     def test_lintian_finds_no_error(self):
-        run("lintian", "--allow-root", "--fail-on", "error", self.deb)
+        for package in (self.deb, self.python):
+            run("lintian", "--allow-root", "--fail-on", "error", package)
+
+    def test_has_the_python_client_in_a_package_of_its_own(self):
+        tree = self.folder / "python"
+        run("dpkg-deb", "--extract", self.python, tree)
+        documents = "usr/share/doc/python3-nmcpanel/"
+        self.assertEqual(files(tree), {"usr/lib/python3/dist-packages/nmcpanel.py", documents + "copyright",
+                                       documents + "changelog.Debian.gz"} |
+                         {f"{documents}examples/{path.name}" for path in SOURCE.glob("docs/examples/*")})
+
+
+class Wheel(Folder):
+    def test_can_be_imported(self):
+        run("cmake", "--build", BUILD, "--target", "wheel")
+        version = run(BUILD / "bin/nmcsim", "--version").split()[1]
+        wheel = BUILD / f"nmcpanel-{version}-py3-none-any.whl"
+        self.assertIn("nmcpanel.Panel", run(sys.executable, "-c", "import nmcpanel; print(nmcpanel.Panel)",
+                                            env={**os.environ, "PYTHONPATH": str(wheel)}))
 
 
 if __name__ == "__main__":

@@ -78,19 +78,41 @@ TEST(ApiMethods, AreOnTheirPage) {
     }
 }
 
+/// The problem of a line with these parameters.
+std::optional<api::Problem> problemOf(const char* method, const Json& parameters) {
+    const auto request = api::readRequest(Json{{"id", 1}, {"method", method}, {"params", parameters}}.dump());
+    return request ? std::nullopt : std::optional(request.error().problem);
+}
+
 TEST(ApiMethods, TakeParametersOfTheirTypesOnly) {
-    const api::Method& move = *api::findMethod("move");
-    EXPECT_EQ(api::problemOf(move, {{"axis", 1}, {"to", 5}}), std::nullopt);
-    EXPECT_EQ(api::problemOf(move, {{"axis", 1}, {"to", 5}, {"later", true}}), std::nullopt)
-        << "unknown: ignored";
-    EXPECT_EQ(api::problemOf(move, {{"axis", 1}}), (api::Problem{Kind::FieldMissing, "to"}));
-    EXPECT_EQ(api::problemOf(move, {{"axis", 1.5}, {"to", 5}}), (api::Problem{Kind::FieldWrong, "axis"}));
-    EXPECT_EQ(api::problemOf(move, {{"axis", 1}, {"to", true}}), (api::Problem{Kind::FieldWrong, "to"}));
-    EXPECT_EQ(api::problemOf(move, {{"axis", 1}, {"to", 1e300}}), (api::Problem{Kind::FieldWrong, "to"}));
-    const api::Method& gains = *api::findMethod("set_gains");
-    EXPECT_EQ(api::problemOf(gains, {{"axis", 1}, {"kp", 32'768}}), (api::Problem{Kind::FieldWrong, "kp"}));
-    EXPECT_EQ(api::problemOf(gains, {{"axis", 1}, {"sr", 0}}), (api::Problem{Kind::FieldWrong, "sr"}));
-    EXPECT_EQ(api::findMethod("dance"), nullptr);
+    EXPECT_EQ(problemOf("move", {{"axis", 1}, {"to", 5}}), std::nullopt);
+    EXPECT_EQ(problemOf("move", {{"axis", 1}}), (api::Problem{Kind::FieldMissing, "to"}));
+    EXPECT_EQ(problemOf("move", {{"axis", 1.5}, {"to", 5}}), (api::Problem{Kind::FieldWrong, "axis"}));
+    EXPECT_EQ(problemOf("move", {{"axis", 1}, {"to", true}}), (api::Problem{Kind::FieldWrong, "to"}));
+    EXPECT_EQ(problemOf("move", {{"axis", 1}, {"to", Json::array({5})}}),
+              (api::Problem{Kind::FieldWrong, "to"}));
+    EXPECT_EQ(problemOf("move", {{"axis", 1}, {"to", 1e300}}), (api::Problem{Kind::FieldWrong, "to"}));
+    EXPECT_EQ(problemOf("set_gains", {{"axis", 1}, {"kp", 32'768}}), (api::Problem{Kind::FieldWrong, "kp"}));
+    EXPECT_EQ(problemOf("set_gains", {{"axis", 1}, {"sr", 0}}), (api::Problem{Kind::FieldWrong, "sr"}));
+    EXPECT_EQ(problemOf("dance", Json::object()), (api::Problem{Kind::NoMethod}));
+}
+
+TEST(ApiMethods, LeaveOutParametersThatAreNotKnown) {
+    const auto request = api::readRequest(R"({"method": "stop", "params": {"axis": 1, "later": [[[[1]]]]}})");
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->parameters, (Json{{"axis", 1}}));
+    EXPECT_TRUE(request->id.is_null());
+    EXPECT_EQ(request->method, api::findMethod("stop"));
+}
+
+TEST(ApiMethods, AreNotWhatIsNoRequest) {
+    const auto kindOf = [](const char* line) { return api::readRequest(line).error().problem.kind; };
+    EXPECT_EQ(kindOf(""), Kind::NotJson);
+    EXPECT_EQ(kindOf("{\"method\": \"stop\"} {"), Kind::NotJson);
+    for (const char* line : {"5", "[]", "{}", R"({"method": 5})", R"({"method": "stop", "params": [1]})",
+                             R"({"method": "stop", "id": [1]})", R"({"method": "stop", "id": true})"})
+        EXPECT_EQ(kindOf(line), Kind::InvalidRequest) << line;
+    EXPECT_EQ(api::readRequest(R"({"method": "dance", "id": "a"})").error().id, "a");
 }
 
 TEST(ApiMethods, FindAnAxisByNameOrNumber) {
@@ -183,6 +205,27 @@ TEST(ApiMethods, ReportWhatIsNotKnownAsNull) {
     for (const char* value : {"position", "counts", "counts_per_second", "home", "goal"})
         EXPECT_TRUE(servo[value].is_null()) << value;
     EXPECT_EQ(state["modules"][1]["type"], "stepper");
+}
+
+TEST(ApiMethods, ReportUnitsAndTheGainsThatAreKnown) {
+    Chain chain;
+    EXPECT_TRUE(api::stateOf(chain.link, chain.machine)["modules"][0]["gains"].is_null());
+    chain.link.modules[0].gains = servo::SetGain{100, 1'000, 0, 0, 255, 0, 2'000, 3, {}};
+    chain.machine.axes[0].unit = {UnitKind::Millimetres, 100.0};
+    const Json modules = api::stateOf(chain.link, chain.machine)["modules"];
+    EXPECT_EQ(modules[0]["unit"], "mm");
+    EXPECT_EQ(modules[1]["unit"], "steps");
+    EXPECT_EQ(modules[0]["gains"], (Json{{"kp", 100},
+                                         {"kd", 1'000},
+                                         {"ki", 0},
+                                         {"il", 0},
+                                         {"ol", 255},
+                                         {"cl", 0},
+                                         {"el", 2'000},
+                                         {"sr", 3}}))
+        << "without the deadband, which is optional (DS-V 5.1)";
+    chain.machine.axes[0].unit = {UnitKind::Own, 100.0, "drops"};
+    EXPECT_EQ(api::stateOf(chain.link, chain.machine)["modules"][0]["unit"], "drops");
 }
 
 TEST(EnumName, IsTheNameInTheSource) {

@@ -229,6 +229,44 @@ TEST_F(OtherPrograms, LearnFromWaitWhatFailed) {
         << "repeated moves are a procedure, which the stop cancelled";
 }
 
+TEST_F(OtherPrograms, LearnFromWaitThatTheUserInterruptedTheirMove) {
+    for (const bool stopsAll : {true, false}) {
+        Client client(panel, path());
+        client.hello();
+        ASSERT_NO_FATAL_FAILURE(ready(client));
+        EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
+        const int one = client.request("wait", {{"axis", 1}});
+        const int all = client.request("wait");
+        ASSERT_TRUE(panel.waitFor([&] { return moves(sim) && panel.module().moving(); }));
+        if (stopsAll)
+            panel.pressStopAll();
+        else
+            panel.ask(intent::StopSmoothly{});
+        EXPECT_EQ(client.answer(one)["error"]["data"]["reason"], "NotCarriedOut") << stopsAll;
+        EXPECT_EQ(client.answer(all)["error"]["data"]["reason"], "NotCarriedOut") << stopsAll;
+    }
+}
+
+TEST_F(OtherPrograms, WaitForAllAxesAndTheSequence) {
+    Client client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 500}})["result"]["accepted"], true);
+    const Json rest = client.call("wait")["result"]["modules"][0];
+    EXPECT_NEAR(rest["position"].get<double>(), 500, 2);
+    EXPECT_EQ(rest["unit"], "counts");
+    EXPECT_EQ(rest["gains"]["kd"], 2'000) << "as set by ready()";
+
+    Program program;
+    program.points.push_back({"far", {{ModuleIndex(0), 100'000, false}}});
+    emit panel.window().requests().programEdited(program);
+    EXPECT_EQ(client.call("go_to_point", {{"name", "far"}})["result"]["accepted"], true);
+    const int waits = client.request("wait");
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    EXPECT_EQ(client.call("stop")["result"]["sent"], true);
+    EXPECT_EQ(client.answer(waits)["error"]["data"]["reason"], "NotCarriedOut");
+}
+
 TEST_F(OtherPrograms, GetNoControlThatTheUserRefuses) {
     Client client(panel, path());
     client.hello();
@@ -391,7 +429,7 @@ TEST_F(OtherPrograms, AreToldWhatTheySubscribeTo) {
     const Json samples = client.notification("samples")["params"];
     EXPECT_EQ(samples["missed"], 0);
     EXPECT_EQ(samples["modules"][0]["axis"], 1);
-    EXPECT_EQ(samples["modules"][0]["rows"][0].size(), 4U);
+    EXPECT_EQ(samples["modules"][0]["rows"][0].size(), 6U) << "time, position, error, velocity, status, aux";
     Client other(panel, path());
     other.hello("other.py");
     EXPECT_TRUE(client.notification("event")["params"]["text"].get<std::string>().find("other.py") !=
@@ -425,6 +463,19 @@ TEST_F(OtherPrograms, SurviveNonsense) {
     EXPECT_TRUE(client.cutOff());
     EXPECT_FALSE(moves(sim));
     EXPECT_FALSE(sim.isOn(0));
+}
+
+TEST_F(OtherPrograms, MayNestAndPadTheirParameters) {
+    Client client(panel, path());
+    for (const char* method : {"stop", "motor_off", "hello", "dance"}) {
+        QByteArray line = R"({"jsonrpc":"2.0","id":1,"method":")" + QByteArray(method) +
+                          R"(","params":{"axis":1,"protocol":"1.0","program":"x","padding":)";
+        line += QByteArray(32'000, '[') + QByteArray(32'000, ']') + "}}";
+        client.write(line);
+        EXPECT_FALSE(client.answer(1).is_null()) << method;
+    }
+    for (const QString& headline : panel.headlines())
+        EXPECT_LT(headline.size(), 200) << headline.toStdString();
 }
 
 TEST_F(OtherPrograms, AreCutOffWhenTheUserKeepsThemOut) {

@@ -19,7 +19,7 @@ class Signals : public testing::TestWithParam<int> {};
 TEST_P(Signals, StopTheMotorsAndEndTheProgram) {
     VirtualChain sim(QStringLiteral("servo"));
     VirtualPanel panel;
-    const UnixSignals system(panel.composition().worker());
+    const UnixSignals system(&panel.composition().worker());
     QObject::connect(&system, &UnixSignals::terminationAsked, &panel.composition(),
                      &Composition::stopAndQuit);
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(H04, Signals, testing::Values(SIGTERM, SIGINT, SIGHUP))
 TEST(H04_Signal, StopsTheMotorsWhileTheGuiThreadIsBlocked) {
     VirtualChain sim(QStringLiteral("servo"));
     VirtualPanel panel;
-    const UnixSignals system(panel.composition().worker());
+    const UnixSignals system(&panel.composition().worker());
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     std::raise(SIGTERM);
     panel.freeze(500ms);  // much less than the 2 s after which they would be stopped anyway

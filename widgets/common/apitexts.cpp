@@ -24,6 +24,12 @@ QString apiProblem(const api::Problem& problem) {
     using enum api::Problem::Kind;
     const QString field = QString::fromStdString(problem.field);
     switch (problem.kind) {
+        case NotJson:
+            return ApiWords::tr("This line is not JSON.");
+        case InvalidRequest:
+            return ApiWords::tr("A request is an object with method, params (an object) and id.");
+        case NoMethod:
+            return ApiWords::tr("There is no such method.");
         case FieldMissing:
             return ApiWords::tr("The parameter \"%1\" is missing.").arg(field);
         case FieldWrong:

@@ -7,6 +7,18 @@
 #include "model/api/apimethods.h"
 #include "widgets/common/message.h"
 
+namespace nmc {
+
+/// What the window shows of other programs that use the chain.
+struct ProgramsShown {
+    bool on = false;  ///< they may connect
+    QString path{};   ///< the socket; empty while no port is open
+    int connected = 0;
+    QString inControl{};  ///< the one that may move motors; empty: none
+};
+
+}  // namespace nmc
+
 /// What is said about other programs: to the user, and to them (docs/api.md).
 namespace nmc::texts {
 

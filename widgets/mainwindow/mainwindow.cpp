@@ -14,6 +14,7 @@
 #include "widgets/axes/axesdock.h"
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
+#include "widgets/common/apitexts.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"

@@ -58,14 +58,7 @@ class SimulatorDock;
 class StartPage;
 class ResponseDock;
 struct KeptResponse;
-
-/// What the window shows of other programs that use the chain.
-struct ProgramsShown {
-    bool on = false;  ///< they may connect
-    QString path{};   ///< the socket; empty while no port is open
-    int connected = 0;
-    QString inControl{};  ///< the one that may move motors; empty: none
-};
+struct ProgramsShown;
 
 /// The panel's window. Values in, intents out: it has no access to the bus, a thread or a port. Every
 /// show...() is idempotent and emits nothing, except that a hold that is no longer possible ends and reports

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 
 #include "base/enumname.h"
 #include "model/intent/jog.h"
 #include "model/intent/pace.h"
+#include "model/intent/travel.h"
 #include "model/module/modulescale.h"
 #include "model/module/servodefaults.h"
 
@@ -68,6 +70,24 @@ struct GainsLister {
     }
     void ignoreRest(std::size_t /*most*/) {}
 };
+struct GainsWriter {
+    static constexpr bool kReads = false;
+    Json& json;
+
+    [[nodiscard]] bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) const {
+        return true;
+    }
+    template <typename T>
+    void number(std::string_view name, const T& value, ValueRange /*range*/ = kAnyValue) {
+        json[lower(name)] = value;
+    }
+    template <typename T>
+    void trailing(std::string_view name, const std::optional<T>& value) {
+        if (value)
+            number(name, *value);
+    }
+    void ignoreRest(std::size_t /*most*/) {}
+};
 
 std::vector<Method> makeMethods() {
     const Field axis{"axis", Kind::Axis, true, "name of the axis, or its number from 1"};
@@ -82,7 +102,10 @@ std::vector<Method> makeMethods() {
           {"program", Kind::Text, true, "name of the client, for the user"}}},
         {"describe", Access::Read, "Lists all methods with their parameters."},
         {"state", Access::Read, "The chain and all its modules."},
-        {"wait", Access::Read, "Answers once the axis is at rest and nothing is pending for it.", {axis}},
+        {"wait",
+         Access::Read,
+         "Answers once the axis is at rest and nothing is pending for it.",
+         {{"axis", Kind::Axis, false, "all axes, and a sequence that runs, if left out"}}},
         {"subscribe",
          Access::Read,
          "Selects what is sent without being asked for; calls replace one another.",
@@ -116,6 +139,7 @@ std::vector<Method> makeMethods() {
         {"go_home", Access::Control, "Moves to home.", {axis, velocity, acceleration}},
         {"home", Access::Control, "Searches for home as set up for the axis.", {axis}},
         {"zero", Access::Control, "Sets the present position to 0.", {axis}},
+        {"set_home", Access::Control, "Makes the present position home.", {axis}},
         {"clear_sticky_bits", Access::Control, "Clears the sticky bits of a PIC-SERVO.", {axis}},
         {"set_gains", Access::Control, "Sends the gains of a PIC-SERVO.", {axis}},
         {"set_output",
@@ -182,6 +206,9 @@ bool fits(const Field& field, const Json& value) {
     }
     return false;
 }
+
+/// The request, its parameters, a value, and one more so that a list is not taken for what is in it.
+constexpr int kDeepest = 3;
 
 Problem wrong(std::string field) {
     return {Problem::Kind::FieldWrong, std::move(field)};
@@ -283,8 +310,34 @@ struct Caller {
     }
 };
 
+/// What the methods about one axis make of a call.
+const std::map<std::string_view, Or<Call> (*)(const Caller&)> kMakers{
+    {"stop", [](const Caller& caller) { return caller.call(intent::StopSmoothly{}); }},
+    {"enable", [](const Caller& caller) { return caller.call(intent::Enable{}); }},
+    {"motor_off", [](const Caller& caller) { return caller.call(intent::MotorOff{}); }},
+    {"move", [](const Caller& caller) { return caller.move(); }},
+    {"move_by", [](const Caller& caller) { return caller.moveBy(); }},
+    {"jog", [](const Caller& caller) { return caller.jog(); }},
+    {"go_home", [](const Caller& caller) { return caller.goHome(); }},
+    {"home", [](const Caller& caller) { return caller.home(); }},
+    {"zero", [](const Caller& caller) { return caller.call(intent::ResetPosition{}); }},
+    {"set_home", [](const Caller& caller) { return caller.call(intent::SaveAsHome{}); }},
+    {"clear_sticky_bits", [](const Caller& caller) { return caller.call(intent::ClearStickyBits{}); }},
+    {"set_gains", [](const Caller& caller) { return caller.setGains(); }},
+    {"set_output", [](const Caller& caller) { return caller.setOutput(); }},
+};
+
 Json orNull(const std::optional<double>& value) {
     return value ? Json(*value) : Json();
+}
+
+Json gainsOf(const std::optional<servo::SetGain>& gains) {
+    if (!gains)
+        return {};
+    Json json = Json::object();
+    GainsWriter writer{json};
+    servo::SetGain::fields(writer, *gains);
+    return json;
 }
 
 }  // namespace
@@ -325,15 +378,38 @@ Json describe() {
     return {{"methods", std::move(list)}};
 }
 
-std::optional<Problem> problemOf(const Method& method, const Json& parameters) {
-    for (const Field& field : method.fields) {
+tl::expected<Request, BadRequest> readRequest(std::string_view line) {
+    // What is nested more deeply is no parameter, and copying it would take as much stack as a program likes.
+    const auto isShallow = [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepest; };
+    const Json json = Json::parse(line, isShallow, false);
+    Request request;
+    const auto bad = [&request](Problem problem) {
+        return tl::unexpected(BadRequest{std::move(request.id), std::move(problem)});
+    };
+    if (json.is_discarded())
+        return bad({Problem::Kind::NotJson});
+    const auto part = [&json](const char* name) {
+        return json.is_object() && json.contains(name) ? json.at(name) : Json();
+    };
+    const Json method = part("method"), parameters = part("params"), id = part("id");
+    if (!method.is_string() || !(parameters.is_object() || parameters.is_null()) || id.is_structured() ||
+        id.is_boolean())
+        return bad({Problem::Kind::InvalidRequest});
+    request.id = id;
+    request.method = findMethod(method.get<std::string>());
+    if (request.method == nullptr)
+        return bad({Problem::Kind::NoMethod});
+    for (const Field& field : request.method->fields) {
         const auto given = parameters.find(field.name);
         if (given == parameters.end() && field.required)
-            return Problem{Problem::Kind::FieldMissing, field.name};
-        if (given != parameters.end() && !fits(field, *given))
-            return Problem{Problem::Kind::FieldWrong, field.name};
+            return bad({Problem::Kind::FieldMissing, field.name});
+        if (given == parameters.end())
+            continue;
+        if (!fits(field, *given))
+            return bad(wrong(field.name));
+        request.parameters[field.name] = *given;
     }
-    return std::nullopt;
+    return request;
 }
 
 Or<ModuleIndex> axisOf(const Json& parameters, const LinkState& link, const Machine& machine) {
@@ -355,29 +431,7 @@ Or<Call> callOf(std::string_view method, const Json& parameters, const LinkState
     if (!axis)
         return tl::unexpected(axis.error());
     const Caller caller{parameters, link.modules[axis->value()], machine.axis(*axis)};
-    if (method == "move")
-        return caller.move();
-    if (method == "move_by")
-        return caller.moveBy();
-    if (method == "jog")
-        return caller.jog();
-    if (method == "go_home")
-        return caller.goHome();
-    if (method == "home")
-        return caller.home();
-    if (method == "set_gains")
-        return caller.setGains();
-    if (method == "set_output")
-        return caller.setOutput();
-    if (method == "enable")
-        return caller.call(intent::Enable{});
-    if (method == "motor_off")
-        return caller.call(intent::MotorOff{});
-    if (method == "zero")
-        return caller.call(intent::ResetPosition{});
-    if (method == "clear_sticky_bits")
-        return caller.call(intent::ClearStickyBits{});
-    return caller.call(intent::StopSmoothly{});
+    return kMakers.at(method)(caller);
 }
 
 Json stateOf(const ModuleState& module, const AxisSettings& axis) {
@@ -387,8 +441,11 @@ Json stateOf(const ModuleState& module, const AxisSettings& axis) {
         return counts ? Json(scale.position(*counts)) : Json();
     };
     const auto perSecond = module.speed.perSecond();
+    const TravelForce force = travelForce(module);
     return {{"number", module.info.index.value() + 1},
             {"name", axis.name},
+            {"unit", symbolOf(axis.unit, module.isStepper())},
+            {"counts_per_unit", scale.counts(1.0)},
             {"type", module.isKnown() ? Json(lower(enumName<ModuleType::Stepper>(module.info.identity.type)))
                                       : Json()},
             {"version", module.info.identity.version},
@@ -400,7 +457,10 @@ Json stateOf(const ModuleState& module, const AxisSettings& axis) {
             {"counts", report.position ? Json(*report.position) : Json()},
             {"counts_per_second", orNull(perSecond)},
             {"home", module.home.place() ? inUnits(module.home.place()->counts) : Json()},
-            {"goal", inUnits(module.goal())}};
+            {"goal", inUnits(module.goal())},
+            {"travel_limits_in_force",
+             force == TravelForce::NotSet ? Json() : Json(force == TravelForce::InForce)},
+            {"gains", gainsOf(module.gains)}};
 }
 
 Json stateOf(const LinkState& link, const Machine& machine) {

@@ -53,6 +53,9 @@ struct Method {
 /// Why a call is not possible.
 struct Problem {
     enum class Kind : std::uint8_t {
+        NotJson,
+        InvalidRequest,  ///< JSON, but not a request
+        NoMethod,
         FieldMissing,
         FieldWrong,  ///< it has another type, or is out of its range
         AxisUnknown,
@@ -75,15 +78,26 @@ struct Call {
     std::variant<Intent, bus::HoldToMove> what;
 };
 
-/// Checks that the parameters are those of the method, and have their types.
-[[nodiscard]] std::optional<Problem> problemOf(const Method& method, const Json& parameters);
+/// What a program has requested: a method with the parameters that it knows, which have their types. Others
+/// are left out.
+struct Request {
+    Json id;  ///< null: the program wants no answer
+    const Method* method = nullptr;
+    Json parameters = Json::object();
+};
+struct BadRequest {
+    Json id;
+    Problem problem;
+};
+/// Reads a line, whatever it holds.
+[[nodiscard]] tl::expected<Request, BadRequest> readRequest(std::string_view line);
 
 /// The module that the parameter "axis" means, by its number from 1 or by its name.
 [[nodiscard]] tl::expected<ModuleIndex, Problem> axisOf(const Json& parameters, const LinkState& link,
                                                         const Machine& machine);
 
-/// The call of a method with Access::Control that is about one axis. The parameters have been checked with
-/// problemOf(). Whether it is possible now is for plan() to say.
+/// The call of a method that commands one axis. The parameters are those of a Request. Whether it is
+/// possible now is for plan() to say.
 [[nodiscard]] tl::expected<Call, Problem> callOf(std::string_view method, const Json& parameters,
                                                  const LinkState& link, const Machine& machine);
 

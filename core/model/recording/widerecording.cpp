@@ -46,19 +46,7 @@ namespace {
 }
 
 [[nodiscard]] std::string unitOf(const RecordingModule& module) {
-    switch (module.unit.kind) {
-        case UnitKind::Native:
-            return module.identity.type == ModuleType::Stepper ? "steps" : "counts";
-        case UnitKind::Turns:
-            return "turns";
-        case UnitKind::Degrees:
-            return "deg";
-        case UnitKind::Millimetres:
-            return "mm";
-        case UnitKind::Own:
-            break;
-    }
-    return module.unit.ownSymbol.empty() ? "units" : wordOf(module.unit.ownSymbol);
+    return wordOf(symbolOf(module.unit, module.identity.type == ModuleType::Stepper));
 }
 
 class WideModule {

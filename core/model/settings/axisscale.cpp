@@ -9,6 +9,22 @@
 
 namespace nmc {
 
+std::string symbolOf(const AxisUnit& unit, bool steps) {
+    switch (unit.kind) {
+        case UnitKind::Native:
+            return steps ? "steps" : "counts";
+        case UnitKind::Turns:
+            return "turns";
+        case UnitKind::Degrees:
+            return "deg";
+        case UnitKind::Millimetres:
+            return "mm";
+        case UnitKind::Own:
+            break;
+    }
+    return unit.ownSymbol.empty() ? "units" : unit.ownSymbol;
+}
+
 AxisScale::AxisScale(AxisUnit unit, std::optional<double> perSecond, bool steps)
     : m_unit(std::move(unit)), m_perSecond(perSecond), m_steps(steps) {}
 

@@ -27,6 +27,10 @@ struct AxisUnit {
     bool operator==(const AxisUnit&) const = default;
 };
 
+/// The unit for other programs, in no language: "counts" (`steps`: "steps"), "turns", "deg", "mm", or the
+/// user's own.
+[[nodiscard]] std::string symbolOf(const AxisUnit& unit, bool steps);
+
 /// Counts per turn, if the unit defines it. This is a turn of the axis, which after a gear is not a turn of
 /// the motor.
 [[nodiscard]] std::optional<double> countsPerTurn(const AxisUnit& unit);

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/apifeed.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/enumname.h"
+
+namespace nmc {
+
+using api::Json;
+
+namespace {
+
+constexpr int kPublishInterval = 100;        ///< ms
+constexpr std::uint64_t kMostSamples = 500;  ///< of a module in one message
+
+}  // namespace
+
+ApiFeed::ApiFeed(const BusStore& store, ApiServer& server, QObject* parent)
+    : QObject(parent), m_store(store), m_server(server) {
+    m_pace.setInterval(kPublishInterval);
+    m_pace.setSingleShot(true);
+    connect(&m_pace, &QTimer::timeout, this, [this] {
+        publishSamples();
+        publishState();
+    });
+    connect(&m_store, &BusStore::linkChanged, this, [this] {
+        if (m_server.isOpen() && !m_pace.isActive())
+            m_pace.start();
+    });
+}
+
+QByteArray ApiFeed::lineOf(const Json& json) {
+    return QByteArray::fromStdString(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+QByteArray ApiFeed::notification(const char* method, Json parameters) {
+    return lineOf({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(parameters)}});
+}
+
+void ApiFeed::subscribe(ApiServer::Client client, const Json& parameters) {
+    Subscription& subscription = m_subscriptions[client];
+    subscription.state = parameters.value("state", false);
+    subscription.events = parameters.value("events", false);
+    subscription.samples = parameters.value("samples", false);
+}
+
+void ApiFeed::publishState() {
+    std::optional<QByteArray> line;
+    for (const auto& [client, subscription] : m_subscriptions) {
+        if (!subscription.state)
+            continue;
+        if (!line)
+            line = notification("state", api::stateOf(m_store.link(), m_store.machine()));
+        m_server.offer(client, *line);
+    }
+}
+
+/// One line for all clients, however many they are.
+void ApiFeed::publishSamples() {
+    const History& history = m_store.history();
+    const TimePoint zero = history.zero().value_or(TimePoint{});
+    const auto known = [](float value) { return value == value ? Json(value) : Json(); };
+    const bool wanted =
+        std::ranges::any_of(m_subscriptions, [](const auto& each) { return each.second.samples; });
+    m_published.resize(history.modules());
+    std::size_t count = 0;
+    Json modules = Json::array();
+    for (std::size_t i = 0; i < history.modules(); ++i) {
+        const ModuleHistory& module = *history.module(ModuleIndex(static_cast<std::uint8_t>(i)));
+        if (!wanted || module.count() < m_published[i]) {
+            m_published[i] = module.count();
+            continue;
+        }
+        Json rows = Json::array();
+        m_published[i] = module.visitSince(
+            m_published[i],
+            [&](const ScopeSample& sample) {
+                rows.push_back({toSeconds(sample.time - zero), sample.position, known(sample.error),
+                                known(sample.velocity), sample.status, sample.aux});
+            },
+            kMostSamples);
+        count += rows.size();
+        if (!rows.empty())
+            modules.push_back({{"axis", i + 1}, {"rows", std::move(rows)}});
+    }
+    if (modules.empty())
+        return;
+    Json parameters{{"missed", 0}, {"modules", std::move(modules)}};
+    const QByteArray line = notification("samples", parameters);
+    for (auto& [client, subscription] : m_subscriptions) {
+        if (!subscription.samples)
+            continue;
+        parameters["missed"] = subscription.missed;
+        const bool sent =
+            m_server.offer(client, subscription.missed == 0 ? line : notification("samples", parameters));
+        subscription.missed = sent ? 0 : subscription.missed + count;
+    }
+}
+
+void ApiFeed::publish(const Message& message) {
+    std::optional<QByteArray> line;
+    for (const auto& [client, subscription] : m_subscriptions) {
+        if (!subscription.events)
+            continue;
+        if (!line)
+            line =
+                notification("event", {{"severity", enumName<Severity::Fault>(message.severity)},
+                                       {"axis", message.module ? Json(message.module->value() + 1) : Json()},
+                                       {"text", message.headline.toStdString()},
+                                       {"detail", message.body.toStdString()}});
+        m_server.send(client, *line);
+    }
+}
+
+}  // namespace nmc

@@ -1,0 +1,586 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/ctlcommands.h"
+
+#include <QDateTime>
+#include <QDeadlineTimer>
+#include <QFile>
+#include <QRegularExpression>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include "base/enumname.h"
+#include "model/recording/recording.h"
+
+namespace nmc {
+
+namespace {
+
+using Kind = api::Field::Kind;
+using Json = api::Json;
+template <typename T>
+using Or = tl::expected<T, QString>;
+
+/// Less than half of the time after which a motor stops that is jogged (bus/holdtask.h).
+constexpr int kJogEvery = 50;  // ms
+constexpr auto kWait = "wait";
+constexpr double kMostSeconds = 1e7;
+
+/// Those that a command line has no use for, or that have a command made by hand.
+constexpr std::array kNotAsTheyAre{"hello", "describe",        "state",           "subscribe",
+                                   "jog",   "request_control", "release_control", "set_gains"};
+
+[[nodiscard]] QString text(const std::string& utf8) {
+    return QString::fromStdString(utf8);
+}
+
+/// A number, a text or "-" for what is not known.
+[[nodiscard]] QString shown(const Json& value) {
+    if (value.is_null())
+        return QStringLiteral("-");
+    if (value.is_number_float())
+        return QString::number(value.get<double>(), 'g', 10);
+    return value.is_string() ? text(value.get<std::string>()) : text(value.dump());
+}
+
+/// The name of an axis, or its number if it has none.
+[[nodiscard]] QString nameOf(const Json& axis) {
+    const QString name = text(axis.at("name").get<std::string>());
+    return name.isEmpty() ? shown(axis.at("number")) : name;
+}
+
+[[nodiscard]] QString placeOf(const Json& axis) {
+    return shown(axis.at("position")) + QLatin1Char(' ') + shown(axis.at("unit"));
+}
+
+/// The end of a command that goes on until it is interrupted, or for --seconds.
+[[nodiscard]] Or<QDeadlineTimer> endOf(const QMap<QString, QString>& options) {
+    const auto given = options.find(QStringLiteral("seconds"));
+    if (given == options.end())
+        return QDeadlineTimer(QDeadlineTimer::Forever);
+    bool isNumber = false;
+    const double seconds = given->toDouble(&isNumber);
+    if (!isNumber || !(seconds >= 0 && seconds <= kMostSeconds))
+        return tl::unexpected(QStringLiteral("\"%1\" is not a number of seconds.").arg(*given));
+    return QDeadlineTimer(std::chrono::milliseconds(std::llround(1e3 * seconds)), Qt::PreciseTimer);
+}
+
+[[nodiscard]] bool isOneOf(const std::string& name, const auto& names) {
+    return std::ranges::find(names, name) != std::end(names);
+}
+
+/// Methods that move a motor to a goal, which it cannot have reached if it is off afterwards.
+[[nodiscard]] bool movesToGoal(const std::string& method) {
+    return isOneOf(method, std::array{"move", "move_by", "go_home", "home"});
+}
+
+/// What the scope needs to know of the modules, as far as the state says it.
+[[nodiscard]] RecordingHeader headerOf(const Json& state) {
+    RecordingHeader header;
+    header.program = "nmcctl " NMC_VERSION;
+    header.startedAt = QDateTime::currentDateTime().toString(Qt::ISODateWithMs).toStdString();
+    header.port = state.at("port").get<std::string>();
+    header.simulated = state.at("simulated").get<bool>();
+    for (const Json& axis : state.at("modules")) {
+        RecordingModule module{
+            .index = ModuleIndex(static_cast<std::uint8_t>(axis.at("number").get<int>() - 1)),
+            .identity = {},
+            .name = axis.at("name").get<std::string>(),
+            .unit = {},
+            .analog = {}};
+        for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper, ModuleType::Io})
+            if (axis.at("type") ==
+                QString::fromUtf8(enumName<ModuleType::Stepper>(type)).toLower().toStdString())
+                module.identity = {type, axis.at("version").get<std::uint8_t>()};
+        const std::string unit = axis.at("unit").get<std::string>();
+        module.unit = {UnitKind::Own, axis.at("counts_per_unit").get<double>(), unit};
+        for (const UnitKind kind :
+             {UnitKind::Native, UnitKind::Turns, UnitKind::Degrees, UnitKind::Millimetres})
+            if (unit == symbolOf({kind}, module.identity.type == ModuleType::Stepper))
+                module.unit = {kind, module.unit.countsPerUnit};
+        header.modules.push_back(std::move(module));
+    }
+    return header;
+}
+
+/// A row of "samples": time, position, error, velocity, status, aux.
+[[nodiscard]] ScopeSample sampleOf(const Json& row, TimePoint time) {
+    const auto orUnknown = [&row](std::size_t i) {
+        return row.at(i).is_null() ? ScopeSample::kUnknown : row.at(i).get<float>();
+    };
+    ScopeSample sample{.time = time, .position = row.at(1).get<std::int32_t>()};
+    sample.error = orUnknown(2);
+    sample.velocity = orUnknown(3);
+    sample.status = row.at(4).get<std::uint8_t>();
+    sample.aux = row.at(5).get<std::uint8_t>();
+    return sample;
+}
+
+/// Numbers of an axis may carry its unit.
+[[nodiscard]] QString unitOf(Kind kind, const Json& axis) {
+    const QString unit = shown(axis.at("unit"));
+    switch (kind) {
+        case Kind::Velocity:
+            return unit + QStringLiteral("/s");
+        case Kind::Acceleration:
+            return unit + QStringLiteral("/s2");
+        case Kind::Position:
+        case Kind::Distance:
+        case Kind::Axis:
+        case Kind::Whole:
+        case Kind::Flag:
+        case Kind::Text:
+            break;
+    }
+    return unit;
+}
+
+}  // namespace
+
+// ---- the table ----
+
+CtlCommands::Command CtlCommands::commandOf(const api::Method& method) {
+    Command command{.name = text(method.name).replace(QLatin1Char('_'), QLatin1Char('-')),
+                    .text = text(method.text),
+                    .act = &CtlCommands::callMethod,
+                    .method = &method};
+    if (method.name == "start_sequence")
+        command.name = QStringLiteral("run-sequence");
+    command.usage = command.name;
+    QString options;
+    for (const api::Field& field : method.fields) {
+        const QString word = text(field.name).toUpper();
+        if (field.required || field.kind == Kind::Axis) {
+            command.usage += field.required ? QLatin1Char(' ') + word : QStringLiteral(" [%1]").arg(word);
+            command.least += field.required ? 1 : 0;
+            ++command.most;
+        } else {
+            command.options << text(field.name);
+            options += QStringLiteral(" [--%1 %2]").arg(text(field.name), word.left(1));
+        }
+    }
+    command.usage += options;
+    if (method.access == api::Access::Control || (method.access == api::Access::Stop && command.most > 0)) {
+        command.flags << QLatin1String(kWait);
+        command.usage += QStringLiteral(" [--wait]");
+    }
+    return command;
+}
+
+const QList<CtlCommands::Command>& CtlCommands::commands() {
+    static const QList<Command> all = [] {
+        QList<Command> list{
+            {.name = QStringLiteral("list"),
+             .usage = QStringLiteral("list"),
+             .text = QStringLiteral("Lists the axes: number, name, chip, state, position."),
+             .act = &CtlCommands::list},
+            {.name = QStringLiteral("state"),
+             .usage = QStringLiteral("state [AXIS] [--json]"),
+             .text = QStringLiteral("Shows all that is known of the axes."),
+             .flags = {QStringLiteral("json")},
+             .most = 1,
+             .act = &CtlCommands::state},
+            {.name = QStringLiteral("watch"),
+             .usage = QStringLiteral("watch [--seconds S]"),
+             .text = QStringLiteral("Shows each change and each message until it is interrupted."),
+             .options = {QStringLiteral("seconds")},
+             .act = &CtlCommands::watch},
+            {.name = QStringLiteral("record"),
+             .usage = QStringLiteral("record FILE [--seconds S]"),
+             .text = QStringLiteral(
+                 "Records all samples until it is interrupted, in a file that the scope can open."),
+             .options = {QStringLiteral("seconds")},
+             .least = 1,
+             .most = 1,
+             .act = &CtlCommands::record},
+            {.name = QStringLiteral("gains"),
+             .usage = QStringLiteral("gains AXIS [--get] [--set NAME=VALUE...] [--wait]"),
+             .text = QStringLiteral(
+                 "Shows the gains of a PIC-SERVO, or sends them; those left out stay as they are."),
+             .flags = {QStringLiteral("get"), QStringLiteral("set"), QLatin1String(kWait)},
+             .least = 1,
+             .most = 10,
+             .act = &CtlCommands::gains},
+            {.name = QStringLiteral("jog"),
+             .usage = QStringLiteral("jog AXIS VELOCITY SECONDS"),
+             .text = QStringLiteral("Moves for that long; the sign of VELOCITY is the direction."),
+             .least = 3,
+             .most = 3,
+             .act = &CtlCommands::jog,
+             .method = api::findMethod("jog")},
+        };
+        for (const api::Method& method : api::methods())
+            if (!isOneOf(method.name, kNotAsTheyAre))
+                list << commandOf(method);
+        return list;
+    }();
+    return all;
+}
+
+QString CtlCommands::help() {
+    QString lines;
+    for (const Command& command : commands())
+        lines += QStringLiteral("  %1\n                         %2\n").arg(command.usage, command.text);
+    return lines;
+}
+
+QStringList CtlCommands::names() {
+    QStringList names;
+    for (const Command& command : commands())
+        names << command.name;
+    return names;
+}
+
+// ---- words ----
+
+CtlCommands::Exit CtlCommands::run(const QStringList& words) {
+    const auto command = std::ranges::find(commands(), words.value(0), &Command::name);
+    if (command == commands().end()) {
+        m_problems << "There is no command \"" << words.value(0) << "\". nmcctl --help lists them."
+                   << Qt::endl;
+        return BadArguments;
+    }
+    Words rest;
+    for (qsizetype i = 1; i < words.size(); ++i) {
+        const QString& word = words[i];
+        if (!word.startsWith(QStringLiteral("--"))) {
+            rest.values << word;
+            continue;
+        }
+        const QString name = word.mid(2).section(QLatin1Char('='), 0, 0);
+        if (command->flags.contains(name) && !word.contains(QLatin1Char('='))) {
+            rest.flags << name;
+        } else if (command->options.contains(name) && word.contains(QLatin1Char('='))) {
+            rest.options[name] = word.section(QLatin1Char('='), 1);
+        } else if (command->options.contains(name) && i + 1 < words.size()) {
+            rest.options[name] = words[++i];
+        } else {
+            return usage(
+                *command,
+                QStringLiteral("\"%1\" is not an option of this command, or has no value.").arg(word));
+        }
+    }
+    if (rest.values.size() < command->least)
+        return usage(*command, QStringLiteral("Something is missing."));
+    if (rest.values.size() > command->most)
+        return usage(*command, QStringLiteral("\"%1\" is too much.").arg(rest.values[command->most]));
+    const Exit exit = (this->*command->act)(*command, rest);
+    m_out.flush();
+    return exit;
+}
+
+CtlCommands::Exit CtlCommands::usage(const Command& command, const QString& problem) {
+    m_problems << problem << "\nUsage: " << command.usage << Qt::endl;
+    return BadArguments;
+}
+
+Or<Json> CtlCommands::parametersOf(const api::Method& method, const Words& words) {
+    Json parameters = Json::object();
+    Json axis;
+    qsizetype next = 0;
+    for (const api::Field& field : method.fields) {
+        const QString name = text(field.name);
+        const bool positional = field.required || field.kind == Kind::Axis;
+        if (positional ? next >= words.values.size() : !words.options.contains(name))
+            continue;
+        const QString given = positional ? words.values[next++] : words.options[name];
+        if (field.kind == Kind::Axis)
+            axis = axisState(given);
+        const auto value = valueOf(field, given, axis);
+        if (!value)
+            return tl::unexpected(value.error());
+        parameters[field.name] = *value;
+    }
+    return parameters;
+}
+
+/// Whether the value is possible is for the other end to say.
+Or<Json> CtlCommands::valueOf(const api::Field& field, const QString& given, const Json& axis) {
+    static const QRegularExpression measure(
+        QStringLiteral(R"(^([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)$)"));
+    static const QStringList yes{QStringLiteral("on"), QStringLiteral("high"), QStringLiteral("1")};
+    static const QStringList no{QStringLiteral("off"), QStringLiteral("low"), QStringLiteral("0")};
+    bool isWhole = false;
+    const qint64 whole = given.toLongLong(&isWhole);
+    switch (field.kind) {
+        case Kind::Axis:
+            return isWhole ? Json(whole) : Json(given.toStdString());
+        case Kind::Text:
+            return Json(given.toStdString());
+        case Kind::Whole:
+            if (!isWhole)
+                return tl::unexpected(QStringLiteral("\"%1\" is not a whole number.").arg(given));
+            return Json(whole);
+        case Kind::Flag:
+            if (!yes.contains(given) && !no.contains(given))
+                return tl::unexpected(QStringLiteral("\"%1\" is neither on nor off.").arg(given));
+            return Json(yes.contains(given));
+        case Kind::Position:
+        case Kind::Distance:
+        case Kind::Velocity:
+        case Kind::Acceleration:
+            break;
+    }
+    const auto parts = measure.match(given);
+    if (!parts.hasMatch())
+        return tl::unexpected(QStringLiteral("\"%1\" is not a number.").arg(given));
+    if (const QString unit = parts.captured(2);
+        !unit.isEmpty() && !axis.is_null() && unit != unitOf(field.kind, axis))
+        return tl::unexpected(QStringLiteral("\"%1\" has to be in %2, the unit of the axis.")
+                                  .arg(given, unitOf(field.kind, axis)));
+    return Json(parts.captured(1).toDouble());
+}
+
+Json CtlCommands::axisState(const QString& axis) {
+    const auto state = m_client.call("state");
+    if (!state)
+        return {};
+    for (const Json& module : state->at("modules"))
+        if (shown(module.at("number")) == axis || shown(module.at("name")) == axis)
+            return module;
+    return {};
+}
+
+// ---- what is read ----
+
+CtlCommands::Exit CtlCommands::list(const Command&, const Words&) {
+    const auto state = m_client.call("state");
+    if (!state)
+        return report(state.error());
+    for (const Json& axis : state->at("modules"))
+        m_out << shown(axis.at("number")) << '\t' << shown(axis.at("name")) << '\t' << shown(axis.at("type"))
+              << '\t' << shown(axis.at("state")) << '\t' << placeOf(axis) << '\n';
+    return Done;
+}
+
+CtlCommands::Exit CtlCommands::state(const Command&, const Words& words) {
+    const auto whole = m_client.call("state");
+    if (!whole)
+        return report(whole.error());
+    Json axes = whole->at("modules");
+    if (!words.values.isEmpty()) {
+        axes = Json::array({axisState(words.values[0])});
+        if (axes[0].is_null())
+            return noAxis();
+    }
+    if (words.has("json")) {
+        m_out << text((words.values.isEmpty() ? *whole : axes[0]).dump()) << '\n';
+        return Done;
+    }
+    for (const Json& axis : axes) {
+        m_out << nameOf(axis) << '\n';
+        for (const auto& [key, value] : axis.items())
+            m_out << "  " << text(key) << ": " << shown(value) << '\n';
+    }
+    return Done;
+}
+
+CtlCommands::Exit CtlCommands::watch(const Command& command, const Words& words) {
+    const auto until = endOf(words.options);
+    if (!until)
+        return usage(command, until.error());
+    if (const auto begun = m_client.call("subscribe", {{"state", true}, {"events", true}}); !begun)
+        return report(begun.error());
+    QMap<QString, QString> before;
+    while (true) {
+        const auto news = m_client.next(*until);
+        if (!news || !*news)
+            return news ? Done : report(news.error());
+        const Json& parameters = (*news)->at("params");
+        if ((*news)->at("method") == "event")
+            m_out << shown(parameters.at("text")) << '\n';
+        else if ((*news)->at("method") == "state")
+            for (const Json& axis : parameters.at("modules"))
+                if (const QString now = placeOf(axis) + QLatin1Char('\t') + shown(axis.at("state"));
+                    std::exchange(before[nameOf(axis)], now) != now)
+                    m_out << nameOf(axis) << '\t' << now << '\n';
+        m_out.flush();
+    }
+}
+
+CtlCommands::Exit CtlCommands::record(const Command& command, const Words& words) {
+    const auto until = endOf(words.options);
+    if (!until)
+        return usage(command, until.error());
+    const auto state = m_client.call("state");
+    if (!state)
+        return report(state.error());
+    QFile file(words.values[0]);
+    const auto notWritten = [&](Exit exit) {
+        m_problems << file.fileName() << ": " << file.errorString() << Qt::endl;
+        return exit;
+    };
+    if (!file.open(QIODevice::WriteOnly))
+        return notWritten(BadArguments);
+    if (const auto begun = m_client.call("subscribe", {{"samples", true}}); !begun)
+        return report(begun.error());
+    const RecordingHeader header = headerOf(*state);
+    std::string rows = recordingHead(header);
+    std::optional<double> begin;  // s
+    bool gap = false;
+    while (true) {
+        if (file.write(rows.data(), static_cast<qint64>(rows.size())) < 0 || !file.flush())
+            return notWritten(NotCarriedOut);
+        rows.clear();
+        const auto news = m_client.next(*until);
+        if (!news && news.error().kind != ApiClient::Error::Kind::Interrupted)
+            return report(news.error());
+        if (!news || !*news)
+            return Done;
+        const Json& parameters = (*news)->at("params");
+        gap = gap || parameters.at("missed") != 0;
+        for (const Json& module : parameters.at("modules"))
+            for (const Json& row : module.at("rows")) {
+                const double time = row.at(0).get<double>();
+                ScopeSample sample = sampleOf(row, TimePoint(fromSeconds(time - begin.value_or(time))));
+                begin = begin.value_or(time);
+                sample.gapBefore = std::exchange(gap, false);
+                const auto index = module.at("axis").get<std::size_t>() - 1;
+                sample.io =
+                    index < header.modules.size() && header.modules[index].identity.type == ModuleType::Io;
+                appendRow(rows, ModuleIndex(static_cast<std::uint8_t>(index)), sample, header.zero);
+            }
+    }
+}
+
+CtlCommands::Exit CtlCommands::gains(const Command& command, const Words& words) {
+    Json axis = axisState(words.values[0]);
+    if (axis.is_null())
+        return noAxis();
+    if (!words.has("set")) {
+        if (words.values.size() > 1)
+            return usage(command, QStringLiteral("Gains are sent only with --set."));
+        const Json& gains = axis.at("gains");
+        if (gains.is_null())
+            m_out << "not known: they cannot be read from a module\n";
+        for (const auto& [name, value] : gains.items())
+            m_out << text(name) << '=' << shown(value) << '\n';
+        return Done;
+    }
+    Json parameters{{"axis", axis.at("number")}};
+    for (const QString& word : words.values.mid(1)) {
+        bool isWhole = false;
+        const qint64 value = word.section(QLatin1Char('='), 1).toLongLong(&isWhole);
+        if (!isWhole)
+            return usage(command, QStringLiteral("\"%1\" is not NAME=VALUE.").arg(word));
+        parameters[word.section(QLatin1Char('='), 0, 0).toLower().toStdString()] = value;
+    }
+    return request(*api::findMethod("set_gains"), parameters, words.has(kWait));
+}
+
+// ---- what is commanded ----
+
+CtlCommands::Exit CtlCommands::callMethod(const Command& command, const Words& words) {
+    const auto parameters = parametersOf(*command.method, words);
+    if (!parameters)
+        return usage(command, parameters.error());
+    return request(*command.method, *parameters, words.has(kWait));
+}
+
+CtlCommands::Exit CtlCommands::request(const api::Method& method, const Json& parameters, bool waits) {
+    if (const auto problem = method.access == api::Access::Control ? takeControl() : std::nullopt)
+        return *problem;
+    if (movesToGoal(method.name))
+        warnOfLimits(shown(parameters["axis"]));
+    if (const auto done = m_client.call(method.name, parameters); !done)
+        return report(done.error());
+    if (!(waits || m_alwaysWaits) || method.access == api::Access::Read) {
+        m_leavesRunning = true;
+        return Done;
+    }
+    const bool one = parameters.contains("axis");
+    const auto rest = m_client.call("wait", one ? Json{{"axis", parameters["axis"]}} : Json::object());
+    if (!rest)
+        return report(rest.error());
+    if (one && movesToGoal(method.name) && rest->at("on") == false) {
+        m_problems << "The motor has gone off." << Qt::endl;
+        return NotCarriedOut;
+    }
+    if (one)
+        showPlace(*rest);
+    return Done;
+}
+
+CtlCommands::Exit CtlCommands::jog(const Command& command, const Words& words) {
+    const Json axis = axisState(words.values[0]);
+    const auto velocity = valueOf({"velocity", Kind::Velocity, true, {}}, words.values[1], axis);
+    const auto until = endOf({{QStringLiteral("seconds"), words.values[2]}});
+    if (!velocity || !until)
+        return usage(command, velocity ? until.error() : velocity.error());
+    if (const auto problem = takeControl())
+        return *problem;
+    const Json parameters{{"axis", axis.is_null() ? Json(words.values[0].toStdString()) : axis.at("number")},
+                          {"velocity", *velocity}};
+    while (!until->hasExpired()) {
+        if (const auto held = m_client.call("jog", parameters); !held)
+            return report(held.error());
+        const auto pause = m_client.next(QDeadlineTimer(std::min<qint64>(kJogEvery, until->remainingTime())));
+        if (!pause)
+            return report(pause.error());
+    }
+    return request(*api::findMethod("stop"), {{"axis", parameters["axis"]}}, true);
+}
+
+void CtlCommands::warnOfLimits(const QString& axis) {
+    const Json state = axisState(axis);
+    if (!state.is_null() && state.at("travel_limits_in_force") == false)
+        m_problems << "The travel limits of " << nameOf(state) << " are not in force: its home is unknown."
+                   << Qt::endl;
+}
+
+/// A PIC-I/O has no place.
+void CtlCommands::showPlace(const Json& axis) {
+    if (!axis.at("position").is_null())
+        m_out << nameOf(axis) << '\t' << placeOf(axis) << '\n';
+}
+
+std::optional<CtlCommands::Exit> CtlCommands::takeControl() {
+    if (m_control)
+        return std::nullopt;
+    if (m_client.about().value("asks_user", false))
+        m_problems << "The panel asks its user whether this program may move motors." << Qt::endl;
+    const auto answer = m_client.call("request_control");
+    if (!answer)
+        return report(answer.error());
+    m_control = answer->at("granted") == true;
+    if (m_control)
+        return std::nullopt;
+    m_problems << "The user has refused, or another program may move motors." << Qt::endl;
+    return NoControl;
+}
+
+void CtlCommands::leaveRunning() {
+    if (m_control && m_leavesRunning)
+        (void)m_client.call("request_control", {{"on_disconnect", "finish"}});
+}
+
+CtlCommands::Exit CtlCommands::noAxis() {
+    m_problems << "There is no such axis." << Qt::endl;
+    return BadArguments;
+}
+
+CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {
+    using ErrorKind = ApiClient::Error::Kind;
+    const QString sentence = !error.sentence.isEmpty()              ? error.sentence
+                             : error.kind == ErrorKind::Gone        ? QStringLiteral("The panel has gone.")
+                             : error.kind == ErrorKind::Interrupted ? QStringLiteral("Interrupted.")
+                                                                    : QString();
+    m_problems << sentence << Qt::endl;
+    switch (error.kind) {
+        case ErrorKind::NotReached:
+        case ErrorKind::Gone:
+            return NotReached;
+        case ErrorKind::Interrupted:
+            return Interrupted;
+        case ErrorKind::Refused:
+            break;
+    }
+    if (isOneOf(error.reason, std::array{"FieldMissing", "FieldWrong", "AxisUnknown", "SequenceUnknown"}))
+        return BadArguments;
+    return error.reason == "NoControl"       ? NoControl
+           : error.reason == "NotCarriedOut" ? NotCarriedOut
+                                             : Refused;
+}
+
+}  // namespace nmc

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMap>
+#include <QString>
+#include <QStringList>
+#include <QTextStream>
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "link/api/apiclient.h"
+#include "model/api/apimethods.h"
+
+namespace nmc {
+
+/// The commands of nmcctl, carried out by a program that lets others in (docs/api.md). Most of them are its
+/// methods: their parameters and help come from the table of methods. Waits as ApiClient does.
+class CtlCommands {
+public:
+    /// How a command ended, as an exit code.
+    enum Exit : std::uint8_t {
+        Done = 0,
+        Refused = 1,        ///< a precondition is not met
+        BadArguments = 2,   ///< nothing was requested
+        NotReached = 3,     ///< no panel and no port, or they have gone
+        NoControl = 4,      ///< the user, or another program, has the motors
+        NotCarriedOut = 5,  ///< begun, and ended by a stop or a fault; or a file could not be written
+        Interrupted = 130,
+    };
+
+    /// `waits`: every command waits until its motion is over, because the line closes after the last one.
+    CtlCommands(ApiClient& client, bool waits, QTextStream& out, QTextStream& problems)
+        : m_client(client), m_alwaysWaits(waits), m_out(out), m_problems(problems) {}
+
+    /// Carries out the command that the words are, the first one being its name.
+    [[nodiscard]] Exit run(const QStringList& words);
+    /// Call before closing the connection after success: moves that nobody waited for go on.
+    void leaveRunning();
+
+    /// One command in a line, with what it does, for --help.
+    [[nodiscard]] static QString help();
+    [[nodiscard]] static QStringList names();
+
+private:
+    using Json = api::Json;
+    /// The words after the name.
+    struct Words {
+        QStringList values{};              ///< without a name
+        QMap<QString, QString> options{};  ///< --NAME VALUE
+        QStringList flags{};               ///< --NAME
+        [[nodiscard]] bool has(const char* flag) const { return flags.contains(QLatin1String(flag)); }
+    };
+    struct Command {
+        QString name;
+        QString usage{};
+        QString text{};
+        QStringList flags{};            ///< --NAME
+        QStringList options{};          ///< --NAME VALUE
+        qsizetype least = 0, most = 0;  ///< number of values
+        Exit (CtlCommands::*act)(const Command& command, const Words& words) = nullptr;
+        const api::Method* method = nullptr;
+    };
+
+    [[nodiscard]] static const QList<Command>& commands();
+    [[nodiscard]] static Command commandOf(const api::Method& method);
+
+    Exit callMethod(const Command& command, const Words& words);
+    Exit list(const Command& command, const Words& words);
+    Exit state(const Command& command, const Words& words);
+    Exit watch(const Command& command, const Words& words);
+    Exit gains(const Command& command, const Words& words);
+    Exit jog(const Command& command, const Words& words);
+    Exit record(const Command& command, const Words& words);
+
+    [[nodiscard]] tl::expected<Json, QString> parametersOf(const api::Method& method, const Words& words);
+    [[nodiscard]] tl::expected<Json, QString> valueOf(const api::Field& field, const QString& text,
+                                                      const Json& axis);
+    /// The state of an axis; null if there is none.
+    [[nodiscard]] Json axisState(const QString& axis);
+    [[nodiscard]] std::optional<Exit> takeControl();
+    [[nodiscard]] Exit request(const api::Method& method, const Json& parameters, bool waits);
+    void warnOfLimits(const QString& axis);
+    void showPlace(const Json& axis);
+    [[nodiscard]] Exit noAxis();
+    [[nodiscard]] Exit usage(const Command& command, const QString& problem);
+    Exit report(const ApiClient::Error& error);
+
+    ApiClient& m_client;
+    bool m_alwaysWaits;
+    QTextStream& m_out;
+    QTextStream& m_problems;
+    bool m_control = false;
+    bool m_leavesRunning = false;  ///< something was begun and not waited for
+};
+
+}  // namespace nmc

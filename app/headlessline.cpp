@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/headlessline.h"
+
+#include "app/guardianplace.h"
+#include "app/news.h"
+#include "link/clock.h"
+#include "widgets/common/texts.h"
+
+namespace nmc {
+
+HeadlessLine::HeadlessLine(QSettings& settings, const Machine& machine, QObject* parent)
+    : QObject(parent),
+      m_guardian(guardianPlace(settings)),
+      m_connection(settings, m_store, m_worker, m_commander, m_ports) {
+    m_worker.addGuard(m_guardian);
+    m_store.setMachine(machine);
+    connect(&m_store, &BusStore::happened, this, &HeadlessLine::take);
+    connect(&m_store, &BusStore::linkChanged, this, &HeadlessLine::reportStanding);
+    connect(&m_connection, &Connection::ended, this, &HeadlessLine::ended);
+    connect(&m_connection, &Connection::fewerFound, this, [this](int modules, int expected) {
+        const ModuleIndex last(static_cast<std::uint8_t>(modules - 1));
+        emit reported(texts::fewerThanExpected(modules, expected,
+                                               QString::fromStdString(m_store.machine().axis(last).name)));
+    });
+    connect(&m_ports, &PortController::reported, this, &HeadlessLine::reported);
+    connect(&m_api, &ApiController::reported, this, &HeadlessLine::reported);
+    connect(this, &HeadlessLine::reported, &m_api, &ApiController::publish);
+    m_api.grantUnasked();
+}
+
+void HeadlessLine::open(const ConnectTarget& target) {
+    m_connection.open(target);
+    m_api.letIn(true);
+}
+
+void HeadlessLine::take(const StoreEvent& event) {
+    if (m_commander.take(event))
+        return;
+    for (const News& news : newsOf(event, m_store.link()))
+        emit reported(news.message);
+    m_connection.take(event);
+    if (std::holds_alternative<bus::ChainFound>(event))
+        emit connected();
+    else if (std::holds_alternative<bus::ConnectFailed>(event) || std::holds_alternative<PortClosed>(event))
+        emit lost();
+}
+
+void HeadlessLine::reportStanding() {
+    const auto runs = [this](ModuleIndex module) { return m_commander.procedures().running(module); };
+    std::set<QString> standing;
+    for (const Message& message : texts::standing(m_store.link(), monotonicNow(), runs))
+        if (standing.insert(message.key); !m_standing.contains(message.key))
+            emit reported(message);
+    m_standing = std::move(standing);
+}
+
+}  // namespace nmc

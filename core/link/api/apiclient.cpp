@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "link/api/apiclient.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QTimer>
+#include <utility>
+
+#include "link/api/apiserver.h"
+
+namespace nmc {
+
+namespace {
+
+constexpr auto kProtocol = "1.0";
+
+[[nodiscard]] auto unexpected(ApiClient::Error::Kind kind, const QString& sentence = {}) {
+    return tl::unexpected(ApiClient::Error{kind, sentence});
+}
+
+}  // namespace
+
+QStringList ApiClient::sockets() {
+    const QDir folder = QFileInfo(ApiServer::pathFor(QStringLiteral("any"))).dir();
+    QStringList paths;
+    for (const QString& name : folder.entryList({QStringLiteral("*.sock")}, QDir::System, QDir::Name))
+        paths << folder.filePath(name);
+    return paths;
+}
+
+ApiClient::Or<std::unique_ptr<ApiClient>> ApiClient::connectTo(const QString& path, const QString& program) {
+    std::unique_ptr<ApiClient> client(new ApiClient);
+    client->m_socket.connectToServer(path);
+    if (!client->m_socket.waitForConnected())
+        return unexpected(Error::Kind::NotReached, QStringLiteral("No panel lets programs in here."));
+    auto hello = client->call("hello", {{"protocol", kProtocol}, {"program", program.toStdString()}});
+    if (!hello)
+        return tl::unexpected(hello.error());
+    client->m_about = std::move(*hello);
+    return client;
+}
+
+ApiClient::Or<ApiClient::Json> ApiClient::call(const std::string& method, const Json& parameters) {
+    const Json request{{"jsonrpc", "2.0"}, {"id", ++m_lastId}, {"method", method}, {"params", parameters}};
+    m_socket.write(QByteArray::fromStdString(request.dump()) + '\n');
+    while (true) {
+        auto arrived = line(QDeadlineTimer::Forever);
+        if (!arrived)
+            return tl::unexpected(arrived.error());
+        Json& answer = **arrived;
+        if (answer.contains("method")) {
+            m_notifications.push_back(std::move(answer));
+        } else if (answer.value("id", Json()) == m_lastId) {
+            if (answer.contains("result"))
+                return answer["result"];
+            const Json& error = answer.at("error");
+            return tl::unexpected(Error{Error::Kind::Refused, QString::fromStdString(error.at("message")),
+                                        error.at("data").at("reason")});
+        }
+    }
+}
+
+ApiClient::Or<std::optional<ApiClient::Json>> ApiClient::next(const QDeadlineTimer& until) {
+    if (m_notifications.empty()) {
+        auto arrived = line(until);
+        if (!arrived || !*arrived)
+            return arrived;
+        m_notifications.push_back(std::move(**arrived));
+    }
+    Json first = std::move(m_notifications.front());
+    m_notifications.pop_front();
+    return first;
+}
+
+ApiClient::Or<std::optional<ApiClient::Json>> ApiClient::line(const QDeadlineTimer& until) {
+    QTimer alarm;  // makes processEvents() return
+    if (!until.isForever())
+        alarm.start(std::chrono::milliseconds(until.remainingTime()));
+    while (!m_socket.canReadLine()) {
+        if (m_interrupted)
+            return unexpected(Error::Kind::Interrupted);
+        if (m_socket.state() != QLocalSocket::ConnectedState)
+            return unexpected(Error::Kind::Gone);
+        if (until.hasExpired())
+            return std::nullopt;
+        QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+    }
+    Json json = Json::parse(m_socket.readLine().toStdString(), nullptr, false);
+    if (!json.is_object())
+        return unexpected(Error::Kind::Gone, QStringLiteral("The other program does not speak JSON-RPC."));
+    return json;
+}
+
+}  // namespace nmc

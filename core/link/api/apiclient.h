@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QDeadlineTimer>
+#include <QLocalSocket>
+#include <QString>
+#include <QStringList>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+namespace nmc {
+
+/// A program's end of the socket that ApiServer opens (docs/api.md). call() and next() wait, and process the
+/// events of the application meanwhile, so that the other end may be in the same thread. Not reentrant.
+class ApiClient {
+public:
+    using Json = nlohmann::ordered_json;
+
+    struct Error {
+        enum class Kind : std::uint8_t {
+            NotReached,   ///< nothing accepts connections at the path
+            Gone,         ///< the other end has closed the connection
+            Refused,      ///< by the other end; `reason` is for programs
+            Interrupted,  ///< by interrupt()
+        };
+        Kind kind;
+        QString sentence{};
+        std::string reason{};
+    };
+    template <typename T>
+    using Or = tl::expected<T, Error>;
+
+    /// The sockets at which programs are let in now or were until they crashed, by name.
+    [[nodiscard]] static QStringList sockets();
+
+    /// Connects and says hello as `program`.
+    [[nodiscard]] static Or<std::unique_ptr<ApiClient>> connectTo(const QString& path,
+                                                                  const QString& program);
+
+    /// The result of hello.
+    [[nodiscard]] const Json& about() const { return m_about; }
+    /// The result of a method.
+    [[nodiscard]] Or<Json> call(const std::string& method, const Json& parameters = Json::object());
+    /// The next notification that was subscribed to, in order of arrival; empty if none came until then.
+    [[nodiscard]] Or<std::optional<Json>> next(const QDeadlineTimer& until = QDeadlineTimer::Forever);
+    /// Ends the wait that is in progress, and every later one.
+    void interrupt() { m_interrupted = true; }
+
+private:
+    ApiClient() = default;
+    [[nodiscard]] Or<std::optional<Json>> line(const QDeadlineTimer& until);
+
+    QLocalSocket m_socket;
+    Json m_about;
+    int m_lastId = 0;
+    std::deque<Json> m_notifications;
+    bool m_interrupted = false;
+};
+
+}  // namespace nmc

@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""A laboratory centrifuge as a backend of the kind that PyLabRobot has: asynchronous, with setup, spin and stop.
+
+usage: centrifuge.py AXIS RPM SECONDS    with an axis whose unit is turns
+"""
+import asyncio
+import math
+import sys
+
+from nmcpanel import Panel
+
+RADIUS = 0.1  # m
+GRAVITY = 9.80665  # m/s2
+
+
+class Centrifuge:
+    """The calls wait in a thread of their own, one at a time, so that other devices go on meanwhile."""
+
+    def __init__(self, axis):
+        self.name = axis
+
+    async def setup(self):
+        self.panel = await asyncio.to_thread(Panel, program="centrifuge.py")
+        await asyncio.to_thread(self.panel.request_control)
+        self.axis = self.panel.axis(self.name)
+        await asyncio.to_thread(self.axis.enable)
+
+    async def spin(self, rpm, seconds):
+        """If this program ends meanwhile, the motor stops."""
+        await asyncio.to_thread(self.axis.jog, rpm / 60, seconds)
+
+    async def spin_at(self, g, seconds):
+        await self.spin(math.sqrt(g * GRAVITY / RADIUS) * 60 / (2 * math.pi), seconds)
+
+    async def stop(self):
+        await asyncio.to_thread(self.axis.stop)
+        self.panel.close()
+
+
+async def main():
+    centrifuge = Centrifuge(int(sys.argv[1]) if sys.argv[1].isdecimal() else sys.argv[1])
+    await centrifuge.setup()
+    try:
+        await centrifuge.spin(float(sys.argv[2]), float(sys.argv[3]))
+        print(f"{centrifuge.axis.position:.2f} turns")
+    finally:
+        await centrifuge.stop()
+
+
+if __name__ == "__main__":
+    asyncio.run(main())

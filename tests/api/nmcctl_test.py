@@ -1,0 +1,199 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""nmcctl at the built-in simulator, by itself and through a line that another nmcctl serves. usage: nmcctl_test.py NMCCTL"""
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "core" / "python"))
+from nmcpanel import Panel, sockets  # noqa: E402
+
+PROGRAM = sys.argv.pop()
+GAINS = "kp=200 kd=2000 ki=20 il=200 ol=255 cl=0 el=8000 sr=1"
+DONE, REFUSED, BAD_ARGUMENTS, NOT_REACHED, NO_CONTROL, NOT_CARRIED_OUT, INTERRUPTED = 0, 1, 2, 3, 4, 5, 130
+
+
+def ctl(*words, text=None):
+    """Exit code, output, problems."""
+    done = subprocess.run([PROGRAM, *words], input=text, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout, done.stderr
+
+
+class Environment(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        for name in ("XDG_RUNTIME_DIR", "XDG_CONFIG_HOME", "XDG_DATA_HOME"):
+            os.environ[name] = os.path.join(cls.folder.name, name)
+            os.mkdir(os.environ[name], 0o700)
+        os.environ["LC_ALL"] = "C.UTF-8"
+
+    def file(self, name, text=""):
+        path = Path(self.folder.name, name)
+        path.write_text(text, encoding="utf-8")
+        return str(path)
+
+
+class AtItsOwnLine(Environment):
+    MACHINE = """{"format": "nmc-panel-machine", "version": 1, "axes": [{"name": "X",
+        "unit": {"kind": "millimetres", "counts_per_unit": 100}, "travel": {"highest_counts": 2000}}]}"""
+
+    def test_reads(self):
+        code, out, _ = ctl("--simulator=servo,step", "list")
+        self.assertEqual(code, DONE)
+        self.assertEqual([row.split("\t")[2] for row in out.splitlines()], ["servo", "stepper"])
+        code, out, _ = ctl("--simulator=servo", "state", "1", "--json")
+        self.assertEqual((code, json.loads(out)["position"]), (DONE, 0))
+
+    def test_carries_out_a_script_until_a_command_fails(self):
+        script = f"# ready\ngains 1 --set {GAINS}\n\nenable 1\nmove 1 500\nmove-by 1 -200 --velocity=2\nmove 1 9e9\nmove 1 0\n"
+        code, out, problems = ctl("--simulator=servo", "-", text=script)
+        self.assertEqual(code, REFUSED, problems)
+        places = [float(row.split()[1]) for row in out.splitlines()]
+        self.assertEqual(len(places), 4, "what each command ended with")
+        self.assertAlmostEqual(places[2], 500, delta=3)
+        self.assertAlmostEqual(places[3], 300, delta=3)
+
+    def test_jogs_for_a_while(self):
+        code, out, problems = ctl("--simulator=servo", "-", text=f"gains 1 --set {GAINS}\nenable 1\njog 1 2 0.4\n")
+        self.assertEqual((code, problems), (DONE, ""), "and nothing is said of a hold that expired")
+        self.assertGreater(float(out.splitlines()[-1].split()[1]), 100)
+
+    def test_refuses_arguments(self):
+        for words, sentence in ((("dance",), 'no command "dance"'), (("--simulator=frog", "list"), "frog"),
+                                (("--baud", "7", "list"), "baud rate"), (("serve",), "--port"),
+                                (("--read-only", "list"), "--port"), ((), "command is missing"),
+                                (("--simulator=servo", "move", "1"), "missing"),
+                                (("--simulator=servo", "move", "1", "far"), "not a number"),
+                                (("--simulator=servo", "move", "1", "5mm"), "counts"),
+                                (("--simulator=servo", "move", "1", "5", "6"), "too much"),
+                                (("--simulator=servo", "move", "1", "5", "--fast"), "--fast"),
+                                (("--simulator=servo", "move", "Y", "5"), "no such axis"),
+                                (("--simulator=servo", "gains", "1", "--set", "kp=99999"), "kp"),
+                                (("--simulator=servo", "run-sequence", "none"), "no sequence"),
+                                (("--simulator=io", "set-output", "1", "1", "maybe"), "maybe"),
+                                (("--simulator=servo", "watch", "--seconds", "x"), "seconds"),
+                                (("--simulator=servo", "record", self.folder.name), self.folder.name),
+                                (("--simulator=servo", "--machine", "/none.json", "list"), "none.json"),
+                                (("--simulator=servo", "--machine", self.file("bad.json", "{"), "list"), "bad.json")):
+            with self.subTest(words):
+                code, out, problems = ctl(*words)
+                self.assertEqual((code, out), (BAD_ARGUMENTS, ""), problems)
+                self.assertIn(sentence, problems)
+
+    def test_says_what_cannot_be_reached(self):
+        for words in (("list",), ("--socket", "/none.sock", "list"), ("--port", "/dev/none", "list")):
+            code, out, problems = ctl(*words)
+            self.assertEqual((code, out), (NOT_REACHED, ""), words)
+            self.assertTrue(problems.strip().endswith("."), problems)
+
+    def test_knows_names_units_and_limits_from_the_machine_file(self):
+        machine = self.file("bench.json", self.MACHINE)
+        script = f"gains X --set {GAINS}\nenable X\nmove X 2.5mm\nmove X 3deg\n"
+        code, out, problems = ctl("--simulator=servo", "--machine", machine, "-", text=script)
+        self.assertEqual(code, BAD_ARGUMENTS, "degrees")
+        self.assertIn("mm", problems)
+        self.assertIn("limits of X are not in force", problems)
+        name, place = out.splitlines()[-1].split("\t")
+        self.assertEqual((name, place.split()[1]), ("X", "mm"))
+        self.assertAlmostEqual(float(place.split()[0]), 2.5, delta=0.03)
+        code, _, problems = ctl("--simulator=servo", "--machine", machine, "-",
+                         text=f"gains X --set {GAINS}\nenable X\nset-home X\nmove X 21mm\n")
+        self.assertEqual(code, REFUSED, "beyond the travel limit")
+        self.assertNotIn("not in force", problems)
+
+    def test_records_what_the_scope_can_open(self):
+        path = self.file("record.csv")
+        self.assertEqual(ctl("--simulator=servo,step", "record", path, "--seconds", "0.5")[0], DONE)
+        lines = Path(path).read_text(encoding="utf-8").splitlines()
+        self.assertEqual(lines[0], "# NMC Panel recording 1")
+        self.assertIn("# module 2 type: 3 (PIC-STEP)", lines)
+        rows = [line.split(",") for line in lines if line[0].isdigit()]
+        self.assertEqual({row[0] for row in rows}, {"1", "2"})
+        times = [float(row[1]) for row in rows if row[0] == "1"]
+        self.assertEqual(times, sorted(times))
+
+    def test_lists_every_method_but_those_without_use(self):
+        code, out, _ = ctl("--help")
+        self.assertEqual(code, DONE)
+        commands = {row.split()[0] for row in out.splitlines() if row.startswith("  ") and row[2:3].isalpha()}
+        page = (Path(__file__).resolve().parents[2] / "docs" / "api.md").read_text(encoding="utf-8")
+        methods = {row.split("`")[1] for row in page.splitlines() if row.startswith("| `") and "| read |" not in row
+                   and row.count("|") == 5 and "-320" not in row}
+        self.assertIn("move_by", methods)
+        renamed = {"set_gains": "gains", "start_sequence": "run-sequence"}
+        self.assertLessEqual({renamed.get(name, name.replace("_", "-")) for name in methods}, commands)
+
+
+class ThroughAServedLine(Environment):
+    def setUp(self):
+        self.server = subprocess.Popen([PROGRAM, "--simulator=servo", "serve"], stderr=subprocess.DEVNULL)
+        self.addCleanup(self.server.wait)
+        self.addCleanup(self.server.terminate)
+        while not sockets() and self.server.poll() is None:
+            time.sleep(0.05)
+        self.panel = Panel(program="test")
+        self.addCleanup(self.panel.close)
+        while self.panel.state()["phase"] != "connected":
+            time.sleep(0.05)
+        self.assertEqual(ctl("gains", "1", "--set", *GAINS.split(), "--wait")[0], DONE)
+        self.assertEqual(ctl("enable", "1", "--wait")[0], DONE)
+
+    def axis(self):
+        return self.panel.axis(1).state()
+
+    def test_leaves_running_what_nobody_waits_for(self):
+        code, out, problems = ctl("move", "1", "100000")
+        self.assertEqual((code, out, problems), (DONE, "", ""), "nobody is asked, so nothing is said of it")
+        while (place := self.axis()["position"]) == 0:
+            time.sleep(0.02)
+        self.panel.axis(1).call("stop")
+        rest = self.panel.axis(1).wait()
+        self.assertGreater(rest["position"], place, "it went on after nmcctl had ended")
+        self.assertLess(rest["position"], 90_000)
+
+    def begin(self, *words):
+        moving = subprocess.Popen([PROGRAM, *words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while not self.axis()["moving"] and moving.poll() is None:
+            time.sleep(0.02)
+        return moving
+
+    def test_stops_what_it_waits_for_when_interrupted(self):
+        moving = self.begin("move", "1", "1000000", "--wait")
+        moving.send_signal(signal.SIGINT)
+        self.assertEqual(moving.wait(), INTERRUPTED)
+        self.assertLess(self.panel.axis(1).wait()["position"], 900_000)
+
+    def test_learns_that_somebody_stopped_its_motor(self):
+        moving = self.begin("move", "1", "1000000", "--wait")
+        self.assertEqual(ctl("move", "1", "0")[0], NO_CONTROL, "another one has it")
+        self.assertEqual(ctl("stop")[0], DONE)
+        self.assertEqual(moving.wait(), NOT_CARRIED_OUT)
+
+    def test_shows_changes(self):
+        watching = subprocess.Popen([PROGRAM, "watch"], stdout=subprocess.PIPE, text=True)
+        self.assertIn("Holding", watching.stdout.readline())
+        self.assertEqual(ctl("move", "1", "300", "--wait")[0], DONE)
+        for line in watching.stdout:
+            if line.startswith("1\t") and abs(float(line.split()[1]) - 300) < 5:
+                break
+        watching.send_signal(signal.SIGINT)
+        watching.stdout.close()
+        self.assertEqual(watching.wait(), INTERRUPTED)
+
+    def test_ends_with_the_line(self):
+        moving = self.begin("move", "1", "1000000", "--wait")
+        self.server.terminate()
+        self.assertEqual(self.server.wait(), DONE)
+        self.assertIn(moving.wait(), (NOT_REACHED, NOT_CARRIED_OUT, REFUSED))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
