@@ -49,9 +49,7 @@ constexpr int kRefused = -32000, kNoControl = -32001, kNotGreeted = -32002;
 
 [[nodiscard]] bool leadsToGoal(const Intent& intent) {
     return std::visit(
-        [](const auto& one) {
-            return AnyOf<std::decay_t<decltype(one)>, intent::Move, intent::MoveBy, intent::GoHome>;
-        },
+        [](const auto& one) { return AnyOf<std::decay_t<decltype(one)>, intent::Move, intent::GoHome>; },
         intent);
 }
 
@@ -410,7 +408,7 @@ bool ApiController::rests(ModuleIndex index) const {
     if (module == nullptr)
         return true;
     const auto done = m_doneAt.find(index);
-    return !module->awaited && !m_pending.contains(index) &&
+    return !module->awaited && !module->home.awaited() && !m_pending.contains(index) &&
            (done == m_doneAt.end() || module->latestTime > done->second) && !module->moving() &&
            !m_commander.procedures().running(index) && !m_commander.sequences().parts().contains(index);
 }

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include "link/ports/networkline.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
 #include "widgets/common/texts.h"
@@ -40,7 +41,10 @@ void declareOptions(QCommandLineParser& parser) {
     parser.addPositionalArgument(QStringLiteral("file"), CommandLine::tr("Machine file to open at startup."),
                                  QStringLiteral("[FILE]"));
     parser.addOptions({
-        {kPort, CommandLine::tr("Connect to a serial port at startup."), CommandLine::tr("NAME")},
+        {kPort,
+         CommandLine::tr(
+             "Connect to a serial port at startup, or to one at a device server: tcp://HOST:PORT or rfc2217://HOST:PORT."),
+         CommandLine::tr("NAME")},
         {kBaud, CommandLine::tr("Baud rate of the chain: 9600, 19200 (default), 57600 or 115200."),
          CommandLine::tr("N")},
         {kSimulator,
@@ -99,8 +103,9 @@ bool exists(const QString& port, const QList<PortEntry>& ports) {
     for (const PortEntry& entry : ports)
         if (entry.name == port || entry.name == QStringLiteral("/dev/") + port)
             return true;
-    // Terminals of simulators and udev links are not in the list, but are equally usable.
-    return QFileInfo::exists(port);
+    // Terminals of simulators and udev links are not in the list, but are equally usable, and so is a
+    // network.
+    return QFileInfo::exists(port) || isNetworkName(port.toStdString());
 }
 
 std::optional<Say> readPort(const QCommandLineParser& parser, const std::function<QList<PortEntry>()>& ports,

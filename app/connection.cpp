@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "app/knownchain.h"
+#include "link/connection/networktransport.h"
 #include "link/connection/serialtransport.h"
 #include "link/connection/simulatortransport.h"
 #include "model/module/chaindiagnosis.h"
+#include "protocol/baud.h"
 #include "sim/chainspec.h"
 
 namespace nmc {
@@ -81,7 +83,10 @@ void Connection::openNow(const ConnectTarget& target) {
     const QString port = target.port;
     const bool simulated = isSimulator(port);
     bus::EngineConfig config;
-    config.baud = target.baud;
+    const auto network = parseNetworkLine(port.toStdString());
+    // The rate of a raw line is set elsewhere, so the chain stays at the one that it has after power-up.
+    const bool fixed = network && network->protocol == NetworkLine::Protocol::Raw;
+    config.baud = fixed ? kPowerUpBaud : target.baud;
     config.readOnly = target.readOnly;
     BusWorker::TransportFactory factory;
     if (simulated) {
@@ -95,11 +100,15 @@ void Connection::openNow(const ConnectTarget& target) {
         config.adapterLatency = m_ports.adapterLatency(port);
         config.known = knownChain(m_settings, port);
         config.knownBaud = knownRate(m_settings, port);
-        factory = [port, baud = target.baud] { return std::make_unique<SerialTransport>(port, baud); };
+        if (isNetworkName(port.toStdString()))
+            factory = [line = network.value_or(NetworkLine{}), port = port.toStdString(),
+                       baud = config.baud] { return std::make_unique<NetworkTransport>(line, port, baud); };
+        else
+            factory = [port, baud = target.baud] { return std::make_unique<SerialTransport>(port, baud); };
         m_ports.opening(target);
     }
     emit opening(target, simulated, config.adapterLatency);
-    m_store.begin(port, simulated, target.baud, target.readOnly);
+    m_store.begin(port, simulated, config.baud, target.readOnly);
     m_worker.open(m_transports ? m_transports(target) : std::move(factory), config);
 }
 

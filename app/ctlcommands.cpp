@@ -578,6 +578,8 @@ CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {
     }
     if (isOneOf(error.reason, std::array{"FieldMissing", "FieldWrong", "AxisUnknown", "SequenceUnknown"}))
         return BadArguments;
+    if (error.reason == "NotConnected")
+        return NotReached;
     return error.reason == "NoControl"       ? NoControl
            : error.reason == "NotCarriedOut" ? NotCarriedOut
                                              : Refused;

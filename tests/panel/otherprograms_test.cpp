@@ -22,6 +22,7 @@
 #include <random>
 
 #include "link/api/apiserver.h"
+#include "tests/support/otherprogram.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/words.h"
@@ -31,83 +32,12 @@ namespace nmc {
 namespace {
 
 using namespace Qt::StringLiterals;
-using Json = nlohmann::json;
+using Json = testing_support::OtherProgram::Json;
 using testing_support::moves;
+using testing_support::OtherProgram;
+using testing_support::RuntimeFolder;
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
-
-/// A folder for sockets that belongs to the test alone.
-class Runtime {
-public:
-    Runtime() : m_before(qgetenv("XDG_RUNTIME_DIR")) { qputenv("XDG_RUNTIME_DIR", m_folder.path().toUtf8()); }
-    ~Runtime() { qputenv("XDG_RUNTIME_DIR", m_before); }
-    Runtime(const Runtime&) = delete;
-    Runtime& operator=(const Runtime&) = delete;
-
-private:
-    QByteArray m_before;
-    QTemporaryDir m_folder;
-};
-
-/// Another program, as simple as one can be.
-class Client {
-public:
-    Client(VirtualPanel& panel, const QString& path) : m_panel(panel) { m_socket.connectToServer(path); }
-
-    void write(const QByteArray& line) {
-        m_socket.write(line + '\n');
-        m_socket.flush();
-    }
-    int request(const char* method, const Json& parameters = Json::object()) {
-        write(QByteArray::fromStdString(
-            Json{{"jsonrpc", "2.0"}, {"id", ++m_id}, {"method", method}, {"params", parameters}}.dump()));
-        return m_id;
-    }
-    /// The answer to a request, once it is there.
-    Json answer(int id) {
-        const auto isIt = [&](const Json& line) { return line.contains("id") && line["id"] == id; };
-        return await(isIt);
-    }
-    Json notification(const char* method) {
-        return await([&](const Json& line) { return line.value("method", "") == method; });
-    }
-    Json call(const char* method, const Json& parameters = Json::object()) {
-        return answer(request(method, parameters));
-    }
-    void hello(const char* name = "scan.py") {
-        ASSERT_TRUE(call("hello", {{"protocol", "1.0"}, {"program", name}}).contains("result"));
-    }
-    [[nodiscard]] bool cutOff() {
-        return m_panel.waitFor([&] { return m_socket.state() == QLocalSocket::UnconnectedState; });
-    }
-    void vanish() { m_socket.abort(); }
-    /// Lines that have arrived and were not asked for yet.
-    std::vector<Json>& arrived() {
-        while (m_socket.canReadLine())
-            m_lines.push_back(Json::parse(m_socket.readLine().toStdString()));
-        return m_lines;
-    }
-
-private:
-    template <typename Condition>
-    Json await(const Condition& isIt) {
-        Json found;
-        EXPECT_TRUE(m_panel.waitFor([&] {
-            const auto line = std::find_if(arrived().begin(), arrived().end(), isIt);
-            if (line == m_lines.end())
-                return false;
-            found = *line;
-            m_lines.erase(line);
-            return true;
-        }));
-        return found;
-    }
-
-    VirtualPanel& m_panel;
-    QLocalSocket m_socket;
-    std::vector<Json> m_lines;
-    int m_id = 1'000;  ///< other than in what a test writes itself
-};
 
 class OtherPrograms : public testing::Test {
 protected:
@@ -124,13 +54,13 @@ protected:
             [&] { return panel.window().findChild<QAbstractButton*>(QLatin1String(button)) != nullptr; }));
         QTest::mouseClick(panel.window().findChild<QAbstractButton*>(QLatin1String(button)), Qt::LeftButton);
     }
-    void control(Client& client, const Json& parameters = Json::object()) {
+    void control(OtherProgram& client, const Json& parameters = Json::object()) {
         const int asked = client.request("request_control", parameters);
         ASSERT_NO_FATAL_FAILURE(decide("grantControlButton"));
         ASSERT_EQ(client.answer(asked)["result"]["granted"], true);
     }
     /// Motor 1 holds.
-    void ready(Client& client) {
+    void ready(OtherProgram& client) {
         ASSERT_NO_FATAL_FAILURE(control(client));
         ASSERT_EQ(client.call("set_gains", kGains)["result"]["accepted"], true);
         ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
@@ -143,13 +73,13 @@ protected:
 
     const Json kGains{{"axis", 1}, {"kp", 200}, {"kd", 2'000}, {"ki", 20}, {"il", 200},
                       {"ol", 255}, {"cl", 0},   {"el", 8'000}, {"sr", 1}};
-    Runtime runtime;
+    RuntimeFolder runtime;
     VirtualChain sim{u"servo,servo"_s};
     VirtualPanel panel;
 };
 
 TEST_F(OtherPrograms, ReadWithoutAsking) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     const Json state = client.call("state")["result"];
     EXPECT_EQ(state["phase"], "connected");
@@ -162,7 +92,7 @@ TEST_F(OtherPrograms, ReadWithoutAsking) {
 }
 
 TEST_F(OtherPrograms, MustSayHelloInAProtocolThatIsSpokenHere) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     EXPECT_EQ(client.call("state")["error"]["data"]["reason"], "HelloFirst");
     EXPECT_EQ(client.call("hello", {{"protocol", "2.0"}, {"program", "new"}})["error"]["data"]["reason"],
               "OtherProtocol");
@@ -172,7 +102,7 @@ TEST_F(OtherPrograms, MustSayHelloInAProtocolThatIsSpokenHere) {
 }
 
 TEST_F(OtherPrograms, MoveNothingWithoutControl) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     for (const char* method : {"enable", "zero", "go_home", "home", "clear_sticky_bits"})
         EXPECT_EQ(client.call(method, {{"axis", 1}})["error"]["data"]["reason"], "NoControl") << method;
@@ -182,7 +112,7 @@ TEST_F(OtherPrograms, MoveNothingWithoutControl) {
 }
 
 TEST_F(OtherPrograms, MoveWhereTheyWantOnceTheUserAgrees) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_TRUE(ribbon().contains(u"\"scan.py\" may move motors"_s)) << ribbon().toStdString();
@@ -198,7 +128,7 @@ TEST_F(OtherPrograms, MoveWhereTheyWantOnceTheUserAgrees) {
 }
 
 TEST_F(OtherPrograms, AreRefusedInTheWordsOfTheWindow) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(control(client));
     const Json error = client.call("move", {{"axis", 1}, {"to", 500}})["error"];
@@ -212,7 +142,7 @@ TEST_F(OtherPrograms, AreRefusedInTheWordsOfTheWindow) {
 }
 
 TEST_F(OtherPrograms, LearnFromWaitWhatFailed) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
@@ -231,7 +161,7 @@ TEST_F(OtherPrograms, LearnFromWaitWhatFailed) {
 
 TEST_F(OtherPrograms, LearnFromWaitThatTheUserInterruptedTheirMove) {
     for (const bool stopsAll : {true, false}) {
-        Client client(panel, path());
+        OtherProgram client(panel, path());
         client.hello();
         ASSERT_NO_FATAL_FAILURE(ready(client));
         EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
@@ -248,7 +178,7 @@ TEST_F(OtherPrograms, LearnFromWaitThatTheUserInterruptedTheirMove) {
 }
 
 TEST_F(OtherPrograms, WaitForAllAxesAndTheSequence) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 500}})["result"]["accepted"], true);
@@ -267,8 +197,19 @@ TEST_F(OtherPrograms, WaitForAllAxesAndTheSequence) {
     EXPECT_EQ(client.answer(waits)["error"]["data"]["reason"], "NotCarriedOut");
 }
 
+TEST_F(OtherPrograms, WaitUntilHomeIsKnown) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 300}})["result"]["accepted"], true);
+    EXPECT_TRUE(client.call("wait", {{"axis", 1}})["result"]["home"].is_null());
+    EXPECT_EQ(client.call("set_home", {{"axis", 1}})["result"]["accepted"], true);
+    EXPECT_NEAR(client.call("wait", {{"axis", 1}})["result"]["home"].get<double>(), 300, 2)
+        << "the chip has been asked where that is";
+}
+
 TEST_F(OtherPrograms, GetNoControlThatTheUserRefuses) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     const int asked = client.request("request_control");
     ASSERT_NO_FATAL_FAILURE(decide("refuseControlButton"));
@@ -277,7 +218,7 @@ TEST_F(OtherPrograms, GetNoControlThatTheUserRefuses) {
 }
 
 TEST_F(OtherPrograms, HaveControlOneAtATime) {
-    Client first(panel, path()), second(panel, path());
+    OtherProgram first(panel, path()), second(panel, path());
     first.hello("first");
     second.hello("second");
     ASSERT_NO_FATAL_FAILURE(control(first));
@@ -288,7 +229,7 @@ TEST_F(OtherPrograms, HaveControlOneAtATime) {
 }
 
 TEST_F(OtherPrograms, LoseControlByEsc) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 100'000}})["result"]["accepted"], true);
@@ -300,7 +241,7 @@ TEST_F(OtherPrograms, LoseControlByEsc) {
 }
 
 TEST_F(OtherPrograms, LoseControlByACommandOfTheUser) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     emit panel.window().requests().intent(ModuleIndex(1), intent::ClearStickyBits{});
@@ -310,7 +251,7 @@ TEST_F(OtherPrograms, LoseControlByACommandOfTheUser) {
 
 /// As before the computer sleeps.
 TEST_F(OtherPrograms, LoseControlByAStopThatNobodyRequested) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(control(client));
     panel.composition().worker().stopAll();
@@ -318,7 +259,7 @@ TEST_F(OtherPrograms, LoseControlByAStopThatNobodyRequested) {
 }
 
 TEST_F(OtherPrograms, WaitForALimitedNumberOfThings) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
@@ -329,7 +270,7 @@ TEST_F(OtherPrograms, WaitForALimitedNumberOfThings) {
 }
 
 TEST_F(OtherPrograms, LoseControlByTheButton) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(control(client));
     panel.click("endProgramControlButton");
@@ -337,19 +278,19 @@ TEST_F(OtherPrograms, LoseControlByTheButton) {
 }
 
 TEST_F(OtherPrograms, StopWithoutHelloAndWithoutControl) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
     ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
-    Client other(panel, path());
+    OtherProgram other(panel, path());
     EXPECT_EQ(other.call("stop")["result"]["sent"], true);
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     EXPECT_FALSE(client.notification("control_lost").is_null());
 }
 
 TEST_F(OtherPrograms, LeaveNoMotorMovingWhenTheyVanish) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
@@ -361,7 +302,7 @@ TEST_F(OtherPrograms, LeaveNoMotorMovingWhenTheyVanish) {
 }
 
 TEST_F(OtherPrograms, LeaveNoMotorMovingThatOnlyTheyHaveCommanded) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
@@ -374,7 +315,7 @@ TEST_F(OtherPrograms, LeaveNoMotorMovingThatOnlyTheyHaveCommanded) {
 }
 
 TEST_F(OtherPrograms, DoNotStopWhatTheUserMovesWhenTheyVanish) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 10}})["result"]["accepted"], true);
@@ -389,7 +330,7 @@ TEST_F(OtherPrograms, DoNotStopWhatTheUserMovesWhenTheyVanish) {
 }
 
 TEST_F(OtherPrograms, MayLetTheirMovesFinish) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_TRUE(client.call("release_control").contains("result"));
@@ -403,7 +344,7 @@ TEST_F(OtherPrograms, MayLetTheirMovesFinish) {
 
 /// A jog is evidence for 100 ms, as a held button is; calls sooner than that keep it up.
 TEST_F(OtherPrograms, JogOnlyWhileTheySaySo) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     const Json jog{{"axis", 1}, {"velocity", 0.5}};
@@ -421,7 +362,7 @@ TEST_F(OtherPrograms, JogOnlyWhileTheySaySo) {
 }
 
 TEST_F(OtherPrograms, AreToldWhatTheySubscribeTo) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     EXPECT_TRUE(
         client.call("subscribe", {{"state", true}, {"samples", true}, {"events", true}}).contains("result"));
@@ -430,7 +371,7 @@ TEST_F(OtherPrograms, AreToldWhatTheySubscribeTo) {
     EXPECT_EQ(samples["missed"], 0);
     EXPECT_EQ(samples["modules"][0]["axis"], 1);
     EXPECT_EQ(samples["modules"][0]["rows"][0].size(), 6U) << "time, position, error, velocity, status, aux";
-    Client other(panel, path());
+    OtherProgram other(panel, path());
     other.hello("other.py");
     EXPECT_TRUE(client.notification("event")["params"]["text"].get<std::string>().find("other.py") !=
                 std::string::npos);
@@ -444,7 +385,7 @@ TEST_F(OtherPrograms, SurviveNonsense) {
     };
     const QByteArray right = R"({"jsonrpc":"2.0","id":1,"method":"move","params":{"axis":1,"to":100}})";
     for (int round = 0; round < 20; ++round) {
-        Client client(panel, path());
+        OtherProgram client(panel, path());
         for (int i = 0; i < 50; ++i) {
             QByteArray line = right;
             for (int change = 0; change < 1 + i % 5; ++change)
@@ -458,7 +399,7 @@ TEST_F(OtherPrograms, SurviveNonsense) {
         for (const Json& line : client.arrived())
             EXPECT_TRUE(line.contains("error")) << line.dump();
     }
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.write(QByteArray(static_cast<qsizetype>(ApiServer::kLongestLine) + 10, 'x'));
     EXPECT_TRUE(client.cutOff());
     EXPECT_FALSE(moves(sim));
@@ -466,7 +407,7 @@ TEST_F(OtherPrograms, SurviveNonsense) {
 }
 
 TEST_F(OtherPrograms, MayNestAndPadTheirParameters) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     for (const char* method : {"stop", "motor_off", "hello", "dance"}) {
         QByteArray line = R"({"jsonrpc":"2.0","id":1,"method":")" + QByteArray(method) +
                           R"(","params":{"axis":1,"protocol":"1.0","program":"x","padding":)";
@@ -479,7 +420,7 @@ TEST_F(OtherPrograms, MayNestAndPadTheirParameters) {
 }
 
 TEST_F(OtherPrograms, AreCutOffWhenTheUserKeepsThemOut) {
-    Client client(panel, path());
+    OtherProgram client(panel, path());
     client.hello();
     panel.window().findChild<QAction*>(u"letProgramsInAction"_s)->trigger();
     EXPECT_TRUE(client.cutOff());
@@ -502,7 +443,7 @@ TEST_F(OtherPrograms, AreKeptOutOnceWhereAnotherPanelLetsThemIn) {
 }
 
 TEST(ApiSocket, IsForThisUserOnlyAndReplacesOneThatWasLeftBehind) {
-    const Runtime runtime;
+    const RuntimeFolder runtime;
     const QString path = ApiServer::pathFor(u"/dev/ttyUSB0"_s);
     {
         ApiServer server;
@@ -528,7 +469,7 @@ TEST(ApiSocket, IsForThisUserOnlyAndReplacesOneThatWasLeftBehind) {
 }
 
 TEST(ApiSocket, TrustsNeitherLinksNorOpenFolders) {
-    const Runtime runtime;
+    const RuntimeFolder runtime;
     const QString path = ApiServer::pathFor(u"/dev/ttyUSB0"_s);
     ApiServer server;
     ASSERT_TRUE(server.listen(path));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The port's part of the table of texts.
+#include "link/ports/networkline.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
@@ -121,11 +122,38 @@ Message portMessage(const PortError& error) {
             m.body = Texts::tr("Choose another baud rate; every adapter supports 19 200 Bd.");
             m.actions = {retry(), choosePort()};
             return m;
+        case PortProblem::NotANetworkLine:
+            m.headline = Texts::tr("%1 is not a line behind a network.").arg(shown(error.port));
+            m.body = Texts::tr(
+                "Write tcp://HOST:PORT, or rfc2217://HOST:PORT if the device server lets the rate be set.");
+            m.actions = {choosePort(), useSimulator()};
+            return m;
+        case PortProblem::HostNotFound:
+            m.headline =
+                Texts::tr("The computer or device server in %1 was not found.").arg(shown(error.port));
+            m.body = Texts::tr("Check its name, and the network.");
+            m.actions = {retry(), choosePort(), useSimulator()};
+            return m;
+        case PortProblem::NotReached:
+            m.headline = Texts::tr("Nothing accepts connections at %1.").arg(shown(error.port));
+            m.body = Texts::tr(
+                "Check that the device server is on, that its TCP port is this one, and that no other program has it.");
+            m.actions = {retry(), choosePort(), useSimulator()};
+            return m;
+        case PortProblem::NotRfc2217:
+            m.headline = Texts::tr("%1 does not let the serial port be controlled.").arg(shown(error.port));
+            m.body = Texts::tr(
+                "Enable RFC 2217 in the device server, or set it to 19 200 Bd, 8N1, and connect with tcp:// instead.");
+            m.actions = {retry(), choosePort()};
+            return m;
         case PortProblem::Gone:
             m.severity = Severity::Fault;
-            m.headline = Texts::tr("The adapter at %1 was unplugged. %2")
+            m.headline = (isNetworkName(error.port) ? Texts::tr("The connection to %1 is lost. %2")
+                                                    : Texts::tr("The adapter at %1 was unplugged. %2"))
                              .arg(shown(error.port), movingSentence(error.moving));
-            m.body = Texts::tr("Use the hardware stop if needed, then plug the adapter in again.");
+            m.body = isNetworkName(error.port)
+                         ? Texts::tr("Use the hardware stop if needed, then check the network and the device server.")
+                         : Texts::tr("Use the hardware stop if needed, then plug the adapter in again.");
             m.actions = {retry()};
             return m;
         case PortProblem::Other:

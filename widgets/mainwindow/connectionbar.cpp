@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "link/ports/networkline.h"
 #include "protocol/baud.h"
 #include "widgets/common/accessibility.h"
 #include "widgets/common/elidedlabel.h"
@@ -27,6 +28,11 @@ using namespace Qt::StringLiterals;
 
 namespace {
 constexpr int kStopResultLines = 3;  // the stop button is higher than that
+
+/// The names of such ports say what they are, though no list of ports can have them.
+bool explainsItself(const QString& port) {
+    return port.startsWith(kSimulatorPort) || isNetworkName(port.toStdString());
+}
 }
 
 PortBox::PortBox(QWidget* parent) : QComboBox(parent) {
@@ -119,7 +125,7 @@ void ConnectionBar::fillPorts() {
     if (!lists(kSimulatorPort))
         wanted.append({kSimulatorPort, {}});
     if (!m_chosen.isEmpty() && !lists(m_chosen))
-        wanted.append({m_chosen, m_chosen.startsWith(kSimulatorPort) ? QString() : tr("not listed")});
+        wanted.append({m_chosen, explainsItself(m_chosen) ? QString() : tr("not listed")});
 
     const QSignalBlocker blocker(m_port);
     const QString before = m_chosen.isEmpty() ? QString() : m_chosen;

@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -84,7 +85,9 @@ void BusLoop::run(const TransportFactory& factory, const bus::EngineConfig& conf
     const std::unique_ptr<Transport> transport = factory();
     if (const auto opened = transport->open()) {
         m_channel.post(PortOpened{});
-        BusSession session(m_channel, *transport, config, m_guards, m_asleepSoFar);
+        bus::EngineConfig measured = config;
+        measured.adapterLatency = std::max(config.adapterLatency, transport->latency());
+        BusSession session(m_channel, *transport, measured, m_guards, m_asleepSoFar);
         closed.error = session.run();
         for (WorkerEvent& end : session.abandon())
             m_channel.post(std::move(end));

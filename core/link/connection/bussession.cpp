@@ -145,7 +145,7 @@ void BusSession::take(BusRequest& request, TimePoint now) {
 void BusSession::changeRate(const ChangeRate& change, TimePoint now) {
     if (m_engine.anythingMoves())
         return m_engine.changeRate(change.baud, now);  // which refuses
-    const bool made = m_transport.setBaud(change.baud).has_value();
+    const bool made = !m_transport.hasFixedRate() && m_transport.setBaud(change.baud).has_value();
     const bool back = m_transport.setBaud(m_portBaud).has_value();
     if (made && back)
         return m_engine.changeRate(change.baud, now);
@@ -197,7 +197,7 @@ tl::expected<void, PortError> BusSession::hearGuards(TimePoint now) {
 void BusSession::informGuards() {
     Guarded news = m_guarded;
     if (auto burst = m_engine.changedStopBurst())
-        news.burst = std::move(*burst);
+        news.burst = m_transport.onWire(*burst);
     news.baud = m_engine.stopBurstBaud();
     news.moving = m_engine.answersForMotion();
     if (news == m_guarded)

@@ -15,9 +15,9 @@
 
 namespace nmc {
 
-/// The connection to a chain: a serial port, or the simulator in this process. It lives entirely in the bus
-/// thread, which has no event loop: receive() is the only place to wait. An error is final; the transport is
-/// then discarded.
+/// The connection to a chain: a serial port, one behind a network, or the simulator in this process. It lives
+/// entirely in the bus thread, which has no event loop: receive() is the only place to wait. An error is
+/// final; the transport is then discarded.
 class Transport {
 public:
     Transport() = default;
@@ -38,6 +38,15 @@ public:
 
     /// The descriptor that a signal handler may write to when the process crashes; -1 where there is none.
     [[nodiscard]] virtual int fd() const { return -1; }
+
+    /// The bytes that must be written to fd() so that the chain receives these.
+    [[nodiscard]] virtual std::vector<std::uint8_t> onWire(ByteSpan bytes) const {
+        return {bytes.begin(), bytes.end()};
+    }
+    /// setBaud() does nothing: the rate is set elsewhere.
+    [[nodiscard]] virtual bool hasFixedRate() const { return false; }
+    /// The delay of the connection as measured by open(); 0: not measured.
+    [[nodiscard]] virtual Duration latency() const { return {}; }
 
     /// Answers one control line of the simulator with one line of JSON (sim/control.h). Returns nothing for a
     /// port, because a program cannot change what is on the bench.

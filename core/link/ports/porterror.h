@@ -18,9 +18,13 @@ enum class PortProblem : std::uint8_t {
     NoLockFolder,  ///< no lock file can be created, but the serial port library insists on one
     NotASerialPort,
     RateNotPossible,
-    TooManyFiles,  ///< this program has no file descriptors left
-    Gone,          ///< the port was open, but was unplugged or closed at the other end
-    Other,         ///< detail holds the system's message
+    TooManyFiles,     ///< this program has no file descriptors left
+    NotANetworkLine,  ///< the name begins like one, but is not tcp://HOST:PORT or rfc2217://HOST:PORT
+    HostNotFound,
+    NotReached,  ///< nothing accepts connections there
+    NotRfc2217,  ///< something does, but does not let the port be controlled
+    Gone,        ///< the port was open, but was unplugged or closed at the other end
+    Other,       ///< detail holds the system's message
 };
 
 /// A value without Qt, because the bus thread has none; its texts are UTF-8.

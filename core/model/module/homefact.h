@@ -36,6 +36,9 @@ public:
     /// Empty if unknown.
     [[nodiscard]] const std::optional<Place>& place() const { return m_place; }
 
+    /// Home was saved, and its position has not been read back yet.
+    [[nodiscard]] bool awaited() const { return m_saved.has_value(); }
+
     /// Sets home to the position that a search has read from the chip, twice.
     void found(std::int32_t counts, TimePoint time);
     /// Sets home to counter 0, because the user confirms the counter.
