@@ -148,7 +148,7 @@ protected:
             case 8:
                 return vanish(program);
             default:
-                return sim.tell("fault bus noise p=0.002 for=0.1");
+                return sim.tell("fault bus flip p=0.02 n=10");
         }
     }
 
