@@ -243,6 +243,9 @@ bool Engine::stopUnasked(TimePoint now) {
 }
 
 void Engine::stopAll(TimePoint now) {
+    if (m_lending.delays(now))
+        return;
+    followProgram(TimePoint::max(), now);
     cancelAll(Change::Kind::StopAll);
     m_chain.schedule().unfocus();
     m_stopAsked = true;
@@ -257,6 +260,86 @@ void Engine::stopAll(TimePoint now) {
         m_stops.stopAll(now);  // nobody is known that could be stopped, and StopFinished says so
     }
     proceed(now);
+}
+
+bool Engine::lend() {
+    const bool trial = std::ranges::any_of(
+        m_chain.modules(), [](const Chain::Module& module) { return module.trial.has_value(); });
+    if (lent() || busy() || trial || m_stops.due() || anythingMoves())
+        return false;
+    cancelAll(Change::Kind::Cancelled);
+    m_recovery.reset();
+    m_connected = false;
+    m_lending.begin();
+    return true;
+}
+
+bool Engine::hearsForProgram() const {
+    return passes() &&
+           std::ranges::all_of(m_works, [](const Work& work) { return work.ask.purpose == Purpose::Lent; });
+}
+
+void Engine::onProgram(ByteSpan bytes, TimePoint now) {
+    if (!passes())
+        return;
+    const ByteSpan passed = bytes.first(m_lending.passing(bytes));
+    const TimePoint end = m_line.pass(passed, now);
+    const bool amid = m_lending.onPassed(passed, m_line.timing().byteTime, end);
+    followProgram(now, now);
+    if (m_lending.cutBy() && !amid)
+        return stopAll(now);
+    proceed(now);
+}
+
+/// What the program sends by this time begins exchanges, and ends those before.
+void Engine::followProgram(TimePoint by, TimePoint now) {
+    while (const auto passed = m_lending.takePassed(by)) {
+        if (!passed->whole) {
+            m_line.overlook(passed->bytes, now);
+            continue;
+        }
+        m_line.conclude(now);
+        takeEnds(now);
+        const PacketBytes packet{ByteSpan(passed->bytes)};
+        const TimePoint latched = passed->start + m_line.timing().bytes(packet.size()) + kServoTick / 2;
+        auto ask = m_lending.follow(packet, latched);
+        if (!ask) {
+            m_line.overlook(packet, now);
+            continue;
+        }
+        Work work{std::move(*ask), &m_lending, 0, {}, now};
+        if (work.ask.module) {
+            work.before = m_chain.at(*work.ask.module);
+            if (work.ask.command)
+                m_chain.noteSent(*work.ask.module, *work.ask.command, latched);
+        }
+        m_line.overhear(work.ask.request, packet, passed->start, now);
+        m_works.push_back(std::move(work));
+    }
+}
+
+void Engine::onProgramRate(std::uint32_t baud) {
+    if (passes())
+        m_line.passRate(baud);
+}
+
+void Engine::letThrough(TimePoint now) {
+    if (!m_lending.heldOff() || m_stops.stopping())
+        return;
+    interrupt(now);
+    for (Chain::Module& module : m_chain.modules())
+        module.owed.reset();
+    m_recovery.reset();
+    m_lending.begin();
+}
+
+void Engine::takeBack(TimePoint now) {
+    const bool stops = m_lending.cutBy().has_value();
+    followProgram(TimePoint::max(), now);
+    interrupt(now);
+    m_lending.end();
+    if (stops)
+        stopAll(now);
 }
 
 void Engine::distrust(TimePoint now) {
@@ -304,6 +387,9 @@ void Engine::onBytes(ByteSpan bytes, TimePoint now) {
 void Engine::onDeadline(TimePoint now) {
     m_line.onDeadline(now);
     (void)m_hold.expire(now);
+    followProgram(now, now);
+    if (m_lending.cutBy() && now >= *m_lending.cutBy())
+        return stopAll(now);
     proceed(now);
 }
 
@@ -315,9 +401,12 @@ std::optional<TimePoint> Engine::nextDeadline() const {
     };
     consider(m_hold.expiry());
     consider(m_path.foreseeAt());
+    consider(m_lending.due());
+    consider(m_lending.cutBy());
     if (m_line.idle()) {
         consider(m_stops.due());
-        consider(m_wellAgain.due());
+        if (!lent())
+            consider(m_wellAgain.due());
         if (m_connected) {
             consider(m_trials.due());
             consider(m_path.due());
@@ -365,6 +454,11 @@ bool Engine::dispatch(TimePoint now) {
         ((taken = taken == Turn::Nobody ? take(tasks, now) : taken), ...);
         return taken;
     };
+    if (lent()) {
+        const Turn taken = m_lending.heldOff() ? turn(m_lending, m_stops) : Turn::Nobody;
+        takeFindings(now);
+        return taken == Turn::Taken;
+    }
     Turn taken = turn(m_wayBack);
     // A servo that swings is not seen at rest before its gains are restored.
     if (taken == Turn::Nobody && m_stops.allSent() && m_connected)
@@ -441,6 +535,8 @@ void Engine::send(Work work, TimePoint now) {
 
 void Engine::takeFindings(TimePoint now) {
     stopPath();
+    if (m_lending.takeChanged() && m_stops.stopping())
+        m_stops.stopAll(now);  // of the modules as they are known by now
     m_trials.noteLosses();
     if (m_search.takeGivesAddresses()) {
         m_trials.forgetAll();
@@ -686,7 +782,8 @@ void Engine::takeEnds(TimePoint now) {
         takeFindings(now);
     }
     const bool connects = m_search.active() || m_rate.active();
-    m_recorder.addUnanswered(connects               ? Purpose::Connect
+    m_recorder.addUnanswered(passes()               ? Purpose::Lent
+                             : connects             ? Purpose::Connect
                              : m_operations.empty() ? Purpose::Stop
                                                     : Purpose::Operation);
 }
@@ -706,6 +803,8 @@ void Engine::onEnd(ReplyEnd end, TimePoint now) {
         return deliver(work, end, now);
     if (work.ask.reported && !right && end.result != ReplyResult::Refused)
         m_chain.noteUnanswered(*work.ask.module, end.latched);
+    if (passes())
+        return deliver(work, end, now);  // whatever follows is the program's affair
     if (unanswered(end.result))
         if (Line::Script script = m_recovery.onUnanswered(work.ask, end); !script.empty())
             m_line.run(std::move(script), now);
@@ -814,7 +913,9 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
         return;
     }
     // The status comes first: the reply to a command does not yet show the command's effect.
-    const auto trusted = module.trust.confirm(end.report);
+    // A program that always asks for the same items would never be believed to have stopped its motor.
+    const auto trusted =
+        ask.purpose == Purpose::Lent ? std::optional(end.report) : module.trust.confirm(end.report);
     if (trusted)
         module.belief.onStatus(*trusted, end.latched);
     if (ask.command)
@@ -842,7 +943,7 @@ void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport
     Chain::Module& known = m_chain.at(module);
     m_events.emplace_back(Sample{module, end.latched, trusted, end.late, end.report.status,
                                  known.plausibility.takeJump(), known.unanswered.has_value()});
-    if (m_config.readOnly)
+    if (m_config.readOnly || lent())
         return;  // whatever moves there is for others to start and to stop
     // On an attached chain, a motor may move at will; its velocity shows it.
     const bool mayMove = known.belief.mayMove() && !known.belief.pwmUnknown();

@@ -14,6 +14,7 @@
 #include "bus/engineconfig.h"
 #include "bus/exchangerecorder.h"
 #include "bus/holdtask.h"
+#include "bus/lending.h"
 #include "bus/line.h"
 #include "bus/operationtask.h"
 #include "bus/pathtask.h"
@@ -102,7 +103,27 @@ public:
     /// progress continues.
     bool stopUnasked(TimePoint now);
     /// True while a stop of all modules is in progress.
-    [[nodiscard]] bool stopping() const { return m_stops.stopping(); }
+    [[nodiscard]] bool stopping() const { return m_stops.stopping() || m_lending.cutBy(); }
+
+    // ---- the line lent to a program (docs/lending.md) ----
+
+    /// From now on, nothing is sent except what the program sends, until a stop of all modules holds the
+    /// program off, and every other request is refused. Returns false, and does nothing, while anything moves
+    /// or is in progress, and on a read-only connection.
+    [[nodiscard]] bool lend();
+    /// The program has sent bytes, or set its rate.
+    void onProgram(ByteSpan bytes, TimePoint now);
+    void onProgramRate(std::uint32_t baud);
+    /// The program has the line again after a stop. Ignored during the stop.
+    void letThrough(TimePoint now);
+    /// The line is no longer lent. What the engine believes is what it has seen; connect() looks at the
+    /// modules anew.
+    void takeBack(TimePoint now);
+    [[nodiscard]] bool lent() const { return m_lending.active(); }
+    /// What the program sends is passed on; otherwise, while the line is lent, it is held off.
+    [[nodiscard]] bool passes() const { return m_lending.passes(); }
+    /// What the modules send now is for the program, and not the rest of a reply to the panel.
+    [[nodiscard]] bool hearsForProgram() const;
 
     /// Call after an event such as a suspend of the computer: the link is checked before anything is
     /// believed.
@@ -183,7 +204,9 @@ private:
     [[nodiscard]] bool accepting() const { return settled() && !m_config.readOnly; }
     /// The outcome of an operation that is not accepted.
     [[nodiscard]] Outcome refusal() const {
-        return m_config.readOnly ? Outcome::Forbidden : settled() ? Outcome::QueueFull : Outcome::Cancelled;
+        return m_config.readOnly || lent() ? Outcome::Forbidden
+               : settled()                 ? Outcome::QueueFull
+                                           : Outcome::Cancelled;
     }
 
     // ---- dispatch ----
@@ -197,6 +220,7 @@ private:
     [[nodiscard]] Turn take(Task& task, TimePoint now);
     [[nodiscard]] Turn repeat(bool atOnce, TimePoint now);
     void send(Work work, TimePoint now);
+    void followProgram(TimePoint by, TimePoint now);
 
     // ---- end of an exchange ----
     void takeEnds(TimePoint now);
@@ -257,6 +281,7 @@ private:
     PathTask m_path{m_chain, m_line, m_events};
     PollTask m_polls{m_chain, m_recovery, m_restartSearch};
     WellAgain m_wellAgain{m_chain};
+    Lending m_lending{m_chain, m_recovery, m_line, m_events};
     std::array<Task*, 13> m_tasks{&m_trials,    &m_operations,    &m_path,   &m_hold,     &m_rate,
                                   &m_readdress, &m_restartSearch, &m_search, &m_recovery, &m_wayBack,
                                   &m_wellAgain, &m_stops,         &m_polls};

@@ -22,6 +22,7 @@ enum class Purpose : std::uint8_t {
     Stop,       ///< stop all
     Challenge,  ///< verifies whether the link can be trusted again
     Flush,      ///< nulls, or a packet without a reply
+    Lent,       ///< of the program that the line is lent to
 };
 
 /// The result of an exchange.

@@ -59,7 +59,8 @@ void ExchangeRecorder::add(const Ask& ask, const ReplyEnd& end, ExchangeEnd how,
     if (!m_on)
         return;
     addUnanswered(ask.purpose);
-    const PacketBytes packet = toPacket({ask.request.address, ask.request.payload});
+    const PacketBytes packet =
+        ask.asSent ? *ask.asSent : toPacket({ask.request.address, ask.request.payload});
     ExchangeRecord entry;
     entry.number = ++m_recorded;
     entry.sent = end.sent;

@@ -16,9 +16,14 @@ Line::Script Line::toRate(std::uint32_t baud) {
 
 void Line::begin(const Request& request, TimePoint now) {
     assert(ready());
-    m_torn.reset();
     const PacketBytes packet = toPacket({request.address, request.payload});
-    const TimePoint start = std::max(now, m_free);
+    expect(request, packet, std::max(now, m_free), now);
+    send(packet, now);
+}
+
+/// `start`: when the first byte of the packet is sent.
+void Line::expect(const Request& request, const PacketBytes& packet, TimePoint start, TimePoint now) {
+    m_torn.reset();
     m_echo.begin(packet);
     m_strays.onSent(packet);
     if (!m_echo.expected())
@@ -30,8 +35,33 @@ void Line::begin(const Request& request, TimePoint now) {
     pending.left = start + m_timing.bytes(packet.size());
     pending.deadline = start + m_lastTimeout;
     m_pending = pending;
-    send(packet, now);
     ++m_statistics.exchanges;
+}
+
+TimePoint Line::pass(ByteSpan bytes, TimePoint now) {
+    m_free = std::max(now, m_free) + m_timing.bytes(bytes.size());
+    m_output.emplace_back(Send{{bytes.begin(), bytes.end()}});
+    return m_free;
+}
+
+void Line::passRate(std::uint32_t baud) {
+    perform(SetHostBaud{baud}, {});
+}
+
+void Line::conclude(TimePoint now) {
+    settle();
+    if (m_pending)
+        expire(now);
+}
+
+void Line::overhear(const Request& request, const PacketBytes& packet, TimePoint start, TimePoint now) {
+    assert(ready());
+    expect(request, packet, start, now);
+}
+
+void Line::overlook(ByteSpan bytes, TimePoint now) {
+    if (m_recording && !bytes.empty())
+        m_unanswered.push_back({now, {bytes.begin(), bytes.end()}});
 }
 
 void Line::run(Script script, TimePoint now) {

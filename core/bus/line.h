@@ -85,6 +85,19 @@ public:
     /// being transmitted.
     void abandon(TimePoint now);
 
+    // For another host whose bytes pass through here (lending.h); nothing may be in progress but its
+    // exchanges.
+
+    /// Its bytes, and its rate. Returns when the last of these bytes has been sent.
+    TimePoint pass(ByteSpan bytes, TimePoint now);
+    void passRate(std::uint32_t baud);
+    /// What is awaited is over: the host has sent something else.
+    void conclude(TimePoint now);
+    /// `packet`, whose first byte is sent at `start`, begins an exchange like begin(). Call conclude() first.
+    void overhear(const Request& request, const PacketBytes& packet, TimePoint start, TimePoint now);
+    /// These bytes have passed, and are not answered.
+    void overlook(ByteSpan bytes, TimePoint now);
+
     /// Returns false if nothing arrived other than what was sent.
     bool onBytes(ByteSpan bytes, TimePoint now);
     void onDeadline(TimePoint now);
@@ -151,6 +164,7 @@ private:
         TimePoint last;  ///< its last byte so far
     };
 
+    void expect(const Request& request, const PacketBytes& packet, TimePoint start, TimePoint now);
     void join(ByteSpan bytes, TimePoint now);
     [[nodiscard]] static bool isWhole(const Pending& pending);
     [[nodiscard]] bool mayLeave(ByteSpan bytes) const;

@@ -160,6 +160,8 @@ void Plausibility::onSent(const ModuleCommand& command, const ServoRegisters& se
 }
 
 std::optional<Rejection> Plausibility::check(const ReplyEnd& end) {
+    if (m_identity == kUnheardModule)
+        return std::nullopt;  // nothing is known that a reply could contradict
     if (const auto impossible = structure(end))
         return impossible;
     if (const auto contradiction = against(m_known, end)) {

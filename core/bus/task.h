@@ -36,6 +36,8 @@ struct Ask {
     bool believed = true;                      ///< the reply is taken for the state of the module
     bool handlesFailure =
         false;  ///< the task handles silence and wrong answers itself: no retry, no recovery
+    /// As another host has sent it (lending.h); its sum may be wrong.
+    std::optional<PacketBytes> asSent{};
 };
 
 /// The possible requests of a task for the line.

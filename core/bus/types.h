@@ -451,6 +451,19 @@ struct ForeignMotion {
     std::int32_t position = 0;
 };
 
+/// The program that the line is lent to (lending.h) has made the chain consist of these modules, or has
+/// changed its rate. One whose type was not reported has kUnheardModule.
+struct ModulesSeen {
+    std::vector<ModuleInfo> modules;
+    std::uint32_t baud = 0;
+};
+
+/// That program has sent a command that was not answered: it is unknown whether it was carried out.
+struct CommandUnanswered {
+    ModuleIndex module;
+    ModuleCommand command;
+};
+
 /// Held motion ended without being released by the user: the evidence stopped coming.
 struct HoldExpired {
     ModuleIndex module;
@@ -461,7 +474,7 @@ using Event =
                  StopFinished, ModuleUnresponsive, CommandRefused, LinkLost, HoldExpired, HealthChanged,
                  ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed,
                  OwedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion,
-                 AddressChanged, PathProgress, StoppedBeforeLimit>;
+                 AddressChanged, PathProgress, StoppedBeforeLimit, ModulesSeen, CommandUnanswered>;
 
 /// The engine's requests to the transport, to be carried out in order.
 struct SetHostBaud {

@@ -15,6 +15,9 @@ struct ModuleIdentity {
     bool operator==(const ModuleIdentity&) const = default;
 };
 
+/// Stands for a module that has not reported its type and version.
+inline constexpr ModuleIdentity kUnheardModule{static_cast<ModuleType>(0xFF), 0};
+
 /// True for types that can be stopped with a command defined here. What other types do with the same bytes is
 /// unknown.
 [[nodiscard]] constexpr bool hasStop(ModuleType type) {

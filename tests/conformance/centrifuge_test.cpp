@@ -6,13 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "tests/conformance/fieldhost.h"
-#include "tests/support/simprocess.h"
 
 namespace nmc {
 namespace {
 
 using namespace field;
-using testing_support::SimProcess;
 
 constexpr unsigned kServo = 1, kIo = 2;
 
@@ -67,7 +65,7 @@ protected:
         FAIL() << "the status byte never is 09: " << status();
     }
 
-    SimProcess sim;
+    Sim sim;
     Wire wire;
 };
 

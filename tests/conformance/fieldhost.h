@@ -6,8 +6,12 @@
 #include <string>
 #include <vector>
 
+#ifdef NMC_LENT_LINE
+#include "tests/conformance/lentwire.h"
+#else
 #include "tests/support/port.h"
 #include "tests/support/simprocess.h"
+#endif
 
 /// Common parts of the host programs that are used in the field.
 namespace nmc::field {
@@ -25,11 +29,14 @@ inline constexpr unsigned kEveryone = 0xFF;
     return left;
 }
 
+#ifndef NMC_LENT_LINE
+using Sim = testing_support::SimProcess;
+
 /// nmcsim's terminal, as a host uses it. Time is stepped, so that answers do not depend on how busy this
 /// computer is.
 class Wire {
 public:
-    explicit Wire(testing_support::SimProcess& sim) : m_sim(sim), m_port(sim.terminal()) { setRate(B19200); }
+    explicit Wire(Sim& sim) : m_sim(sim), m_port(sim.terminal()) { setRate(B19200); }
 
     void setRate(speed_t rate) {
         m_port.setRate(rate);
@@ -57,10 +64,12 @@ public:
     [[nodiscard]] std::size_t received() const { return m_received; }
 
 private:
-    testing_support::SimProcess& m_sim;
+    Sim& m_sim;
     testing_support::Port m_port;
     std::size_t m_sent = 0;
     std::size_t m_received = 0;
 };
+
+#endif
 
 }  // namespace nmc::field

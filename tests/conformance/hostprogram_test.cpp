@@ -9,13 +9,11 @@
 #include <map>
 
 #include "tests/conformance/fieldhost.h"
-#include "tests/support/simprocess.h"
 
 namespace nmc {
 namespace {
 
 using namespace field;
-using testing_support::SimProcess;
 
 std::uint8_t byte(unsigned value) {
     return static_cast<std::uint8_t>(value & 0xFFU);
@@ -45,7 +43,7 @@ struct Status {
 
 class FieldHost {
 public:
-    explicit FieldHost(SimProcess& sim) : m_wire(sim) {}
+    explicit FieldHost(Sim& sim) : m_wire(sim) {}
 
     /// 20 nulls and Hard Reset, twice; then Set Address until no module answers.
     unsigned enumerate() {
@@ -193,7 +191,7 @@ protected:
         ASSERT_FALSE(answer.contains("error")) << answer;
     }
 
-    SimProcess sim;
+    Sim sim;
     FieldHost host;
 };
 

@@ -77,7 +77,7 @@ public:
     template <typename Event>
     [[nodiscard]] static const Event* as(const WorkerEvent& event) {
         if constexpr (AnyOf<Event, PortOpened, PortClosed, SimulatorAnswered, PanelFroze, ComputerSlept,
-                            GuardianStopped, GuardianMissing>) {
+                            GuardianStopped, GuardianMissing, LineLent, LendingProblem>) {
             return std::get_if<Event>(&event);
         } else {
             const auto* told = std::get_if<bus::Event>(&event);

@@ -41,6 +41,7 @@ public:
     TimePoint now{};
     std::vector<bus::Event> events;
     std::vector<Sent> sent;
+    std::vector<std::uint8_t> heard;  ///< what has reached the host
     std::uint32_t hostBaud = 19'200;  ///< rate to which the engine has set the port
     /// Bytes reach the host this much later: the latency of a serial adapter.
     Duration adapterDelay{};
@@ -219,6 +220,7 @@ private:
         std::vector<std::uint8_t> bytes;
         for (; !m_arriving.empty() && m_arriving.front().due <= now; m_arriving.pop_front())
             bytes.push_back(m_arriving.front().value);
+        heard.insert(heard.end(), bytes.begin(), bytes.end());
         if (!bytes.empty())
             engine.onBytes(bytes, now);
         pump();

@@ -255,8 +255,9 @@ QString GroupsPage::whyNotAll(IntentKind kind) const {
 void GroupsPage::refreshCommands() {
     const auto noChain = whyNoChain(m_link);
     const bool any = m_group->count() > 0 && !noChain;
-    const QString none = noChain == Refusal::Looking ? texts::refusal(*noChain)
-                                                     : tr("No groups yet. Add modules to a group first.");
+    const QString none = noChain == Refusal::Looking || noChain == Refusal::Lent
+                             ? texts::refusal(*noChain)
+                             : tr("No groups yet. Add modules to a group first.");
     const auto refusal = whyInaccessible(m_link);
     const QString notTold = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(

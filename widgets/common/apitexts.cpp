@@ -120,4 +120,65 @@ Message programCalled(const QString& program, const QString& call) {
     return aboutProgram(program, ApiWords::tr("Program \"%1\": %2").arg(program, call));
 }
 
+Message lineLent(const LineLent& lent) {
+    const QString path = QString::fromStdString(lent.path);
+    Message message{.key = u"lent"_s, .replaces = true};
+    switch (lent.state) {
+        case LineLent::State::Waiting:
+            message.headline = ApiWords::tr("The line is lent at %1. No program has used it yet.").arg(path);
+            break;
+        case LineLent::State::InUse:
+            message.headline = ApiWords::tr("A program has the line, at %1.").arg(path);
+            break;
+        case LineLent::State::HeldOff:
+            message.severity = Severity::Attention;
+            message.headline = ApiWords::tr("All motors were told to stop, and the program is held off.");
+            message.body = ApiWords::tr(
+                "What it sends is dropped. Release lets it continue; it does not know what it has missed.");
+            break;
+        case LineLent::State::Left:
+            message.headline =
+                ApiWords::tr("The program has closed %1, and the line is no longer lent.").arg(path);
+            break;
+        case LineLent::State::Ended:
+            message.headline = ApiWords::tr("The line is no longer lent.");
+            break;
+    }
+    return message;
+}
+
+Message notLent(const LendingProblem& problem) {
+    const QString path = QString::fromStdString(problem.path);
+    Message message{.key = u"lent"_s,
+                    .severity = Severity::Attention,
+                    .headline = ApiWords::tr("The line was not lent."),
+                    .replaces = true};
+    switch (problem.kind) {
+        case LendingProblem::Kind::NotNow:
+            message.body =
+                ApiWords::tr("The chain was busy, or a motor was moving. Stop the motors, and try again.");
+            break;
+        case LendingProblem::Kind::Taken:
+            message.body = ApiWords::tr("There is something at %1 already. Choose another path.").arg(path);
+            break;
+        case LendingProblem::Kind::System:
+            message.body =
+                ApiWords::tr("No terminal can be made at %1. Choose a path in a folder of your own.")
+                    .arg(path);
+            message.details = QString::fromStdString(problem.reason);
+            break;
+    }
+    return message;
+}
+
+QString lentTo(const LentLine& lent) {
+    const QString path = QString::fromStdString(lent.path);
+    return lent.heldOff ? ApiWords::tr("LENT at %1 — stopped; the program is held off.").arg(path)
+           : lent.inUse
+               ? ApiWords::tr(
+                     "LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.")
+                     .arg(path)
+               : ApiWords::tr("LENT at %1 — no program yet.").arg(path);
+}
+
 }  // namespace nmc::texts

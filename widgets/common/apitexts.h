@@ -4,7 +4,9 @@
 #include <QString>
 
 #include "link/api/apiserverproblem.h"
+#include "link/terminal/linelent.h"
 #include "model/api/apimethods.h"
+#include "model/module/linkstate.h"
 #include "widgets/common/message.h"
 
 namespace nmc {
@@ -42,5 +44,11 @@ enum class ControlLost : std::uint8_t { Stopped, TakenBack, Commanded, Disconnec
 [[nodiscard]] Message programGone(const QString& program, bool stops);
 /// A program has requested something of a motor; `call` is the method with its parameters.
 [[nodiscard]] Message programCalled(const QString& program, const QString& call);
+
+/// What has become of the line that is lent to a program (docs/lending.md).
+[[nodiscard]] Message lineLent(const LineLent& lent);
+[[nodiscard]] Message notLent(const LendingProblem& problem);
+/// The bar over the window while it is lent.
+[[nodiscard]] QString lentTo(const LentLine& lent);
 
 }  // namespace nmc::texts

@@ -93,6 +93,8 @@ QString purpose(bus::Purpose purpose) {
             return Texts::tr("challenge");
         case bus::Purpose::Flush:
             return Texts::tr("flush");
+        case bus::Purpose::Lent:
+            return Texts::tr("program");
     }
     return {};
 }

@@ -170,6 +170,8 @@ QString refusal(Refusal refusal) {
             return Texts::tr("Not connected. Choose a port and connect first.");
         case Refusal::ReadOnly:
             return Texts::tr("This connection is read-only. Connect fully first.");
+        case Refusal::Lent:
+            return Texts::tr("The line is lent to a program.");
         case Refusal::OperatorMode:
             return Texts::tr("Not allowed in operator mode. Leave operator mode first.");
         case Refusal::NotAServo:
@@ -326,8 +328,9 @@ QString link(const LinkState& state) {
                                     : Texts::tr("%1, %2 so far").arg(doing, countOfModules(state.found));
         }
         case LinkPhase::Connected:
-            return (state.readOnly ? Texts::tr("Connected to %1 at %2 Bd, %3, read-only")
-                                   : Texts::tr("Connected to %1 at %2 Bd, %3"))
+            return (state.lent       ? Texts::tr("Connected to %1 at %2 Bd, %3, lent to a program")
+                    : state.readOnly ? Texts::tr("Connected to %1 at %2 Bd, %3, read-only")
+                                     : Texts::tr("Connected to %1 at %2 Bd, %3"))
                 .arg(port, grouped(state.baud), countOfModules(static_cast<int>(state.modules.size())));
         case LinkPhase::Lost:
             if (state.modules.empty())

@@ -96,8 +96,8 @@ void FirstSteps::resizeEvent(QResizeEvent* event) {
 
 void FirstSteps::refresh() {
     const ModuleState& module = m_context.state();
-    const bool mayAct =
-        m_context.connected() && !module.silent && !module.lookedFor && !module.readOnly && !module.rights;
+    const bool mayAct = m_context.connected() && !module.silent && !module.lookedFor && !module.readOnly &&
+                        !module.lent && !module.rights;
     m_next = mayAct ? nextFirstStep(module, m_context.settings()) : std::nullopt;
     if (m_next) {
         refreshSteps(*m_next);

@@ -179,7 +179,8 @@ bus::OperationId Commander::submit(bus::Operation operation) {
 
 void Commander::look() {
     sendStopOutputs();
-    if (m_store.link().phase != LinkPhase::Connected || m_store.link().readOnly)
+    const LinkState& link = m_store.link();
+    if (link.phase != LinkPhase::Connected || link.readOnly || link.lent)
         return;
     sendTravelLimits();
     for (const ModuleState& module : std::vector(m_store.link().modules))

@@ -198,7 +198,7 @@ bool ProcedureController::take(const StoreEvent& event) {
             [](const AnyOf<bus::OperationFinished, bus::CommandRefused, bus::HoldExpired, bus::GroupFinished,
                            bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
                            bus::ReaddressFailed, bus::AddressChanged, bus::EchoNoticed, SimulatorAnswered,
-                           GuardianMissing> auto&) {},
+                           GuardianMissing, LineLent, LendingProblem> auto&) {},
         },
         event);
     return true;

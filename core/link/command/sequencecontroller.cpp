@@ -166,7 +166,7 @@ bool SequenceController::take(const StoreEvent& event) {
                            m_run->stop();
                    },
                    [this](const PortClosed&) { m_run->onClosed(); },
-                   [](const AnyOf<SimulatorAnswered, GuardianMissing> auto&) {},
+                   [](const AnyOf<SimulatorAnswered, GuardianMissing, LineLent, LendingProblem> auto&) {},
                    [this](const auto& news) { SequenceNews{*m_run}(news); },
                },
                event);

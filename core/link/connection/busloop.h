@@ -71,6 +71,9 @@ public:
     void setTravelLimits(std::vector<bus::TravelLimits> limits) {
         m_channel.requests.setTravelLimits(std::move(limits));
     }
+    void lend(std::string path) { m_channel.requests.lend(std::move(path)); }
+    void letThrough() { m_channel.requests.letThrough(); }
+    void endLending() { m_channel.requests.endLending(); }
     void setRecording(bool on) { m_channel.recording = on; }
     /// Reports that the GUI thread is alive.
     void beat();

@@ -32,12 +32,13 @@ struct Ends {
     bool operator()(const AnyOf<bus::Readdressed, bus::AddressChanged, bus::ReaddressFailed> auto&) const {
         return std::holds_alternative<Readdress>(request) || std::holds_alternative<ResetModule>(request);
     }
-    bool operator()(const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::ChainFound,
-                                bus::ConnectFailed, bus::StopFinished, bus::ModuleUnresponsive,
-                                bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
-                                bus::ModuleRestarted, bus::MotionSuspect, bus::StoppedBeforeLimit,
-                                bus::GroupChanged, bus::OwedStopConfirmed, bus::EchoNoticed,
-                                bus::ForeignTraffic, bus::ForeignMotion, bus::PathProgress> auto&) const {
+    bool operator()(
+        const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::ChainFound,
+                    bus::ConnectFailed, bus::StopFinished, bus::ModuleUnresponsive, bus::CommandRefused,
+                    bus::LinkLost, bus::HoldExpired, bus::HealthChanged, bus::ModuleRestarted,
+                    bus::MotionSuspect, bus::StoppedBeforeLimit, bus::GroupChanged, bus::OwedStopConfirmed,
+                    bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion, bus::PathProgress,
+                    bus::ModulesSeen, bus::CommandUnanswered> auto&) const {
         return false;
     }
 };

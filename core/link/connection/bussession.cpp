@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "link/connection/bussession.h"
 
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -57,6 +58,8 @@ std::optional<PortError> BusSession::converse() {
             m_engine.stopUnasked(now);
         }
         takeRequests(now);
+        if (servesProgram())
+            serveProgram(now);
         // Bytes are handled after the requests: an answer triggers the next poll, which would otherwise be
         // sent before a stop that arrived with it.
         if (!bytes.empty())
@@ -68,6 +71,7 @@ std::optional<PortError> BusSession::converse() {
         if (const auto performed = perform(m_engine.takeOutput()); !performed)
             return performed.error();
         publishEvents();
+        reportLending();
         if (!m_engine.stopping() && std::exchange(m_restartWhenStopped, false))
             m_engine.restart(now);
         publishRecords();
@@ -78,17 +82,20 @@ std::optional<PortError> BusSession::converse() {
 
         const auto until = nextTurn(now);
         publishStatistics(now, until);
-        auto received = m_transport.receive(until, m_channel.requests.wakeFd());
+        auto received =
+            m_transport.receive(until, servesProgram() ? m_lent->waitFd() : m_channel.requests.wakeFd());
         if (!received)
             return received.error();
         bytes = std::move(*received);
+        if (m_lent && m_engine.hearsForProgram())
+            m_lent->write(bytes);
     }
 }
 
 std::optional<TimePoint> BusSession::nextTurn(TimePoint now) const {
     const bool moving = m_engine.answersForMotion();
     std::optional<TimePoint> next = m_engine.nextDeadline();
-    for (const auto& other : {m_closeBy, m_channel.heartbeat.deadline(moving),
+    for (const auto& other : {m_closeBy, m_channel.heartbeat.deadline(moving && !m_engine.lent()),
                               moving ? std::optional(now + LoopGuard::kBeatEvery) : std::nullopt})
         if (other && (!next || *other < *next))
             next = other;
@@ -101,7 +108,12 @@ void BusSession::takeRequests(TimePoint now) {
         m_engine.stopAll(now);
     if (taken.released)
         m_engine.release(now);
-    if (taken.search)
+    if (taken.lendAt)
+        lend(*taken.lendAt);
+    if (taken.endLending && m_lent)
+        endLending(LineLent::State::Ended, now);
+    m_letThroughWhenStopped = (m_letThroughWhenStopped || taken.letThrough) && m_lent && !taken.stop;
+    if (taken.search && !m_lent)
         search(*taken.search, now);
     for (const ModuleIndex module : taken.kept)
         m_engine.keepTrial(module, now);
@@ -143,7 +155,7 @@ void BusSession::take(BusRequest& request, TimePoint now) {
 /// This is checked before the modules are sent the new rate: at a rate that the port cannot make, they would
 /// be out of reach.
 void BusSession::changeRate(const ChangeRate& change, TimePoint now) {
-    if (m_engine.anythingMoves())
+    if (m_engine.anythingMoves() || m_engine.lent())
         return m_engine.changeRate(change.baud, now);  // which refuses
     const bool made = !m_transport.hasFixedRate() && m_transport.setBaud(change.baud).has_value();
     const bool back = m_transport.setBaud(m_portBaud).has_value();
@@ -169,8 +181,51 @@ void BusSession::search(RequestBox::Search how, TimePoint now) {
     }
 }
 
+void BusSession::lend(const std::string& path) {
+    auto terminal = LentTerminal::create(path, m_portBaud, m_channel.requests.wakeFd());
+    if (!terminal)
+        return m_channel.post(terminal.error());
+    if (!m_engine.lend())
+        return m_channel.post(LendingProblem{LendingProblem::Kind::NotNow, path, {}});
+    m_lent.emplace(std::move(*terminal));
+}
+
+void BusSession::endLending(LineLent::State how, TimePoint now) {
+    m_channel.post(LineLent{how, m_lent->path()});
+    m_lentReported = LineLent::State::Ended;
+    m_lent.reset();
+    m_engine.takeBack(now);
+    m_engine.connect(now);
+}
+
+/// A stop that has been requested meanwhile comes first, so it was taken before.
+void BusSession::serveProgram(TimePoint now) {
+    if (!m_engine.stopping() && std::exchange(m_letThroughWhenStopped, false)) {
+        m_engine.letThrough(now);
+        m_engine.onProgramRate(m_lent->baud());
+    }
+    const LentTerminal::Acts acts = m_lent->takeActs(m_engine.stopBurstBaud());
+    m_engine.onProgram(acts.bytes, now);
+    if (acts.baud)
+        m_engine.onProgramRate(*acts.baud);
+    m_engine.onProgram(acts.bytesAtNewRate, now);
+    if (acts.left && !m_closeBy)
+        endLending(LineLent::State::Left, now);
+}
+
+void BusSession::reportLending() {
+    if (!m_lent)
+        return;
+    const LineLent::State state = !m_engine.passes() ? LineLent::State::HeldOff
+                                  : m_lent->used()   ? LineLent::State::InUse
+                                                     : LineLent::State::Waiting;
+    if (std::exchange(m_lentReported, state) != state)
+        m_channel.post(LineLent{state, m_lent->path()});
+}
+
+/// While the line is lent, a window that is frozen stops nothing: the program goes on.
 void BusSession::watchOver(TimePoint now) {
-    if (m_channel.heartbeat.missed(now, m_engine.answersForMotion()))
+    if (m_channel.heartbeat.missed(now, m_engine.answersForMotion() && !m_engine.lent()))
         m_engine.stopUnasked(now);
     if (const auto slept = m_suspendWatch.check(m_asleepSoFar())) {
         m_engine.distrust(now);
@@ -215,6 +270,8 @@ tl::expected<void, PortError> BusSession::perform(const std::vector<bus::Output>
         tl::expected<void, PortError> done;
         std::visit(Overloaded{
                        [&](const bus::SetHostBaud& rate) {
+                           if (m_engine.passes())
+                               return followRate(rate.baud, done);
                            m_portBaud = rate.baud;
                            done = m_transport.setBaud(rate.baud);
                        },
@@ -226,6 +283,18 @@ tl::expected<void, PortError> BusSession::perform(const std::vector<bus::Output>
             return done;
     }
     return {};
+}
+
+/// The bytes that the program wrote before have the old rate. A rate that the port cannot make is not a
+/// reason to disconnect: the program finds that nobody answers.
+void BusSession::followRate(std::uint32_t baud, tl::expected<void, PortError>& done) {
+    if (m_transport.fd() >= 0)
+        ::tcdrain(m_transport.fd());
+    done = m_transport.setBaud(baud);
+    if (done)
+        m_portBaud = baud;
+    else if (done.error().problem == PortProblem::RateNotPossible)
+        done = m_transport.setBaud(m_portBaud);
 }
 
 void BusSession::publishEvents() {

@@ -11,6 +11,7 @@
 #include "bus/engine.h"
 #include "link/connection/buschannel.h"
 #include "link/connection/busrequest.h"
+#include "link/connection/lentterminal.h"
 #include "link/connection/loopguard.h"
 #include "link/connection/suspendwatch.h"
 #include "link/connection/transport.h"
@@ -46,12 +47,22 @@ private:
     void take(BusRequest& request, TimePoint now);
     void changeRate(const ChangeRate& change, TimePoint now);
     void search(RequestBox::Search how, TimePoint now);
+    void lend(const std::string& path);
+    void endLending(LineLent::State how, TimePoint now);
+    /// Passes on what the program has done.
+    void serveProgram(TimePoint now);
+    void reportLending();
+    /// It is let wait only for the end of what the panel was asking when it lent the line.
+    [[nodiscard]] bool servesProgram() const {
+        return m_lent && (!m_engine.passes() || m_engine.hearsForProgram());
+    }
     /// Stops the motors when nobody else can, as far as the engine allows it (Engine::stopUnasked).
     void watchOver(TimePoint now);
     /// Handles news from the guards.
     tl::expected<void, PortError> hearGuards(TimePoint now);
     void informGuards();
     tl::expected<void, PortError> perform(const std::vector<bus::Output>& outputs);
+    void followRate(std::uint32_t baud, tl::expected<void, PortError>& done);
     void publishEvents();
     void publishStatistics(TimePoint now, std::optional<TimePoint> next);
     void publishRecords();
@@ -67,6 +78,9 @@ private:
     SuspendWatch m_suspendWatch;
     Guarded m_guarded;
     std::uint32_t m_portBaud;
+    std::optional<LentTerminal> m_lent;
+    LineLent::State m_lentReported = LineLent::State::Ended;
+    bool m_letThroughWhenStopped = false;
     bool m_engineRecords = false;
     bool m_restartWhenStopped = false;
     std::optional<TimePoint> m_closeBy;

@@ -102,7 +102,10 @@ void BusStore::take(const WorkerEvent& event) {
                    [](const PortOpened&) {},  // the state has been Connecting since begin()
                    [this](const PortClosed& close) { closed(close); },
                    [this](const AnyOf<SimulatorAnswered, PanelFroze, ComputerSlept, GuardianStopped,
-                                      GuardianMissing> auto& news) { emit happened(news); },
+                                      GuardianMissing, LineLent, LendingProblem> auto& news) {
+                       note(news);
+                       emit happened(news);
+                   },
                },
                event);
 }
@@ -125,6 +128,7 @@ void BusStore::take(const bus::Event& event) {
                 if (known(path.module))
                     m_link.modules[path.module.value()].path = path;
             },
+            [this](const AnyOf<bus::ModulesSeen, bus::CommandUnanswered> auto& seen) { note(seen); },
             [this](const bus::GroupChanged& changed) {
                 if (known(changed.module))
                     m_link.modules[changed.module.value()].info.group = changed.place;
@@ -167,19 +171,38 @@ void BusStore::note(const bus::OperationFinished& finished) {
         m_records[finished.module.value()].feed.cancelled();
     if (finished.outcome == bus::Outcome::Cancelled && known(finished.module))
         m_records[finished.module.value()].open = true;
-    // Without an answer, it is unknown whether the command was executed.
-    if (finished.outcome != bus::Outcome::NoAnswer || !known(finished.module))
+    if (finished.outcome == bus::Outcome::NoAnswer)
+        doubtCommand(finished.module, static_cast<CommandCode>(finished.commandByte & 0x0FU));
+}
+
+void BusStore::note(const bus::CommandUnanswered& command) {
+    doubtCommand(command.module, payloadOf(command.command).code);
+}
+
+void BusStore::doubtCommand(ModuleIndex index, CommandCode command) {
+    if (!known(index))
         return;
-    m_records[finished.module.value()].feed.doubt();
-    doubtMotions({finished.module});
-    const auto command = static_cast<CommandCode>(finished.commandByte & 0x0FU);
+    ModuleState& module = m_link.modules[index.value()];
+    ScopeFeed& feed = m_records[index.value()].feed;
+    feed.doubt();
+    doubtMotions({index});
     if (command == CommandCode::ResetPosition || command == CommandCode::SaveAsHome)
-        m_link.modules[finished.module.value()].home.forget();
-    if (command == CommandCode::SetGain && m_link.modules[finished.module.value()].isServo()) {
-        m_link.modules[finished.module.value()].doubtGains();
-        m_records[finished.module.value()].feed.doubtServoRate();
-        doubtGains(finished.module);
+        module.home.forget();
+    if (command == CommandCode::SetGain && module.isServo()) {
+        module.doubtGains();
+        feed.doubtServoRate();
+        doubtGains(index);
     }
+}
+
+void BusStore::note(const LineLent& lent) {
+    const bool over = lent.state == LineLent::State::Left || lent.state == LineLent::State::Ended;
+    m_link.lent.reset();
+    if (!over)
+        m_link.lent = LentLine{lent.path, lent.state != LineLent::State::Waiting,
+                               lent.state == LineLent::State::HeldOff};
+    for (ModuleState& module : m_link.modules)
+        module.lent = !over;
 }
 
 /// A member whose answer to a group's Save as Home or Reset Position is missing has its home in doubt.
@@ -302,7 +325,9 @@ void BusStore::take(const bus::Sample& sample) {
     Record& record = m_records[sample.module.value()];
     ++record.samples;
     module.apply(sample);
-    if (const auto kept = record.feed.take(sample))
+    const std::size_t index = sample.module.value();
+    const bool ofHistory = index < m_historyOf.size() && m_historyOf[index] == module.info.identity;
+    if (const auto kept = record.feed.take(sample); kept && ofHistory)
         m_history.append(sample.module, *kept);
 }
 
@@ -339,10 +364,25 @@ void BusStore::doubtGains(ModuleIndex module) {
         m_history.noteGains({module, m_history.end().value_or(last->time), std::nullopt});
 }
 
+void BusStore::note(const bus::ChainFound& chain) {
+    setModules(chain);
+    beginHistory(chain);
+}
+
+/// While a program gives addresses, the history stays that of the chain of before, until all have said what
+/// they are.
+void BusStore::note(const bus::ModulesSeen& seen) {
+    const bus::ChainFound chain{.modules = seen.modules, .baud = seen.baud, .attached = true};
+    setModules(chain);
+    if (!seen.modules.empty() &&
+        std::ranges::find(seen.modules, kUnheardModule, &bus::ModuleInfo::identity) == seen.modules.end())
+        beginHistory(chain);
+}
+
 /// A module that answers at its address has not restarted since it was last seen, and a search without a
 /// reset sends it nothing but queries. Within one connection its state is therefore kept, except that it is
 /// unknown whether a motion continues.
-void BusStore::note(const bus::ChainFound& chain) {
+void BusStore::setModules(const bus::ChainFound& chain) {
     const std::vector<ModuleState> before = std::move(m_link.modules);
     const std::vector<Record> recordsBefore = std::move(m_records);
     forgetChain();
@@ -358,6 +398,7 @@ void BusStore::note(const bus::ChainFound& chain) {
         ModuleState module = again ? *same : ModuleState{};
         module.info = info;
         module.readOnly = chain.readOnly;
+        module.lent = m_link.lent.has_value();
         module.rights = m_link.rights;
         Record& record = m_records[info.index.value()];
         if (again) {
@@ -374,7 +415,6 @@ void BusStore::note(const bus::ChainFound& chain) {
         m_link.modules.push_back(module);
     }
     m_link.take(m_machine);
-    beginHistory(chain);
 }
 
 /// The history of the same chain at the same port continues after a gap, so that what led to the trouble can
@@ -414,6 +454,7 @@ void BusStore::closed(const PortClosed& closed) {
         news.error->moving = movingModules(m_link);
     m_link.phase = LinkPhase::Disconnected;
     m_link.readOnly = false;
+    m_link.lent.reset();
     forgetChain();
     emit happened(news);
 }

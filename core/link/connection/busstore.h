@@ -23,7 +23,7 @@ using StoreEvent =
                  bus::GroupFinished, bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed,
                  bus::Readdressed, bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic,
                  bus::ForeignMotion, bus::AddressChanged, PortClosed, SimulatorAnswered, PanelFroze,
-                 ComputerSlept, GuardianStopped, GuardianMissing>;
+                 ComputerSlept, GuardianStopped, GuardianMissing, LineLent, LendingProblem>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads them from here.
@@ -93,6 +93,11 @@ private:
     void executed(const bus::CommandExecuted& command);
     /// These overloads update the state from an event before it is reported.
     void note(const bus::ChainFound& chain);
+    void note(const bus::ModulesSeen& seen);
+    void note(const bus::CommandUnanswered& command);
+    void note(const LineLent& lent);
+    void note(const AnyOf<SimulatorAnswered, PanelFroze, ComputerSlept, GuardianStopped, GuardianMissing,
+                          LendingProblem> auto&) {}
     void note(const bus::ModuleUnresponsive& silence);
     void note(const bus::OperationFinished& finished);
     void note(const bus::HealthChanged& changed);
@@ -111,6 +116,9 @@ private:
     void note(const bus::ForeignTraffic& traffic);
     void note(const AnyOf<bus::CommandRefused, bus::HoldExpired, bus::MotionSuspect, bus::StoppedBeforeLimit,
                           bus::RateChangeFailed, bus::ReaddressFailed, bus::EchoNoticed> auto&) {}
+    /// It is unknown whether the module has carried out this command.
+    void doubtCommand(ModuleIndex module, CommandCode command);
+    void setModules(const bus::ChainFound& chain);
     /// It is unknown whether these modules received the last commands; from here on, only their positions
     /// show whether they move.
     void doubtMotions(const std::vector<ModuleIndex>& modules);

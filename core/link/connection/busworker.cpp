@@ -73,6 +73,21 @@ void BusWorker::release() {
     m_loop.release();
 }
 
+void BusWorker::lend(std::string path) {
+    qCDebug(requestLog) << "lend the line at" << path.c_str();
+    m_loop.lend(std::move(path));
+}
+
+void BusWorker::letThrough() {
+    qCDebug(requestLog) << "let the program through";
+    m_loop.letThrough();
+}
+
+void BusWorker::endLending() {
+    qCDebug(requestLog) << "end lending";
+    m_loop.endLending();
+}
+
 std::vector<WorkerEvent> BusWorker::takeEvents() {
     std::vector<WorkerEvent> events = m_loop.takeEvents();
     if (linkLog().isDebugEnabled())

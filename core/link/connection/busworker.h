@@ -71,6 +71,12 @@ public:
     void hold(const bus::HoldToMove& hold);
     void release();
     void stopAll() { m_loop.stopAll(); }
+    /// Lends the line to the program that opens a terminal at `path` (docs/lending.md): LineLent or
+    /// LendingProblem follows. Until it is over, every other request is refused, except for a stop of all
+    /// modules, after which the program is held off until letThrough().
+    void lend(std::string path);
+    void letThrough();
+    void endLending();
     /// Records every exchange from now on for takeRecords(), in this connection and later ones; initially
     /// off.
     void setRecording(bool on) { m_loop.setRecording(on); }

@@ -147,6 +147,14 @@ struct EventLine {
     std::string operator()(const bus::StoppedBeforeLimit& stopped) const {
         return name(stopped.module) + ": stopped before its travel limit";
     }
+    std::string operator()(const bus::ModulesSeen& seen) const {
+        return "the program's chain: modules " + std::to_string(seen.modules.size()) + ", " +
+               std::to_string(seen.baud) + " Bd";
+    }
+    std::string operator()(const bus::CommandUnanswered& command) const {
+        return name(command.module) + ": not known whether it has carried out the program's command " +
+               number(payloadOf(command.command).code);
+    }
     std::string operator()(const bus::GroupChanged& changed) const {
         return name(changed.module) +
                (changed.place ? ": group " + std::to_string(changed.place->group) : ": group unknown");
@@ -180,6 +188,13 @@ struct EventLine {
     }
     std::string operator()(const GuardianMissing& missing) const {
         return "no guardian: problem " + number(missing.problem);
+    }
+    std::string operator()(const LineLent& lent) const {
+        return "line lent at " + lent.path + ": state " + number(lent.state);
+    }
+    std::string operator()(const LendingProblem& problem) const {
+        return "line not lent at " + problem.path + ": problem " + number(problem.kind) + ", " +
+               problem.reason;
     }
 };
 

@@ -57,6 +57,21 @@ void RequestBox::release() {
     });
 }
 
+void RequestBox::lend(std::string path) {
+    change([&path](Taken& waiting) { waiting.lendAt = std::move(path); });
+}
+
+void RequestBox::letThrough() {
+    change([](Taken& waiting) { waiting.letThrough = true; });
+}
+
+void RequestBox::endLending() {
+    change([](Taken& waiting) {
+        waiting.lendAt.reset();
+        waiting.endLending = true;
+    });
+}
+
 bool RequestBox::offer(BusRequest& request) {
     {
         const std::scoped_lock lock(m_mutex);

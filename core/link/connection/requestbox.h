@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,9 @@ public:
         std::optional<std::vector<bus::TravelLimits>> travelLimits;
         std::optional<std::optional<ModuleIndex>> focused;
         std::optional<bus::HoldToMove> held;
+        std::optional<std::string> lendAt;  ///< the path of a terminal
+        bool letThrough = false;            ///< Engine::letThrough
+        bool endLending = false;
     };
 
     // From any thread, and from a signal handler.
@@ -55,6 +59,9 @@ public:
     void setTravelLimits(std::vector<bus::TravelLimits> limits);
     void hold(const bus::HoldToMove& hold);
     void release();
+    void lend(std::string path);
+    void letThrough();
+    void endLending();
     /// Returns false when the request is not taken, because too many are waiting or no bus thread runs to
     /// take them; `request` is then unchanged.
     [[nodiscard]] bool offer(BusRequest& request);

@@ -8,6 +8,7 @@
 #include "bus/types.h"
 #include "link/guardian/guardianproblem.h"
 #include "link/ports/porterror.h"
+#include "link/terminal/linelent.h"
 
 /// Events from the bus thread to the GUI thread. Plain values; any thread.
 namespace nmc {
@@ -46,7 +47,7 @@ struct GuardianMissing {
 };
 
 using WorkerEvent = std::variant<bus::Event, PortOpened, PortClosed, SimulatorAnswered, PanelFroze,
-                                 ComputerSlept, GuardianStopped, GuardianMissing>;
+                                 ComputerSlept, GuardianStopped, GuardianMissing, LineLent, LendingProblem>;
 
 /// True for events that report a current state and are superseded by the next one, so that losing one does no
 /// harm.

@@ -32,6 +32,8 @@ public:
     /// Descriptor for poll(2), readable when there is something to take; -1 where the system provides no
     /// watch.
     [[nodiscard]] int fd() const { return m_order.get(); }
+    /// The same for tookLeave().
+    [[nodiscard]] int leavesFd() const { return m_leaves.get(); }
 
 private:
     Descriptor m_writes;  ///< inotify

@@ -13,8 +13,6 @@
 #include <cstring>
 #include <utility>
 
-#include "protocol/baud.h"
-
 namespace nmc {
 
 namespace {
@@ -23,10 +21,10 @@ std::string systemError(const std::string& what) {
     return what + ": " + std::strerror(errno);
 }
 
-/// No echo, no line editing, no translation; reads return at once. The rate is the modules' power-up rate, so
-/// that a host that never sets a rate is understood, while any rate that it does set is its own choice.
-/// EXTPROC only makes packet mode report settings.
-bool makeRaw(int fd) {
+/// No echo, no line editing, no translation; reads return at once. A host that never sets a rate is
+/// understood at the one given, while any rate that it does set is its own choice. EXTPROC only makes packet
+/// mode report settings.
+bool makeRaw(int fd, std::uint32_t baud) {
     termios2 settings{};
     if (::ioctl(fd, TCGETS2, &settings) != 0)
         return false;
@@ -34,8 +32,8 @@ bool makeRaw(int fd) {
     settings.c_oflag = 0;
     settings.c_lflag = EXTPROC;
     settings.c_cflag &= ~static_cast<tcflag_t>(CBAUD | CBAUD << IBSHIFT);
-    settings.c_cflag |= B19200;
-    settings.c_ispeed = settings.c_ospeed = kPowerUpBaud;
+    settings.c_cflag |= baud == kPowerUpBaud ? B19200 : BOTHER;
+    settings.c_ispeed = settings.c_ospeed = baud;
     settings.c_cc[VMIN] = 1;
     settings.c_cc[VTIME] = 0;
     return ::ioctl(fd, TCSETS2, &settings) == 0;
@@ -43,7 +41,7 @@ bool makeRaw(int fd) {
 
 }  // namespace
 
-tl::expected<PtyServer, std::string> PtyServer::create(const std::string& link) {
+tl::expected<PtyServer, std::string> PtyServer::create(const std::string& link, std::uint32_t baud) {
     PtyServer server;
     server.m_master = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     std::array<char, 128> name{};
@@ -52,7 +50,8 @@ tl::expected<PtyServer, std::string> PtyServer::create(const std::string& link) 
         return tl::unexpected(systemError("no pseudo-terminal can be made"));
     server.m_path = name.data();
     server.m_slave = ::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    if (server.m_slave < 0 || !makeRaw(server.m_slave) || ::fchmod(server.m_slave, S_IRUSR | S_IWUSR) != 0)
+    if (server.m_slave < 0 || !makeRaw(server.m_slave, baud) ||
+        ::fchmod(server.m_slave, S_IRUSR | S_IWUSR) != 0)
         return tl::unexpected(systemError("the pseudo-terminal " + server.m_path + " cannot be set up"));
     const int on = 1;
     if (::ioctl(server.m_master, TIOCPKT, &on) != 0)

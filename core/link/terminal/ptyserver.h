@@ -10,6 +10,7 @@
 
 #include "base/bytes.h"
 #include "link/terminal/firstact.h"
+#include "protocol/baud.h"
 
 namespace nmc {
 
@@ -27,9 +28,10 @@ struct HostActs {
 /// side is kept open here as well, so that a host may close and reopen it.
 class PtyServer {
 public:
-    /// Creates a raw terminal of mode 0600 at 19 200 Bd and, with a non-empty `link`, a symbolic link to it.
-    /// The error is a sentence.
-    [[nodiscard]] static tl::expected<PtyServer, std::string> create(const std::string& link);
+    /// Creates a raw terminal of mode 0600, at the modules' power-up rate unless another is given, and, with
+    /// a non-empty `link`, a symbolic link to it. The error is a sentence.
+    [[nodiscard]] static tl::expected<PtyServer, std::string> create(const std::string& link,
+                                                                     std::uint32_t baud = kPowerUpBaud);
     PtyServer(PtyServer&& other) noexcept;
     PtyServer& operator=(PtyServer&&) = delete;
     /// Removes the link if it still points here.
@@ -39,13 +41,15 @@ public:
     /// Descriptors for poll(2), readable when there are bytes, or any actions; the latter may be -1.
     [[nodiscard]] int fd() const { return m_master; }
     [[nodiscard]] int actsFd() const { return m_firstAct.fd(); }
+    /// Readable when a host has closed its side; the loop of a server that polls regularly needs none.
+    [[nodiscard]] int leavesFd() const { return m_firstAct.leavesFd(); }
     /// After a hang-up, whatever the host has not read by now is lost, as with any port that is closed.
     [[nodiscard]] HostActs takeActs();
     /// Returns only the bytes.
     [[nodiscard]] std::vector<std::uint8_t> read() const { return readAll().bytes; }
     /// Bytes that a host does not read for a long time are lost, as on a real line.
     void write(ByteSpan bytes) const;
-    /// The rate of the host's side, initially 19 200; empty at B0, which means "hang up".
+    /// The rate of the host's side; empty at B0, which means "hang up".
     [[nodiscard]] std::optional<std::uint32_t> hostBaud() const;
 
 private:

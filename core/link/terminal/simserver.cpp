@@ -107,7 +107,7 @@ void SimServer::serveHost() {
         return;
     m_received += acts.bytes.size();
     const bool late = m_overslept || wantedNow() > m_now + kLate;
-    const std::size_t before = beforeNewRate(acts);
+    const std::size_t before = m_rateOrder.beforeNewRate(acts, m_hostBaud, m_chain.understands(m_hostBaud));
     m_chain.hostSends(ByteSpan(acts.bytes).first(before), m_now, late);
     m_hostBaud = baud;
     m_chain.setHostBaud(baud);
@@ -125,42 +125,6 @@ void SimServer::drain() {
     m_chain.advanceTo(m_now);
     static_cast<void>(m_chain.takeHostBytes());
     m_started -= fromSeconds(toSeconds(m_now - closed) / m_pacing.speed);
-}
-
-/// The number of bytes that the host wrote before it set its present rate. If it did both in quick
-/// succession, the kernel reports only which came first; the rate change is then assumed to follow a Set Baud
-/// or Hard Reset. If the kernel reports nothing, the bytes are assumed to have the old rate when the modules
-/// understand that rate.
-std::size_t SimServer::beforeNewRate(const HostActs& acts) {
-    const std::size_t all = acts.bytes.size();
-    const bool changed = acts.baud.value_or(m_hostBaud) != m_hostBaud;
-    if (changed && acts.first == FirstAct::SetTerminal) {
-        m_sentRateCommand = false;
-        endOfLastRateCommand(acts.bytes);
-        return 0;
-    }
-    const bool wantsNewRate = m_sentRateCommand;
-    const std::size_t behindRateCommand = endOfLastRateCommand(acts.bytes);
-    if (!changed)
-        return all;
-    m_sentRateCommand = false;
-    if (behindRateCommand > 0 || wantsNewRate)
-        return behindRateCommand;
-    return acts.first == FirstAct::Wrote || m_chain.understands(m_hostBaud) ? all : 0;
-}
-
-std::size_t SimServer::endOfLastRateCommand(ByteSpan bytes) {
-    std::size_t end = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        if (!m_monitor.hears(bytes[i], false))
-            continue;
-        const sim::Packet& packet = m_monitor.packet();
-        const bool isOne = packet.code() == CommandCode::SetBaud || packet.code() == CommandCode::HardReset;
-        m_sentRateCommand = isOne && packet.sumIsRight();
-        if (m_sentRateCommand)
-            end = i + 1;
-    }
-    return end;
 }
 
 void SimServer::deliver() {

@@ -5,9 +5,9 @@
 
 #include "link/terminal/lateness.h"
 #include "link/terminal/ptyserver.h"
+#include "link/terminal/rateorder.h"
 #include "sim/chain.h"
 #include "sim/control.h"
-#include "sim/receiver.h"
 
 namespace nmc {
 
@@ -39,10 +39,6 @@ private:
     void catchUp();
     void serveHost();
     void drain();
-    [[nodiscard]] std::size_t beforeNewRate(const HostActs& acts);
-    /// Returns the number of `bytes` up to the end of the last Set Baud or Hard Reset among them; 0 if there
-    /// is none.
-    std::size_t endOfLastRateCommand(ByteSpan bytes);
     void deliver();
     /// Returns false when this was the last line.
     bool serveControl();
@@ -59,9 +55,7 @@ private:
     std::string m_pendingLine;
     bool m_controlOpen = true;
     std::uint32_t m_hostBaud = 0;
-    sim::Receiver m_monitor;  ///< receives the host's bytes regardless of rates
-    /// The host's last command was Set Baud or Hard Reset, and it has not set a rate since.
-    bool m_sentRateCommand = false;
+    RateOrder m_rateOrder;
     TimePoint m_started;
     TimePoint m_now;           ///< simulated time reached so far
     bool m_overslept = false;  ///< bytes from the host may have waited

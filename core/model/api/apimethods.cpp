@@ -467,9 +467,13 @@ Json stateOf(const LinkState& link, const Machine& machine) {
     Json modules = Json::array();
     for (const ModuleState& module : link.modules)
         modules.push_back(stateOf(module, machine.axis(module.info.index)));
-    return {{"port", link.port},          {"simulated", link.simulated},
-            {"read_only", link.readOnly}, {"phase", lower(enumName<LinkPhase::Lost>(link.phase))},
-            {"baud", link.baud},          {"modules", std::move(modules)}};
+    return {{"port", link.port},
+            {"simulated", link.simulated},
+            {"read_only", link.readOnly},
+            {"phase", lower(enumName<LinkPhase::Lost>(link.phase))},
+            {"baud", link.baud},
+            {"modules", std::move(modules)},
+            {"lent", link.lent.has_value()}};
 }
 
 }  // namespace nmc::api

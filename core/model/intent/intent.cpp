@@ -406,6 +406,8 @@ std::optional<Refusal> whyNotDeclare(const ModuleState& module) {
 }
 
 std::optional<Refusal> whyInaccessible(IntentKind kind, const ModuleState& module) {
+    if (module.lent)
+        return Refusal::Lent;
     if (module.readOnly)
         return Refusal::ReadOnly;
     if (module.rights && !allows(*module.rights, kind))
@@ -419,12 +421,16 @@ std::optional<Refusal> whyInaccessible(IntentKind kind, const ModuleState& modul
 std::optional<Refusal> whyInaccessible(const LinkState& link) {
     if (link.phase == LinkPhase::Disconnected)
         return Refusal::NotConnected;
+    if (link.lent)
+        return Refusal::Lent;
     if (link.readOnly)
         return Refusal::ReadOnly;
     return link.rights ? std::optional(Refusal::OperatorMode) : std::nullopt;
 }
 
 std::optional<Refusal> whyNoChain(const LinkState& link) {
+    if (link.lent)
+        return Refusal::Lent;
     if (link.phase == LinkPhase::Connected)
         return std::nullopt;
     return link.phase == LinkPhase::Connecting && link.looking ? Refusal::Looking : Refusal::NotConnected;

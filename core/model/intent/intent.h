@@ -192,6 +192,7 @@ using Intent = Join<AnyModuleIntent, MotorSetting, MoveIntent, ServoIntent, Step
 enum class Refusal : std::uint8_t {
     NotConnected,
     ReadOnly,      ///< the connection is read-only
+    Lent,          ///< the line is lent to a program
     OperatorMode,  ///< the panel is locked
     NotAServo,
     NoMotor,  ///< a PIC-I/O

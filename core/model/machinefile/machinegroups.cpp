@@ -35,7 +35,7 @@ std::vector<bus::GroupChange> groupChanges(const Machine& machine, const std::ve
     std::vector<bus::GroupChange> changes;
     for (const ModuleState& module : modules) {
         const bus::GroupPlace wanted = placeOf(module.info.index, machine);
-        if (!module.readOnly && module.info.group != wanted)
+        if (!module.readOnly && !module.lent && module.info.group != wanted)
             changes.push_back({module.info.index, wanted});
     }
     std::stable_partition(changes.begin(), changes.end(),

@@ -13,6 +13,14 @@ namespace nmc {
 
 enum class LinkPhase : std::uint8_t { Disconnected, Connecting, Connected, Lost };
 
+/// The line while it is lent to a program (docs/lending.md).
+struct LentLine {
+    std::string path;      ///< of the terminal
+    bool inUse = false;    ///< the program has sent something
+    bool heldOff = false;  ///< by a stop of all modules
+    bool operator==(const LentLine&) const = default;
+};
+
 /// The whole connection as a value: the data behind the tool bar, the chain list and the status bar.
 struct LinkState {
     LinkPhase phase = LinkPhase::Disconnected;
@@ -25,6 +33,8 @@ struct LinkState {
     /// Only queries and a stop of all modules are sent: another host is responsible for what moves (faults.md
     /// H-02).
     bool readOnly = false;
+    /// Nothing is sent except by that program, and by a stop of all modules.
+    std::optional<LentLine> lent{};
     /// What an operator may request; empty: the panel is not locked.
     std::optional<OperatorRights> rights{};
     std::uint32_t baud = 0;

@@ -44,6 +44,8 @@ struct ModuleState : ServoRegisters {
     bool hasRestarted = false;
     /// Part of a read-only connection: it is sent no commands (faults.md H-02).
     bool readOnly = false;
+    /// The line is lent to a program, so this panel sends nothing (docs/lending.md).
+    bool lent = false;
     /// What an operator may request from it; empty: the panel is not locked.
     std::optional<OperatorRights> rights;
     /// The last operation that this panel requested from it, until that has ended; stops do not count.

@@ -25,6 +25,7 @@ PacketKind kindOf(bus::Purpose purpose) {
         case bus::Purpose::Operation:
         case bus::Purpose::Check:
         case bus::Purpose::Hold:
+        case bus::Purpose::Lent:
             return PacketKind::Command;
         case bus::Purpose::Stop:
             return PacketKind::Stop;

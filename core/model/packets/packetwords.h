@@ -9,9 +9,9 @@
 /// The words of the replayable log, by enum value. They are part of its format and never change.
 namespace nmc::words {
 
-inline constexpr std::array<std::string_view, 8> kPurposes{"connect", "poll", "operation", "check",
-                                                           "hold",    "stop", "challenge", "flush"};
-static_assert(kPurposes.size() == static_cast<std::size_t>(bus::Purpose::Flush) + 1);
+inline constexpr std::array<std::string_view, 9> kPurposes{
+    "connect", "poll", "operation", "check", "hold", "stop", "challenge", "flush", "lent"};
+static_assert(kPurposes.size() == static_cast<std::size_t>(bus::Purpose::Lent) + 1);
 
 inline constexpr std::array<std::string_view, 8> kEnds{"accepted",     "refused",  "silent",    "partial",
                                                        "bad_checksum", "rejected", "abandoned", "not_asked"};

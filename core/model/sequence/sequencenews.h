@@ -31,11 +31,11 @@ struct SequenceNews {
             run.onTakenOver(member.module);
     }
     void operator()(const AnyOf<bus::ChainFound, bus::ConnectFailed> auto&) const { run.onClosed(); }
-    void operator()(
-        const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::OperationFinished,
-                    bus::CommandRefused, bus::GroupChanged, bus::RateChanged, bus::RateChangeFailed,
-                    bus::OwedStopConfirmed, bus::Readdressed, bus::AddressChanged, bus::ReaddressFailed,
-                    bus::EchoNoticed, bus::PathProgress> auto&) const {}
+    void operator()(const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress,
+                                bus::OperationFinished, bus::CommandRefused, bus::GroupChanged,
+                                bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed,
+                                bus::Readdressed, bus::AddressChanged, bus::ReaddressFailed, bus::EchoNoticed,
+                                bus::PathProgress, bus::ModulesSeen, bus::CommandUnanswered> auto&) const {}
 };
 
 }  // namespace nmc
