@@ -115,7 +115,7 @@ void ApiController::follow() {
     if (!m_on)
         return;
     listen();
-    if (m_store.link().phase != LinkPhase::Connected) {
+    if (whyNoChain(m_store.link())) {
         m_pending.clear();
         m_doneAt.clear();
         endControl(texts::ControlLost::Disconnected);

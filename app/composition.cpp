@@ -8,6 +8,7 @@
 
 #include "app/guardianplace.h"
 #include "link/clock.h"
+#include "widgets/common/apitexts.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
@@ -155,6 +156,9 @@ void Composition::wireWindow() {
     connect(requests, &Requests::holdReleased, &m_worker, &BusWorker::release);
     connect(requests, &Requests::axisEdited, &m_machine, &MachineController::edit);
     connect(requests, &Requests::scan, &m_connection, &Connection::searchAgain);
+    connect(requests, &Requests::lend, &m_connection, &Connection::lend);
+    connect(requests, &Requests::letProgramThrough, &m_worker, &BusWorker::letThrough);
+    connect(requests, &Requests::endLending, &m_worker, &BusWorker::endLending);
     connect(requests, &Requests::acceptChain, &m_connection, &Connection::acceptChain);
     connect(requests, &Requests::rate, &m_worker, &BusWorker::changeRate);
     connect(requests, &Requests::address, &m_worker, &BusWorker::changeAddress);
@@ -192,6 +196,8 @@ void Composition::wireConnection() {
                 for (const ModuleIndex module : missing)
                     m_messages.end(texts::key::silent(module));
             });
+    connect(&m_connection, &Connection::notLent, this,
+            [this](const LendingProblem& problem) { m_messages.report(texts::notLent(problem)); });
     connect(&m_connection, &Connection::notAccepted, this,
             [this] { m_messages.report(texts::chainNotAccepted()); });
     connect(&m_connection, &Connection::ended, this, &Composition::quit);

@@ -146,6 +146,13 @@ void Connection::searchIfIdle() {
         searchAgain();
 }
 
+void Connection::lend(const QString& path) {
+    if (m_commander.anyRunning())
+        emit notLent({LendingProblem::Kind::NotNow, path.toStdString(), {}});
+    else
+        m_worker.lend(path.toStdString());
+}
+
 void Connection::acceptChain() {
     const LinkState& link = m_store.link();
     std::vector<bus::ModuleInfo> present;
@@ -180,7 +187,7 @@ void Connection::take(const StoreEvent& event) {
         on(*closed);
     else if (std::holds_alternative<bus::LinkLost>(event))
         m_lostPort = m_target->port;
-    else if (std::holds_alternative<bus::AddressChanged>(event))
+    else if (std::holds_alternative<bus::AddressChanged>(event) && !m_store.link().lent)
         remember();
     else if (const auto* changed = std::get_if<bus::RateChanged>(&event);
              changed != nullptr && !m_store.link().simulated)

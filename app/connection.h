@@ -47,6 +47,8 @@ public:
     void searchAgain();
     /// The user has requested something else than the search that waits.
     void dropSearch() { m_searchWhenIdle = false; }
+    /// Lends the line to the program that opens this path, if no procedure and no sequence is running.
+    void lend(const QString& path);
     /// Makes the modules that are present the expected ones; those that are missing are forgotten.
     void acceptChain();
 
@@ -64,6 +66,8 @@ signals:
     /// These are present; the modules in `missing` are not.
     void accepted(const std::vector<nmc::ModuleIdentity>& present,
                   const std::vector<nmc::ModuleIndex>& missing);
+    /// The line was not lent, because motors are in use.
+    void notLent(const nmc::LendingProblem& problem);
     /// Forgetting a module would close the connection, which would stop motors.
     void notAccepted();
     void ended();

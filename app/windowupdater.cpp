@@ -77,7 +77,8 @@ void WindowUpdater::showLink() {
     m_window.showLink(m_store.link());
 }
 
-WindowUpdater::Shown::Shown(const LinkState& link) : phase(link.phase), connection(link.connection) {
+WindowUpdater::Shown::Shown(const LinkState& link)
+    : phase(link.phase), connection(link.connection), lent(link.lent) {
     for (const ModuleState& module : link.modules)
         modules.push_back({module.activity(), module.awaited, module.gains});
 }
@@ -109,7 +110,8 @@ void WindowUpdater::showFigures() {
         return m_window.showTime(monotonicNow());
     const LinkFigures figures = m_store.pullFigures(monotonicNow());
     m_window.showFigures(figures);
-    if (m_store.link().phase == LinkPhase::Connected)
+    // Those of a program that has the line say nothing about the adapter.
+    if (m_store.link().phase == LinkPhase::Connected && !m_store.link().lent)
         emit ratesMeasured(figures);
 }
 

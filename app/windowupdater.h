@@ -41,6 +41,7 @@ private:
         explicit Shown(const LinkState& link);
         LinkPhase phase;
         std::uint32_t connection;
+        std::optional<LentLine> lent;
         std::vector<std::tuple<Activity, std::optional<bus::OperationId>, std::optional<servo::SetGain>>>
             modules;
         bool operator==(const Shown&) const = default;

@@ -6,6 +6,7 @@
 
 #include "model/intent/intent.h"
 #include "widgets/chain/chaindialog.h"
+#include "widgets/chain/lenddialog.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
@@ -34,12 +35,15 @@ ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, Requests& re
                           QString())),
       m_programs(
           newAction(u"letProgramsInAction"_s, tr("&Let programs in"), QKeySequence(),
-                    tr("Other programs on this computer may read the chain, and ask to move motors."))) {
+                    tr("Other programs on this computer may read the chain, and ask to move motors."))),
+      m_lend(newAction(u"lendLineAction"_s, tr("L&end the line to a program…"), QKeySequence(),
+                       tr("A program has the modules for itself; the panel shows what they report."))) {
     m_programs->setCheckable(true);
     connect(m_programs, &QAction::triggered, &requests, &Requests::letProgramsIn);
     connect(m_doctor, &QAction::triggered, this, &ChainMenu::openDoctor);
     connect(m_groups, &QAction::triggered, this, [this] { open(ChainDialog::Groups); });
     connect(m_rate, &QAction::triggered, this, [this] { open(ChainDialog::Rate); });
+    connect(m_lend, &QAction::triggered, this, &ChainMenu::openLending);
     connect(m_scan, &QAction::triggered, &requests, &Requests::scan);
     connect(m_restart, &QAction::triggered, &requests, &Requests::restart);
     refresh();
@@ -59,7 +63,7 @@ void ChainMenu::addTo(QMenu& menu) {
     menu.addSeparator();
     menu.addActions({m_scan, m_restart});
     menu.addSeparator();
-    menu.addAction(m_programs);
+    menu.addActions({m_programs, m_lend});
 }
 
 void ChainMenu::showPrograms(bool on) {
@@ -67,13 +71,25 @@ void ChainMenu::showPrograms(bool on) {
 }
 
 void ChainMenu::refresh() {
-    m_scan->setEnabled(m_link.phase == LinkPhase::Connected || m_link.phase == LinkPhase::Lost);
+    m_scan->setEnabled((m_link.phase == LinkPhase::Connected || m_link.phase == LinkPhase::Lost) &&
+                       !m_link.lent);
     const auto refusal = whyInaccessible(m_link);
     m_restart->setEnabled(!refusal);
     m_restart->setToolTip(refusal ? texts::refusal(*refusal)
                                   : Common::tr("Resets every module and assigns new addresses. Asks first."));
     if (m_dialog != nullptr && m_dialog->isVisible())
         m_dialog->showChain(m_machine, m_link);
+    if (m_lendDialog != nullptr)
+        m_lendDialog->showLink(m_link);
+}
+
+void ChainMenu::openLending() {
+    if (m_lendDialog == nullptr)
+        m_lendDialog = new LendDialog(m_requests, m_window);
+    m_lendDialog->showLink(m_link);
+    m_lendDialog->show();
+    m_lendDialog->raise();
+    m_lendDialog->activateWindow();
 }
 
 void ChainMenu::openDoctor() {

@@ -13,6 +13,7 @@ class QMenu;
 namespace nmc {
 
 class ChainDialog;
+class LendDialog;
 class Requests;
 
 /// The menu for the chain as a whole, and the dialog that it opens: doctor, groups and baud rate.
@@ -33,18 +34,21 @@ private:
     QAction* newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
                        const QString& tip);
     void open(int page);
+    void openLending();
 
     Requests& m_requests;
     const Machine& m_machine;
     const LinkState& m_link;
     QWidget* m_window;
-    ChainDialog* m_dialog = nullptr;  ///< null until it is opened for the first time
+    ChainDialog* m_dialog = nullptr;     ///< null until it is opened for the first time
+    LendDialog* m_lendDialog = nullptr;  ///< null until it is opened for the first time
     QAction* m_doctor;
     QAction* m_groups;
     QAction* m_rate;
     QAction* m_scan;
     QAction* m_restart;
     QAction* m_programs;
+    QAction* m_lend;
 };
 
 }  // namespace nmc

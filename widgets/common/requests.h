@@ -94,6 +94,11 @@ signals:
     void letProgramsIn(bool on);
     /// Takes back the right to move motors.
     void endProgramControl();
+    /// To the program that opens this path (docs/lending.md).
+    void lend(const QString& path);
+    /// The program may continue after a stop.
+    void letProgramThrough();
+    void endLending();
 
     // ---- of the program ----
 

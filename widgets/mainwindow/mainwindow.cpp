@@ -123,6 +123,7 @@ void MainWindow::buildTop() {
     layout->addWidget(m_readOnlyRibbon);
     layout->addWidget(m_operatorRibbon);
     layout->addWidget(m_programsRibbon);
+    layout->addWidget(m_lentRibbon);
     layout->addWidget(m_pendantRibbon);
     layout->addWidget(m_banner);
     setMenuWidget(top);
@@ -151,6 +152,16 @@ void MainWindow::buildRibbons(QWidget* top) {
                                                tr("The program may no longer move motors."));
     m_endControl->setFocusPolicy(Qt::NoFocus);
     connect(m_endControl, &QPushButton::clicked, m_requests, &Requests::endProgramControl);
+    m_lentRibbon = new Ribbon(u"lentRibbon"_s, tr("Line lent to a program"), {}, top);
+    m_letThrough = m_lentRibbon->addButton(u"letProgramThroughButton"_s, tr("Release"),
+                                           tr("The program has the line again. It may move motors at once."));
+    QPushButton* endLending = m_lentRibbon->addButton(
+        u"endLendingButton"_s, tr("End lending"),
+        tr("The program loses the line, and the modules are looked at anew. Nothing is reset or stopped."));
+    for (QPushButton* button : {m_letThrough, endLending})
+        button->setFocusPolicy(Qt::NoFocus);
+    connect(m_letThrough, &QPushButton::clicked, m_requests, &Requests::letProgramThrough);
+    connect(endLending, &QPushButton::clicked, m_requests, &Requests::endLending);
     m_pendantRibbon = new Ribbon(u"pendantRibbon"_s, tr("Pendant"), {}, top);
     QPushButton* end =
         m_pendantRibbon->addButton(u"endPendantButton"_s, tr("End pendant mode"),
@@ -358,6 +369,11 @@ void MainWindow::showSession() {
     setWindowModified(m_machineMenu->file().modified);
     m_simulatorRibbon->setVisible(simulated);
     m_readOnlyRibbon->setVisible(readOnly);
+    m_lentRibbon->setVisible(link.lent.has_value());
+    if (!link.lent)
+        return;
+    m_lentRibbon->setText(texts::lentTo(*link.lent));
+    m_letThrough->setVisible(link.lent->heldOff);
 }
 
 QString MainWindow::nothingText() const {

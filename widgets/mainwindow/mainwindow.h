@@ -253,6 +253,8 @@ private:
     Ribbon* m_pendantRibbon = nullptr;
     Ribbon* m_operatorRibbon = nullptr;
     Ribbon* m_programsRibbon = nullptr;
+    Ribbon* m_lentRibbon = nullptr;
+    QPushButton* m_letThrough = nullptr;
     QPushButton* m_endControl = nullptr;
     Pendant* m_pendant = nullptr;
     OperatorLock* m_operator = nullptr;

@@ -20,7 +20,7 @@ void Session::setLink(const LinkState& state) {
     m_link.now = before.now;
     const bool another = state.phase != before.phase || state.connection != before.connection ||
                          state.port != before.port || state.simulated != before.simulated ||
-                         state.readOnly != before.readOnly;
+                         state.readOnly != before.readOnly || state.lent != before.lent;
     if (state.phase != before.phase && state.phase == LinkPhase::Connecting) {
         m_procedures.clear();
         m_link.now.reset();

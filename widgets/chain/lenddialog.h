@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+
+#include "model/module/linkstate.h"
+
+class QLineEdit;
+class QPushButton;
+
+namespace nmc {
+
+class Requests;
+
+/// Asks at which path the line is to be lent to a program (docs/lending.md). Not modal. GUI thread.
+class LendDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    LendDialog(Requests& requests, QWidget* window);
+    /// Shows whether the line can be lent now. Emits nothing.
+    void showLink(const LinkState& link);
+
+private:
+    QLineEdit* m_path;
+    QPushButton* m_lend;
+};
+
+}  // namespace nmc
