@@ -117,6 +117,11 @@ std::optional<Say> readPort(const QCommandLineParser& parser, const std::functio
         start.port = kSimulatorPort + QLatin1Char('=') + chain;
     } else if (parser.isSet(kPort)) {
         const QString name = parser.value(kPort);
+        if (isNetworkName(name.toStdString()) && !parseNetworkLine(name.toStdString())) {
+            const Message message =
+                texts::portProblem({PortProblem::NotANetworkLine, name.toStdString(), {}, {}, {}});
+            return Say{message.headline + QLatin1Char(' ') + message.body, kBadArguments};
+        }
         const QList<PortEntry> known = ports();
         if (!exists(name, known)) {
             QStringList names;

@@ -231,12 +231,11 @@ void Composition::change(const bus::GroupChange& change) {
     m_machine.noteGroup(change);
 }
 
-void Composition::open(const ConnectTarget& target, bool simulated, Duration latency) {
+void Composition::open(const ConnectTarget& target, bool simulated) {
     const bool owns = !simulated && !target.readOnly;
     m_messages.end(texts::key::port());
     m_motions.begin(target, owns);
     m_positions.begin(target.port, owns);
-    m_window.paths().setLatency(latency);
     m_window.beginPackets(packetSession(target.port, simulated));
     m_updater.begin();
 }

@@ -60,7 +60,7 @@ private:
     void wireMachine();
     void carryOut(ModuleIndex module, const Intent& intent);
     void change(const bus::GroupChange& change);
-    void open(const ConnectTarget& target, bool simulated, Duration latency);
+    void open(const ConnectTarget& target, bool simulated);
     void take(const StoreEvent& event);
     void quit();
 

@@ -107,7 +107,7 @@ void Connection::openNow(const ConnectTarget& target) {
             factory = [port, baud = target.baud] { return std::make_unique<SerialTransport>(port, baud); };
         m_ports.opening(target);
     }
-    emit opening(target, simulated, config.adapterLatency);
+    emit opening(target, simulated);
     m_store.begin(port, simulated, config.baud, target.readOnly);
     m_worker.open(m_transports ? m_transports(target) : std::move(factory), config);
 }

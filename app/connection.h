@@ -56,8 +56,7 @@ public:
     void take(const StoreEvent& event);
 
 signals:
-    /// `latency`: of the adapter.
-    void opening(const nmc::ConnectTarget& target, bool simulated, nmc::Duration latency);
+    void opening(const nmc::ConnectTarget& target, bool simulated);
     void searching();
     /// Fewer modules were found than the machine has, or were found at this port before.
     void fewerFound(int modules, int expected);

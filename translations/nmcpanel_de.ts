@@ -115,10 +115,6 @@
         <translation>Bedienprogramm für Motormodule nach Networked Modular Control (NMC).</translation>
     </message>
     <message>
-        <source>Connect to a serial port at startup.</source>
-        <translation>Beim Start mit einer seriellen Schnittstelle verbinden.</translation>
-    </message>
-    <message>
         <source>NAME</source>
         <translation>NAME</translation>
     </message>
@@ -165,6 +161,10 @@
     <message>
         <source>Let other programs in from the start. With =control, one of them may move motors without the user being asked.</source>
         <translation>Andere Programme von Anfang an einlassen. Mit =control darf eines davon Motoren bewegen, ohne dass gefragt wird.</translation>
+    </message>
+    <message>
+        <source>Connect to a serial port at startup, or to one at a device server: tcp://HOST:PORT or rfc2217://HOST:PORT.</source>
+        <translation>Beim Start mit einer seriellen Schnittstelle verbinden, oder mit der eines Geräteservers: tcp://HOST:PORT oder rfc2217://HOST:PORT.</translation>
     </message>
 </context>
 <context>
@@ -5242,6 +5242,58 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>Endschalter 2 ist aktiv: Der Motor kann sich nur von ihm weg bewegen.</translation>
     </message>
+    <message>
+        <source>program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>%1 is not a line behind a network.</source>
+        <translation>%1 ist keine Leitung hinter einem Netzwerk.</translation>
+    </message>
+    <message>
+        <source>Write tcp://HOST:PORT, or rfc2217://HOST:PORT if the device server lets the rate be set.</source>
+        <translation>tcp://HOST:PORT schreiben, oder rfc2217://HOST:PORT, wenn sich die Baudrate am Geräteserver einstellen lässt.</translation>
+    </message>
+    <message>
+        <source>The computer or device server in %1 was not found.</source>
+        <translation>Der Computer oder Geräteserver in %1 wurde nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>Check its name, and the network.</source>
+        <translation>Den Namen und das Netzwerk prüfen.</translation>
+    </message>
+    <message>
+        <source>Nothing accepts connections at %1.</source>
+        <translation>Bei %1 nimmt nichts Verbindungen an.</translation>
+    </message>
+    <message>
+        <source>Check that the device server is on, that its TCP port is this one, and that no other program has it.</source>
+        <translation>Prüfen, ob der Geräteserver eingeschaltet ist, ob dies sein TCP-Port ist und ob kein anderes Programm ihn belegt.</translation>
+    </message>
+    <message>
+        <source>%1 does not let the serial port be controlled.</source>
+        <translation>%1 lässt die serielle Schnittstelle nicht steuern.</translation>
+    </message>
+    <message>
+        <source>Enable RFC 2217 in the device server, or set it to 19 200 Bd, 8N1, and connect with tcp:// instead.</source>
+        <translation>RFC 2217 im Geräteserver einschalten, oder ihn auf 19 200 Bd, 8N1, stellen und stattdessen mit tcp:// verbinden.</translation>
+    </message>
+    <message>
+        <source>The connection to %1 is lost. %2</source>
+        <translation>Die Verbindung zu %1 ist abgebrochen. %2</translation>
+    </message>
+    <message>
+        <source>Use the hardware stop if needed, then check the network and the device server.</source>
+        <translation>Bei Bedarf den Hardware-Stopp benutzen, dann Netzwerk und Geräteserver prüfen.</translation>
+    </message>
+    <message>
+        <source>The line is lent to a program.</source>
+        <translation>Die Leitung ist an ein Programm verliehen.</translation>
+    </message>
+    <message>
+        <source>Connected to %1 at %2 Bd, %3, lent to a program</source>
+        <translation>Verbunden mit %1 bei %2 Bd, %3, an ein Programm verliehen</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5697,6 +5749,70 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Program &quot;%1&quot;: %2</source>
         <translation>Programm „%1“: %2</translation>
+    </message>
+    <message>
+        <source>This line is not JSON.</source>
+        <translation>Diese Zeile ist kein JSON.</translation>
+    </message>
+    <message>
+        <source>A request is an object with method, params (an object) and id.</source>
+        <translation>Eine Anfrage ist ein Objekt mit method, params (einem Objekt) und id.</translation>
+    </message>
+    <message>
+        <source>There is no such method.</source>
+        <translation>Diese Methode gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The line is lent at %1. No program has used it yet.</source>
+        <translation>Die Leitung ist bei %1 verliehen. Noch hat kein Programm sie benutzt.</translation>
+    </message>
+    <message>
+        <source>A program has the line, at %1.</source>
+        <translation>Ein Programm hat die Leitung, bei %1.</translation>
+    </message>
+    <message>
+        <source>All motors were commanded to stop, and the program is held off.</source>
+        <translation>Allen Motoren wurde Stopp befohlen, und das Programm wird aufgehalten.</translation>
+    </message>
+    <message>
+        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
+        <translation>Was es sendet, wird verworfen. Freigeben lässt es weitermachen; es weiß nicht, was ihm entgangen ist.</translation>
+    </message>
+    <message>
+        <source>The program has closed %1, and the line is no longer lent.</source>
+        <translation>Das Programm hat %1 geschlossen, und die Leitung ist nicht mehr verliehen.</translation>
+    </message>
+    <message>
+        <source>The line is no longer lent.</source>
+        <translation>Die Leitung ist nicht mehr verliehen.</translation>
+    </message>
+    <message>
+        <source>The line was not lent.</source>
+        <translation>Die Leitung wurde nicht verliehen.</translation>
+    </message>
+    <message>
+        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
+        <translation>Die Kette war beschäftigt, oder ein Motor bewegte sich. Die Motoren stoppen und es erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>There is something at %1 already. Choose another path.</source>
+        <translation>Bei %1 ist schon etwas. Einen anderen Pfad wählen.</translation>
+    </message>
+    <message>
+        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
+        <translation>Bei %1 lässt sich kein Terminal anlegen. Einen Pfad in einem eigenen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — stopped; the program is held off.</source>
+        <translation>VERLIEHEN bei %1 — gestoppt; das Programm wird aufgehalten.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
+        <translation>VERLIEHEN bei %1 — ein Programm hat die Leitung. Keine Verfahrgrenze und keine andere Prüfung schützt die Motoren; ALLES STOPP wirkt.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — no program yet.</source>
+        <translation>VERLIEHEN bei %1 — noch kein Programm.</translation>
     </message>
 </context>
 <context>
@@ -6163,6 +6279,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Other programs on this computer may read the chain, and ask to move motors.</source>
         <translation>Andere Programme auf diesem Rechner dürfen die Kette lesen und darum bitten, Motoren zu bewegen.</translation>
+    </message>
+    <message>
+        <source>L&amp;end the line to a program…</source>
+        <translation>Leitung an ein Programm verl&amp;eihen…</translation>
+    </message>
+    <message>
+        <source>A program has the modules for itself; the panel shows what they report.</source>
+        <translation>Ein Programm hat die Module für sich; das Panel zeigt, was sie melden.</translation>
     </message>
 </context>
 <context>
@@ -8148,6 +8272,41 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
+    <name>nmc::LendDialog</name>
+    <message>
+        <source>Path of the terminal</source>
+        <translation>Pfad des Terminals</translation>
+    </message>
+    <message>
+        <source>&amp;Lend the line</source>
+        <translation>Leitung ver&amp;leihen</translation>
+    </message>
+    <message>
+        <source>Lend the line to a program</source>
+        <translation>Leitung an ein Programm verleihen</translation>
+    </message>
+    <message>
+        <source>The program opens this path in place of the serial port, and has the modules for itself. The panel shows and records what they report, and sends nothing: your travel limits, stops at limits and other checks do not protect the motors. STOP ALL works, and holds the program off.</source>
+        <translation>Das Programm öffnet diesen Pfad anstelle der seriellen Schnittstelle und hat die Module für sich. Hier wird gezeigt und aufgezeichnet, was sie melden, und nichts gesendet: Verfahrgrenzen, Stopps an Grenzen und andere Prüfungen schützen die Motoren nicht. ALLES STOPP wirkt und hält das Programm auf.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Path of the terminal</source>
+        <translation>&amp;Pfad des Terminals</translation>
+    </message>
+    <message>
+        <source>A motor is moving. Stop it first.</source>
+        <translation>Ein Motor bewegt sich. Stoppen Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>Creates the terminal. Nothing moves.</source>
+        <translation>Legt das Terminal an. Nichts bewegt sich.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::LimitStopBox</name>
     <message>
         <source>Arm limit stop</source>
@@ -8647,6 +8806,26 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Let it move motors</source>
         <translation>Motoren bewegen lassen</translation>
+    </message>
+    <message>
+        <source>Line lent to a program</source>
+        <translation>Leitung an ein Programm verliehen</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>The program has the line again. It may move motors at once.</source>
+        <translation>Das Programm hat die Leitung wieder. Es kann sofort Motoren bewegen.</translation>
+    </message>
+    <message>
+        <source>End lending</source>
+        <translation>Verleihen beenden</translation>
+    </message>
+    <message>
+        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
+        <translation>Das Programm verliert die Leitung, und die Module werden neu gesucht. Nichts wird zurückgesetzt oder gestoppt.</translation>
     </message>
 </context>
 <context>

@@ -115,10 +115,6 @@
         <translation>Panel de control para módulos de motor Networked Modular Control (NMC).</translation>
     </message>
     <message>
-        <source>Connect to a serial port at startup.</source>
-        <translation>Conectar a un puerto serie al iniciar.</translation>
-    </message>
-    <message>
         <source>NAME</source>
         <translation>NOMBRE</translation>
     </message>
@@ -165,6 +161,10 @@
     <message>
         <source>Let other programs in from the start. With =control, one of them may move motors without the user being asked.</source>
         <translation>Dejar entrar a otros programas desde el inicio. Con =control, uno de ellos puede mover motores sin preguntar.</translation>
+    </message>
+    <message>
+        <source>Connect to a serial port at startup, or to one at a device server: tcp://HOST:PORT or rfc2217://HOST:PORT.</source>
+        <translation>Conectarse al iniciar a un puerto serie, o al de un servidor de dispositivos: tcp://HOST:PORT o rfc2217://HOST:PORT.</translation>
     </message>
 </context>
 <context>
@@ -5242,6 +5242,58 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>El final de carrera 2 está activo: el motor solo puede alejarse de él.</translation>
     </message>
+    <message>
+        <source>program</source>
+        <translation>programa</translation>
+    </message>
+    <message>
+        <source>%1 is not a line behind a network.</source>
+        <translation>%1 no es una línea accesible por la red.</translation>
+    </message>
+    <message>
+        <source>Write tcp://HOST:PORT, or rfc2217://HOST:PORT if the device server lets the rate be set.</source>
+        <translation>Escriba tcp://HOST:PORT, o rfc2217://HOST:PORT si el servidor de dispositivos permite ajustar la velocidad.</translation>
+    </message>
+    <message>
+        <source>The computer or device server in %1 was not found.</source>
+        <translation>No se encontró el equipo o el servidor de dispositivos de %1.</translation>
+    </message>
+    <message>
+        <source>Check its name, and the network.</source>
+        <translation>Compruebe su nombre y la red.</translation>
+    </message>
+    <message>
+        <source>Nothing accepts connections at %1.</source>
+        <translation>Nada acepta conexiones en %1.</translation>
+    </message>
+    <message>
+        <source>Check that the device server is on, that its TCP port is this one, and that no other program has it.</source>
+        <translation>Compruebe que el servidor de dispositivos está encendido, que su puerto TCP es este y que ningún otro programa lo ocupa.</translation>
+    </message>
+    <message>
+        <source>%1 does not let the serial port be controlled.</source>
+        <translation>%1 no permite controlar el puerto serie.</translation>
+    </message>
+    <message>
+        <source>Enable RFC 2217 in the device server, or set it to 19 200 Bd, 8N1, and connect with tcp:// instead.</source>
+        <translation>Active RFC 2217 en el servidor de dispositivos, o ajústelo a 19 200 Bd, 8N1, y conéctese con tcp://.</translation>
+    </message>
+    <message>
+        <source>The connection to %1 is lost. %2</source>
+        <translation>Se ha perdido la conexión con %1. %2</translation>
+    </message>
+    <message>
+        <source>Use the hardware stop if needed, then check the network and the device server.</source>
+        <translation>Use la parada por hardware si es necesario y luego compruebe la red y el servidor de dispositivos.</translation>
+    </message>
+    <message>
+        <source>The line is lent to a program.</source>
+        <translation>La línea está prestada a un programa.</translation>
+    </message>
+    <message>
+        <source>Connected to %1 at %2 Bd, %3, lent to a program</source>
+        <translation>Conectado a %1 a %2 Bd, %3, prestado a un programa</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5697,6 +5749,70 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Program &quot;%1&quot;: %2</source>
         <translation>Programa «%1»: %2</translation>
+    </message>
+    <message>
+        <source>This line is not JSON.</source>
+        <translation>Esta línea no es JSON.</translation>
+    </message>
+    <message>
+        <source>A request is an object with method, params (an object) and id.</source>
+        <translation>Una petición es un objeto con method, params (un objeto) e id.</translation>
+    </message>
+    <message>
+        <source>There is no such method.</source>
+        <translation>No existe ese método.</translation>
+    </message>
+    <message>
+        <source>The line is lent at %1. No program has used it yet.</source>
+        <translation>La línea está prestada en %1. Ningún programa la ha usado todavía.</translation>
+    </message>
+    <message>
+        <source>A program has the line, at %1.</source>
+        <translation>Un programa tiene la línea, en %1.</translation>
+    </message>
+    <message>
+        <source>All motors were commanded to stop, and the program is held off.</source>
+        <translation>Se ordenó parar a todos los motores, y el programa queda retenido.</translation>
+    </message>
+    <message>
+        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
+        <translation>Lo que envía se descarta. Dejar continuar le devuelve la línea; no sabe lo que se ha perdido.</translation>
+    </message>
+    <message>
+        <source>The program has closed %1, and the line is no longer lent.</source>
+        <translation>El programa ha cerrado %1, y la línea ya no está prestada.</translation>
+    </message>
+    <message>
+        <source>The line is no longer lent.</source>
+        <translation>La línea ya no está prestada.</translation>
+    </message>
+    <message>
+        <source>The line was not lent.</source>
+        <translation>La línea no se ha prestado.</translation>
+    </message>
+    <message>
+        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
+        <translation>La cadena estaba ocupada, o un motor se movía. Pare los motores e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>There is something at %1 already. Choose another path.</source>
+        <translation>Ya hay algo en %1. Elija otra ruta.</translation>
+    </message>
+    <message>
+        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
+        <translation>No se puede crear un terminal en %1. Elija una ruta en una carpeta propia.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — stopped; the program is held off.</source>
+        <translation>PRESTADA en %1 — parado; el programa queda retenido.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
+        <translation>PRESTADA en %1 — un programa tiene la línea. Ningún límite de recorrido ni otra comprobación del panel protege los motores; PARAR TODO actúa.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — no program yet.</source>
+        <translation>PRESTADA en %1 — todavía ningún programa.</translation>
     </message>
 </context>
 <context>
@@ -6163,6 +6279,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Other programs on this computer may read the chain, and ask to move motors.</source>
         <translation>Otros programas de este equipo pueden leer la cadena y pedir mover motores.</translation>
+    </message>
+    <message>
+        <source>L&amp;end the line to a program…</source>
+        <translation>Pr&amp;estar la línea a un programa…</translation>
+    </message>
+    <message>
+        <source>A program has the modules for itself; the panel shows what they report.</source>
+        <translation>Un programa tiene los módulos para sí; el panel muestra lo que comunican.</translation>
     </message>
 </context>
 <context>
@@ -8148,6 +8272,41 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
+    <name>nmc::LendDialog</name>
+    <message>
+        <source>Path of the terminal</source>
+        <translation>Ruta del terminal</translation>
+    </message>
+    <message>
+        <source>&amp;Lend the line</source>
+        <translation>&amp;Prestar la línea</translation>
+    </message>
+    <message>
+        <source>Lend the line to a program</source>
+        <translation>Prestar la línea a un programa</translation>
+    </message>
+    <message>
+        <source>The program opens this path in place of the serial port, and has the modules for itself. The panel shows and records what they report, and sends nothing: your travel limits, stops at limits and other checks do not protect the motors. STOP ALL works, and holds the program off.</source>
+        <translation>El programa abre esta ruta en lugar del puerto serie, y tiene los módulos para sí. El panel muestra y registra lo que comunican, y no envía nada: los límites de recorrido, las paradas en los límites y otras comprobaciones no protegen los motores. PARAR TODO actúa, y retiene el programa.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>&amp;Path of the terminal</source>
+        <translation>&amp;Ruta del terminal</translation>
+    </message>
+    <message>
+        <source>A motor is moving. Stop it first.</source>
+        <translation>Un motor se está moviendo. Párelo primero.</translation>
+    </message>
+    <message>
+        <source>Creates the terminal. Nothing moves.</source>
+        <translation>Crea el terminal. Nada se mueve.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::LimitStopBox</name>
     <message>
         <source>Arm limit stop</source>
@@ -8647,6 +8806,26 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Let it move motors</source>
         <translation>Dejar mover motores</translation>
+    </message>
+    <message>
+        <source>Line lent to a program</source>
+        <translation>Línea prestada a un programa</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Dejar continuar</translation>
+    </message>
+    <message>
+        <source>The program has the line again. It may move motors at once.</source>
+        <translation>El programa tiene de nuevo la línea. Puede mover motores de inmediato.</translation>
+    </message>
+    <message>
+        <source>End lending</source>
+        <translation>Terminar el préstamo</translation>
+    </message>
+    <message>
+        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
+        <translation>El programa pierde la línea, y los módulos se buscan de nuevo. Nada se reinicia ni se para.</translation>
     </message>
 </context>
 <context>

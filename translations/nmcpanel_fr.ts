@@ -115,10 +115,6 @@
         <translation>Programme de commande pour modules moteurs NMC (Networked Modular Control).</translation>
     </message>
     <message>
-        <source>Connect to a serial port at startup.</source>
-        <translation>Se connecter à un port série au démarrage.</translation>
-    </message>
-    <message>
         <source>NAME</source>
         <translation>NOM</translation>
     </message>
@@ -165,6 +161,10 @@
     <message>
         <source>Let other programs in from the start. With =control, one of them may move motors without the user being asked.</source>
         <translation>Laisser entrer d’autres programmes dès le démarrage. Avec =control, l’un d’eux peut déplacer les moteurs sans demander.</translation>
+    </message>
+    <message>
+        <source>Connect to a serial port at startup, or to one at a device server: tcp://HOST:PORT or rfc2217://HOST:PORT.</source>
+        <translation>Se connecter au démarrage à un port série, ou à celui d’un serveur de périphériques&#xa0;: tcp://HOST:PORT ou rfc2217://HOST:PORT.</translation>
     </message>
 </context>
 <context>
@@ -5242,6 +5242,58 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>Le fin de course 2 est actif&#xa0;: le moteur ne peut que s’en éloigner.</translation>
     </message>
+    <message>
+        <source>program</source>
+        <translation>programme</translation>
+    </message>
+    <message>
+        <source>%1 is not a line behind a network.</source>
+        <translation>%1 n’est pas une ligne accessible par le réseau.</translation>
+    </message>
+    <message>
+        <source>Write tcp://HOST:PORT, or rfc2217://HOST:PORT if the device server lets the rate be set.</source>
+        <translation>Écrivez tcp://HOST:PORT, ou rfc2217://HOST:PORT si le serveur de périphériques permet de régler le débit.</translation>
+    </message>
+    <message>
+        <source>The computer or device server in %1 was not found.</source>
+        <translation>L’ordinateur ou le serveur de périphériques de %1 est introuvable.</translation>
+    </message>
+    <message>
+        <source>Check its name, and the network.</source>
+        <translation>Vérifiez son nom et le réseau.</translation>
+    </message>
+    <message>
+        <source>Nothing accepts connections at %1.</source>
+        <translation>Rien n’accepte de connexion sur %1.</translation>
+    </message>
+    <message>
+        <source>Check that the device server is on, that its TCP port is this one, and that no other program has it.</source>
+        <translation>Vérifiez que le serveur de périphériques est allumé, que son port TCP est celui-ci et qu’aucun autre programme ne l’occupe.</translation>
+    </message>
+    <message>
+        <source>%1 does not let the serial port be controlled.</source>
+        <translation>%1 ne permet pas de commander le port série.</translation>
+    </message>
+    <message>
+        <source>Enable RFC 2217 in the device server, or set it to 19 200 Bd, 8N1, and connect with tcp:// instead.</source>
+        <translation>Activez RFC 2217 sur le serveur de périphériques, ou réglez-le sur 19 200 Bd, 8N1, et connectez-vous plutôt avec tcp://.</translation>
+    </message>
+    <message>
+        <source>The connection to %1 is lost. %2</source>
+        <translation>La connexion à %1 est perdue. %2</translation>
+    </message>
+    <message>
+        <source>Use the hardware stop if needed, then check the network and the device server.</source>
+        <translation>Utilisez l’arrêt câblé si nécessaire, puis vérifiez le réseau et le serveur de périphériques.</translation>
+    </message>
+    <message>
+        <source>The line is lent to a program.</source>
+        <translation>La ligne est prêtée à un programme.</translation>
+    </message>
+    <message>
+        <source>Connected to %1 at %2 Bd, %3, lent to a program</source>
+        <translation>Connecté à %1 à %2 Bd, %3, prêté à un programme</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5697,6 +5749,70 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Program &quot;%1&quot;: %2</source>
         <translation>Programme «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>This line is not JSON.</source>
+        <translation>Cette ligne n’est pas du JSON.</translation>
+    </message>
+    <message>
+        <source>A request is an object with method, params (an object) and id.</source>
+        <translation>Une requête est un objet avec method, params (un objet) et id.</translation>
+    </message>
+    <message>
+        <source>There is no such method.</source>
+        <translation>Cette méthode n’existe pas.</translation>
+    </message>
+    <message>
+        <source>The line is lent at %1. No program has used it yet.</source>
+        <translation>La ligne est prêtée sur %1. Aucun programme ne l’a encore utilisée.</translation>
+    </message>
+    <message>
+        <source>A program has the line, at %1.</source>
+        <translation>Un programme a la ligne, sur %1.</translation>
+    </message>
+    <message>
+        <source>All motors were commanded to stop, and the program is held off.</source>
+        <translation>L’arrêt a été commandé à tous les moteurs, et le programme est tenu à l’écart.</translation>
+    </message>
+    <message>
+        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
+        <translation>Ce qu’il envoie est ignoré. Laisser continuer lui rend la ligne&#xa0;; il ne sait pas ce qu’il a manqué.</translation>
+    </message>
+    <message>
+        <source>The program has closed %1, and the line is no longer lent.</source>
+        <translation>Le programme a fermé %1, et la ligne n’est plus prêtée.</translation>
+    </message>
+    <message>
+        <source>The line is no longer lent.</source>
+        <translation>La ligne n’est plus prêtée.</translation>
+    </message>
+    <message>
+        <source>The line was not lent.</source>
+        <translation>La ligne n’a pas été prêtée.</translation>
+    </message>
+    <message>
+        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
+        <translation>La chaîne était occupée, ou un moteur était en mouvement. Arrêtez les moteurs et réessayez.</translation>
+    </message>
+    <message>
+        <source>There is something at %1 already. Choose another path.</source>
+        <translation>Il y a déjà quelque chose sur %1. Choisissez un autre chemin.</translation>
+    </message>
+    <message>
+        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
+        <translation>Aucun terminal ne peut être créé sur %1. Choisissez un chemin dans un de vos dossiers.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — stopped; the program is held off.</source>
+        <translation>PRÊTÉE sur %1 — arrêté&#xa0;; le programme est tenu à l’écart.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
+        <translation>PRÊTÉE sur %1 — un programme a la ligne. Aucune limite de course ni autre contrôle du panneau ne protège les moteurs&#xa0;; TOUT ARRÊTER agit.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — no program yet.</source>
+        <translation>PRÊTÉE sur %1 — aucun programme pour l’instant.</translation>
     </message>
 </context>
 <context>
@@ -6163,6 +6279,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Other programs on this computer may read the chain, and ask to move motors.</source>
         <translation>D’autres programmes de cet ordinateur peuvent lire la chaîne et demander à déplacer les moteurs.</translation>
+    </message>
+    <message>
+        <source>L&amp;end the line to a program…</source>
+        <translation>Prêt&amp;er la ligne à un programme…</translation>
+    </message>
+    <message>
+        <source>A program has the modules for itself; the panel shows what they report.</source>
+        <translation>Un programme a les modules pour lui seul&#xa0;; le panneau montre ce qu’ils signalent.</translation>
     </message>
 </context>
 <context>
@@ -8148,6 +8272,41 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
+    <name>nmc::LendDialog</name>
+    <message>
+        <source>Path of the terminal</source>
+        <translation>Chemin du terminal</translation>
+    </message>
+    <message>
+        <source>&amp;Lend the line</source>
+        <translation>&amp;Prêter la ligne</translation>
+    </message>
+    <message>
+        <source>Lend the line to a program</source>
+        <translation>Prêter la ligne à un programme</translation>
+    </message>
+    <message>
+        <source>The program opens this path in place of the serial port, and has the modules for itself. The panel shows and records what they report, and sends nothing: your travel limits, stops at limits and other checks do not protect the motors. STOP ALL works, and holds the program off.</source>
+        <translation>Le programme ouvre ce chemin à la place du port série, et a les modules pour lui seul. Le panneau montre et enregistre ce qu’ils signalent, et n’envoie rien&#xa0;: limites de course, arrêts aux limites et autres contrôles ne protègent pas les moteurs. TOUT ARRÊTER agit, et tient le programme à l’écart.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>&amp;Path of the terminal</source>
+        <translation>&amp;Chemin du terminal</translation>
+    </message>
+    <message>
+        <source>A motor is moving. Stop it first.</source>
+        <translation>Un moteur est en mouvement. Arrêtez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>Creates the terminal. Nothing moves.</source>
+        <translation>Crée le terminal. Rien ne bouge.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::LimitStopBox</name>
     <message>
         <source>Arm limit stop</source>
@@ -8647,6 +8806,26 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Let it move motors</source>
         <translation>Laisser déplacer</translation>
+    </message>
+    <message>
+        <source>Line lent to a program</source>
+        <translation>Ligne prêtée à un programme</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Laisser continuer</translation>
+    </message>
+    <message>
+        <source>The program has the line again. It may move motors at once.</source>
+        <translation>Le programme a de nouveau la ligne. Il peut mouvoir des moteurs immédiatement.</translation>
+    </message>
+    <message>
+        <source>End lending</source>
+        <translation>Mettre fin au prêt</translation>
+    </message>
+    <message>
+        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
+        <translation>Le programme perd la ligne, et les modules sont recherchés de nouveau. Rien n’est réinitialisé ni arrêté.</translation>
     </message>
 </context>
 <context>

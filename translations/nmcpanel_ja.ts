@@ -115,10 +115,6 @@
         <translation>Networked Modular Control（NMC）モーターモジュール用の操作パネル。</translation>
     </message>
     <message>
-        <source>Connect to a serial port at startup.</source>
-        <translation>起動時にシリアルポートへ接続します。</translation>
-    </message>
-    <message>
         <source>NAME</source>
         <translation>名前</translation>
     </message>
@@ -165,6 +161,10 @@
     <message>
         <source>Let other programs in from the start. With =control, one of them may move motors without the user being asked.</source>
         <translation>起動時から他のプログラムの接続を許可します。=controlを付けると、そのうち1つは確認なしでモーターを動かせます。</translation>
+    </message>
+    <message>
+        <source>Connect to a serial port at startup, or to one at a device server: tcp://HOST:PORT or rfc2217://HOST:PORT.</source>
+        <translation>起動時にシリアルポート、またはデバイスサーバーのポート(tcp://HOST:PORT または rfc2217://HOST:PORT)に接続します。</translation>
     </message>
 </context>
 <context>
@@ -5225,6 +5225,58 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>Limit switch 2 is active: the motor can only move away from it.</source>
         <translation>リミットスイッチ2がオンです。モーターはそこから離れる方向にだけ動けます。</translation>
     </message>
+    <message>
+        <source>program</source>
+        <translation>プログラム</translation>
+    </message>
+    <message>
+        <source>%1 is not a line behind a network.</source>
+        <translation>%1 はネットワーク越しの回線ではありません。</translation>
+    </message>
+    <message>
+        <source>Write tcp://HOST:PORT, or rfc2217://HOST:PORT if the device server lets the rate be set.</source>
+        <translation>tcp://HOST:PORT と書くか、デバイスサーバーがボーレートの設定を許す場合は rfc2217://HOST:PORT と書いてください。</translation>
+    </message>
+    <message>
+        <source>The computer or device server in %1 was not found.</source>
+        <translation>%1 のコンピューターまたはデバイスサーバーが見つかりません。</translation>
+    </message>
+    <message>
+        <source>Check its name, and the network.</source>
+        <translation>名前とネットワークを確認してください。</translation>
+    </message>
+    <message>
+        <source>Nothing accepts connections at %1.</source>
+        <translation>%1 で接続を受け付けるものがありません。</translation>
+    </message>
+    <message>
+        <source>Check that the device server is on, that its TCP port is this one, and that no other program has it.</source>
+        <translation>デバイスサーバーの電源、TCP ポート番号、ほかのプログラムが使用していないことを確認してください。</translation>
+    </message>
+    <message>
+        <source>%1 does not let the serial port be controlled.</source>
+        <translation>%1 ではシリアルポートを制御できません。</translation>
+    </message>
+    <message>
+        <source>Enable RFC 2217 in the device server, or set it to 19 200 Bd, 8N1, and connect with tcp:// instead.</source>
+        <translation>デバイスサーバーで RFC 2217 を有効にするか、19 200 Bd、8N1 に設定して代わりに tcp:// で接続してください。</translation>
+    </message>
+    <message>
+        <source>The connection to %1 is lost. %2</source>
+        <translation>%1 への接続が失われました。%2</translation>
+    </message>
+    <message>
+        <source>Use the hardware stop if needed, then check the network and the device server.</source>
+        <translation>必要ならハードウェア停止装置を使用し、その後ネットワークとデバイスサーバーを確認してください。</translation>
+    </message>
+    <message>
+        <source>The line is lent to a program.</source>
+        <translation>回線はプログラムに貸出中です。</translation>
+    </message>
+    <message>
+        <source>Connected to %1 at %2 Bd, %3, lent to a program</source>
+        <translation>%1 に接続中(%2 Bd、%3、プログラムに貸出中)</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5680,6 +5732,70 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Program &quot;%1&quot;: %2</source>
         <translation>プログラム「%1」：%2</translation>
+    </message>
+    <message>
+        <source>This line is not JSON.</source>
+        <translation>この行は JSON ではありません。</translation>
+    </message>
+    <message>
+        <source>A request is an object with method, params (an object) and id.</source>
+        <translation>リクエストは method、params(オブジェクト)、id を持つオブジェクトです。</translation>
+    </message>
+    <message>
+        <source>There is no such method.</source>
+        <translation>そのメソッドはありません。</translation>
+    </message>
+    <message>
+        <source>The line is lent at %1. No program has used it yet.</source>
+        <translation>回線を %1 で貸しています。まだプログラムは使用していません。</translation>
+    </message>
+    <message>
+        <source>A program has the line, at %1.</source>
+        <translation>プログラムが %1 で回線を使用しています。</translation>
+    </message>
+    <message>
+        <source>All motors were commanded to stop, and the program is held off.</source>
+        <translation>すべてのモーターに停止を指令し、プログラムを保留しました。</translation>
+    </message>
+    <message>
+        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
+        <translation>送信内容は破棄されます。「続行させる」で再開しますが、プログラムは抜けた分を知りません。</translation>
+    </message>
+    <message>
+        <source>The program has closed %1, and the line is no longer lent.</source>
+        <translation>プログラムが %1 を閉じたので、回線の貸出は終わりました。</translation>
+    </message>
+    <message>
+        <source>The line is no longer lent.</source>
+        <translation>回線の貸出は終わりました。</translation>
+    </message>
+    <message>
+        <source>The line was not lent.</source>
+        <translation>回線は貸し出されませんでした。</translation>
+    </message>
+    <message>
+        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
+        <translation>チェーンが使用中か、モーターが動いていました。モーターを停止してやり直してください。</translation>
+    </message>
+    <message>
+        <source>There is something at %1 already. Choose another path.</source>
+        <translation>%1 には既に何かがあります。別のパスを選んでください。</translation>
+    </message>
+    <message>
+        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
+        <translation>%1 に端末を作れません。自分のフォルダー内のパスを選んでください。</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — stopped; the program is held off.</source>
+        <translation>貸出中 %1 — 停止しました。プログラムは保留中です。</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
+        <translation>貸出中 %1 — プログラムが回線を使用しています。移動範囲などパネルの確認はモーターを保護しません。全停止は有効です。</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — no program yet.</source>
+        <translation>貸出中 %1 — まだプログラムはありません。</translation>
     </message>
 </context>
 <context>
@@ -6146,6 +6262,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Other programs on this computer may read the chain, and ask to move motors.</source>
         <translation>このコンピューターの他のプログラムがチェーンを読み取り、モーターの操作を求めることができます。</translation>
+    </message>
+    <message>
+        <source>L&amp;end the line to a program…</source>
+        <translation>プログラムに回線を貸す(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>A program has the modules for itself; the panel shows what they report.</source>
+        <translation>プログラムがモジュールを占有し、パネルはその報告を表示します。</translation>
     </message>
 </context>
 <context>
@@ -8131,6 +8255,41 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
+    <name>nmc::LendDialog</name>
+    <message>
+        <source>Path of the terminal</source>
+        <translation>端末のパス</translation>
+    </message>
+    <message>
+        <source>&amp;Lend the line</source>
+        <translation>回線を貸す(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Lend the line to a program</source>
+        <translation>プログラムに回線を貸す</translation>
+    </message>
+    <message>
+        <source>The program opens this path in place of the serial port, and has the modules for itself. The panel shows and records what they report, and sends nothing: your travel limits, stops at limits and other checks do not protect the motors. STOP ALL works, and holds the program off.</source>
+        <translation>プログラムはシリアルポートの代わりにこのパスを開き、モジュールを占有します。パネルは報告を表示・記録するだけで、何も送信しません。移動範囲、リミットでの停止などの確認はモーターを保護しません。全停止は有効で、プログラムを保留します。</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Path of the terminal</source>
+        <translation>端末のパス(&amp;P)</translation>
+    </message>
+    <message>
+        <source>A motor is moving. Stop it first.</source>
+        <translation>モーターが動いています。先に停止してください。</translation>
+    </message>
+    <message>
+        <source>Creates the terminal. Nothing moves.</source>
+        <translation>端末を作ります。何も動きません。</translation>
+    </message>
+</context>
+<context>
     <name>nmc::LimitStopBox</name>
     <message>
         <source>Arm limit stop</source>
@@ -8629,6 +8788,26 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Let it move motors</source>
         <translation>モーターの操作を許可</translation>
+    </message>
+    <message>
+        <source>Line lent to a program</source>
+        <translation>プログラムに貸した回線</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>続行させる</translation>
+    </message>
+    <message>
+        <source>The program has the line again. It may move motors at once.</source>
+        <translation>プログラムが再び回線を使用します。すぐにモーターを動かすことがあります。</translation>
+    </message>
+    <message>
+        <source>End lending</source>
+        <translation>貸出を終了</translation>
+    </message>
+    <message>
+        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
+        <translation>プログラムは回線を失い、モジュールを改めて調べます。リセットも停止もしません。</translation>
     </message>
 </context>
 <context>

@@ -29,6 +29,17 @@ Say said(const QString& arguments) {
     return say != nullptr ? *say : Say{};
 }
 
+TEST(CommandLine, TakesTheAddressOfADeviceServer) {
+    for (const char* address : {"tcp://moxa:4001", "rfc2217://[::1]:4001"})
+        EXPECT_EQ(started(QStringLiteral("--port ") + QLatin1String(address)).port, QLatin1String(address));
+    for (const char* wrong : {"tcp://moxa", "rfc2217://moxa:x", "rfc2217://:4001"}) {
+        const Say say = said(QStringLiteral("--port ") + QLatin1String(wrong));
+        EXPECT_EQ(say.exitCode, 2) << wrong;
+        EXPECT_TRUE(say.text.contains(QLatin1String(wrong))) << say.text.toStdString();
+        EXPECT_TRUE(say.text.contains(QStringLiteral("rfc2217://HOST:PORT"))) << say.text.toStdString();
+    }
+}
+
 TEST(CommandLine, ConnectsToNothingUnlessAsked) {
     EXPECT_FALSE(started(QString()).port.has_value());
     EXPECT_EQ(started(QString()).baud, 19'200U);

@@ -70,13 +70,27 @@ TEST_F(NetworkTransportTest, PassesTheBytesOfARawLineOn) {
     ASSERT_TRUE(line.open());
     server.accept();
     EXPECT_TRUE(line.hasFixedRate());
-    EXPECT_TRUE(line.setBaud(57'600)) << "nothing happens";
     EXPECT_GT(line.latency(), Duration::zero()) << "measured";
     ASSERT_TRUE(line.send(Bytes{0xAA, 0xFF, 0x0F}));
     EXPECT_EQ(server.read(3), (Bytes{0xAA, 0xFF, 0x0F}));
     server.write({1, 255, 2});
     EXPECT_EQ(received(line), (Bytes{1, 255, 2}));
-    EXPECT_EQ(line.onWire(Bytes{0xFF}), Bytes{0xFF});
+    EXPECT_EQ(line.onWire(Bytes{0xFF}, 115'200), Bytes{0xFF});
+}
+
+TEST_F(NetworkTransportTest, IsMuteAtARateThatARawLineDoesNotHave) {
+    NetworkTransport line = transport(NetworkLine::Protocol::Raw);
+    ASSERT_TRUE(line.open());
+    server.accept();
+    ASSERT_TRUE(line.setBaud(9'600));
+    ASSERT_TRUE(line.send(Bytes{1}));
+    server.write({2});
+    EXPECT_EQ(received(line), Bytes{});
+    ASSERT_TRUE(line.setBaud(19'200));
+    ASSERT_TRUE(line.send(Bytes{3}));
+    EXPECT_EQ(server.read(1), Bytes{3});
+    server.write({4});
+    EXPECT_EQ(received(line), Bytes{4});
 }
 
 TEST_F(NetworkTransportTest, ReturnsWhenItIsWokenOrTheTimeHasPassed) {
@@ -150,7 +164,9 @@ TEST_F(NetworkTransportTest, SetsTheRateThroughRfc2217) {
     EXPECT_EQ(received(line), (Bytes{1, 255, 2}));
     ASSERT_TRUE(line.send(Bytes{0xAA, 0xFF}));
     EXPECT_EQ(server.read(3), (Bytes{0xAA, 0xFF, 0xFF}));
-    EXPECT_EQ(line.onWire(Bytes{0xFF}), (Bytes{0xFF, 0xFF})) << "for the guardian";
+    EXPECT_EQ(line.onWire(Bytes{0xFF}, 19'200), (Bytes{255, 250, 44, 1, 0, 0, 0x4B, 0, 255, 240, 0xFF, 0xFF}))
+        << "for the guardian: the rate may be another one at that moment";
+    EXPECT_EQ(line.onWire({}, 19'200), Bytes{});
     line.discardInput();
     EXPECT_EQ(server.read(7), (Bytes{255, 250, 44, 12, 1, 255, 240}));
 }

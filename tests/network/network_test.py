@@ -103,18 +103,33 @@ class DeviceServers(unittest.TestCase):
         self.assertEqual(code, NOT_REACHED)
         self.assertIn("does not let the serial port be controlled", problems)
 
-    def test_a_server_that_ends_is_a_lost_line(self):
-        server = self.serve("telnet(rfc2217),tcp")
-        moving = self.start(PROGRAMS / "nmcctl", "--port", f"rfc2217://127.0.0.1:{self.port}", "-", stdin=subprocess.PIPE,
+    def begin_moving(self, protocol):
+        moving = self.start(PROGRAMS / "nmcctl", "--port", f"{protocol}://127.0.0.1:{self.port}", "-", stdin=subprocess.PIPE,
                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         moving.stdin.write(GAINS + "enable 1\nmove 1 1000000\n")
         moving.stdin.close()
         while self.ask("state 1")["position"] < 100 and moving.poll() is None:
             time.sleep(0.05)
+        return moving
+
+    def test_a_server_that_ends_is_a_lost_line(self):
+        server = self.serve("telnet(rfc2217),tcp")
+        moving = self.begin_moving("rfc2217")
         server.kill()
         problems = moving.stderr.read()
         self.assertEqual(moving.wait(), NOT_REACHED, problems)
         self.assertIn("is lost", problems)
+
+    def test_the_guardian_stops_motors_through_it(self):
+        for protocol, accepter in (("rfc2217", "telnet(rfc2217),tcp"), ("tcp", "tcp")):
+            with self.subTest(protocol):
+                server = self.serve(accepter)
+                self.begin_moving(protocol).kill()
+                while self.ask("state 1")["command_velocity"] != 0:
+                    time.sleep(0.05)
+                self.end(server)
+                self.port = free_port()
+                self.ask("power-cycle 1")
 
     def test_says_what_is_not_there(self):
         for name, sentence in ((f"tcp://127.0.0.1:{self.port}", "Nothing accepts connections"),

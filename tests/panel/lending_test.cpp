@@ -84,7 +84,8 @@ TEST_F(Lending, TheWindowShowsWhatTheProgramDoes) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().moving(); }));
     EXPECT_EQ(panel.module().gains->kp, 200);
     EXPECT_NEAR(*panel.module().latest->velocity, 1, 1);
-    EXPECT_EQ(panel.module().latest->position, last[1] | last[2] << 8) << "of the last reply to the program";
+    EXPECT_TRUE(panel.waitFor([&] { return panel.module().latest->position == (last[1] | last[2] << 8); }))
+        << "of the last reply to the program";
     EXPECT_GE(panel.composition().store().history().module(ModuleIndex(0))->count(), before + 20)
         << "the scope's data";
     EXPECT_TRUE(ribbon().contains(u"a program has the line"_s)) << ribbon().toStdString();

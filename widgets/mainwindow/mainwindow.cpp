@@ -157,7 +157,7 @@ void MainWindow::buildRibbons(QWidget* top) {
                                            tr("The program has the line again. It may move motors at once."));
     QPushButton* endLending = m_lentRibbon->addButton(
         u"endLendingButton"_s, tr("End lending"),
-        tr("The program loses the line, and the modules are looked at anew. Nothing is reset or stopped."));
+        tr("The program loses the line, and the chain is scanned again. Nothing is reset or stopped."));
     for (QPushButton* button : {m_letThrough, endLending})
         button->setFocusPolicy(Qt::NoFocus);
     connect(m_letThrough, &QPushButton::clicked, m_requests, &Requests::letProgramThrough);

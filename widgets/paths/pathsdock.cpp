@@ -16,7 +16,6 @@ PathsDock::PathsDock(Requests& requests, QWidget* parent)
 PathsPage& PathsDock::page() {
     if (m_page == nullptr) {
         m_page = new PathsPage(m_requests, this);
-        m_page->setLatency(m_latency);
         m_page->showSequence(m_sequenceRuns);
         setWidget(scrolled(m_page));
     }
@@ -33,12 +32,6 @@ void PathsDock::showSequence(bool running) {
     m_sequenceRuns = running;
     if (m_page != nullptr)
         m_page->showSequence(running);
-}
-
-void PathsDock::setLatency(Duration latency) {
-    m_latency = latency;
-    if (m_page != nullptr)
-        m_page->setLatency(latency);
 }
 
 }  // namespace nmc

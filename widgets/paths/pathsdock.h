@@ -19,8 +19,6 @@ public:
 
     void showSession(const LinkState& link, const Machine& machine, const Session::Procedures& procedures);
     void showSequence(bool running);
-    /// The delay that the adapter adds to each reply.
-    void setLatency(Duration latency);
     [[nodiscard]] PathsPage& page();
 
 private:
@@ -28,7 +26,6 @@ private:
 
     Requests& m_requests;
     PathsPage* m_page = nullptr;
-    Duration m_latency{};
     bool m_sequenceRuns = false;
 };
 

@@ -168,14 +168,14 @@ bool PathsPage::running() const {
 
 /// A path may have very many points, so they are checked only if the result may have changed.
 void PathsPage::lookForObstacles() {
-    Basis basis{m_path, m_link.baud, m_latency};
+    Basis basis{m_path, m_link.baud, m_link.latency};
     for (const ModuleState& module : m_link.modules)
         basis.axes.push_back({nmc::whyNot(IntentKind::Move, module), module.commandPosition(),
                               module.pathControl, module.gains, travelRange(module), module.travel.fastest,
                               module.info.group});
     if (m_basis && *m_basis == basis)
         return;
-    const auto plan = planPath(m_path->table, m_link.modules, {m_link.baud, m_latency});
+    const auto plan = planPath(m_path->table, m_link.modules, {m_link.baud, m_link.latency});
     m_obstacle = plan ? std::nullopt : std::optional(plan.error());
     m_basis = std::make_unique<Basis>(std::move(basis));
 }
@@ -226,10 +226,6 @@ void PathsPage::showSession(const LinkState& link, const Machine& machine,
     if (others)
         refreshSequences();
     refresh();
-}
-
-void PathsPage::setLatency(Duration latency) {
-    m_latency = latency;
 }
 
 void PathsPage::showPath(LoadedPath path) {
@@ -410,7 +406,7 @@ void PathsPage::ask() {
 void PathsPage::run() {
     if (!whyNotRun().isEmpty())
         return;
-    const auto plan = planPath(m_path->table, m_link.modules, {m_link.baud, m_latency});
+    const auto plan = planPath(m_path->table, m_link.modules, {m_link.baud, m_link.latency});
     if (!plan)
         return refresh();
     emit m_requests.intent(m_path->axes.front().module, *plan);

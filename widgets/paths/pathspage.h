@@ -42,7 +42,6 @@ public:
 
     // These emit nothing.
     void showSession(const LinkState& link, const Machine& machine, const Session::Procedures& procedures);
-    void setLatency(Duration latency);
     /// Shows the path that was read, instead of the previous one.
     void showPath(LoadedPath path);
     /// Shows the problems of a file that is not a path; the previous path stays.
@@ -105,8 +104,7 @@ private:
     QString m_problems;              ///< of the file or drawing that was last tried
     bool m_reading = false;
     bool m_sequenceRuns = false;
-    bool m_ran = false;  ///< this path has been run since it was opened
-    Duration m_latency{};
+    bool m_ran = false;              ///< this path has been run since it was opened
     std::unique_ptr<Basis> m_basis;  ///< state for which m_obstacle was determined
     std::optional<PathObstacle> m_obstacle;
 };

@@ -84,9 +84,9 @@ void BusLoop::run(const TransportFactory& factory, const bus::EngineConfig& conf
     PortClosed closed;
     const std::unique_ptr<Transport> transport = factory();
     if (const auto opened = transport->open()) {
-        m_channel.post(PortOpened{});
         bus::EngineConfig measured = config;
         measured.adapterLatency = std::max(config.adapterLatency, transport->latency());
+        m_channel.post(PortOpened{measured.adapterLatency});
         BusSession session(m_channel, *transport, measured, m_guards, m_asleepSoFar);
         closed.error = session.run();
         for (WorkerEvent& end : session.abandon())

@@ -252,14 +252,15 @@ tl::expected<void, PortError> BusSession::hearGuards(TimePoint now) {
 void BusSession::informGuards() {
     Guarded news = m_guarded;
     if (auto burst = m_engine.changedStopBurst())
-        news.burst = m_transport.onWire(*burst);
+        news.burst = std::move(*burst);
     news.baud = m_engine.stopBurstBaud();
     news.moving = m_engine.answersForMotion();
     if (news == m_guarded)
         return;
     m_guarded = std::move(news);
+    const auto burst = m_transport.onWire(m_guarded.burst, m_guarded.baud);
     for (LoopGuard* guard : m_guards)
-        guard->arm(m_guarded.burst, m_guarded.baud, m_guarded.moving);
+        guard->arm(burst, m_guarded.baud, m_guarded.moving);
 }
 
 tl::expected<void, PortError> BusSession::perform(const std::vector<bus::Output>& outputs) {

@@ -99,7 +99,7 @@ void BusStore::drain() {
 void BusStore::take(const WorkerEvent& event) {
     std::visit(Overloaded{
                    [this](const bus::Event& told) { take(told); },
-                   [](const PortOpened&) {},  // the state has been Connecting since begin()
+                   [this](const PortOpened& opened) { m_link.latency = opened.latency; },
                    [this](const PortClosed& close) { closed(close); },
                    [this](const AnyOf<SimulatorAnswered, PanelFroze, ComputerSlept, GuardianStopped,
                                       GuardianMissing, LineLent, LendingProblem> auto& news) {

@@ -43,6 +43,7 @@ void onDeadlySignal(int number) {
     ::signal(SIGALRM, SIG_DFL);
     ::alarm(kPatience);
     if (const Armed* armed = g_armed.load(std::memory_order_acquire)) {
+        ::signal(SIGPIPE, SIG_IGN);  // a line behind a network may have been closed at the other end
         // The burst is sent twice, because the bus thread may have been in the middle of writing a start to
         // the port.
         sendBurst(armed->fd, armed->burst);

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "link/clock.h"
+#include "link/ports/linerate.h"
 
 namespace nmc {
 
@@ -25,6 +26,8 @@ namespace {
 constexpr Duration kConnectTimeout = std::chrono::seconds(3);
 constexpr Duration kAnswerTimeout = std::chrono::seconds(2);
 constexpr Duration kSendTimeout = std::chrono::seconds(1);
+/// What an adapter at the far end takes, unless its latency timer was set, which cannot be seen from here.
+constexpr Duration kFarAdapter = std::chrono::milliseconds(16);
 /// After this time without an acknowledgement, the peer is gone.
 constexpr int kUserTimeoutMs = 4'000;
 constexpr int kKeepIdle = 2, kKeepInterval = 1, kKeepCount = 3;  // s, s, probes
@@ -80,7 +83,7 @@ tl::expected<void, PortError> NetworkTransport::open() {
         return tl::unexpected(agreed.error());
     if (!m_telnet->agreed().value_or(false))
         return tl::unexpected(problem(PortProblem::NotRfc2217));
-    m_latency = std::max(m_latency, 2 * (monotonicNow() - asked));
+    m_latency = std::max(m_latency, 2 * (monotonicNow() - asked) + kFarAdapter);
     return setBaud(m_baud).and_then([this] { return setBaud(kPowerUpBaud); });
 }
 
@@ -104,7 +107,7 @@ tl::expected<void, PortError> NetworkTransport::connectTo() {
         if (error != 0)
             continue;
         // One handshake is one round trip; the next may take longer.
-        m_latency = 2 * (monotonicNow() - begun);
+        m_latency = 2 * (monotonicNow() - begun) + kFarAdapter;
         prepare(m_socket.get());
         return {};
     }
@@ -112,6 +115,7 @@ tl::expected<void, PortError> NetworkTransport::connectTo() {
 }
 
 tl::expected<void, PortError> NetworkTransport::setBaud(std::uint32_t baud) {
+    m_mute = !m_telnet && baud != kPowerUpBaud;
     if (!m_telnet)
         return {};
     m_telnet->setBaud(baud);
@@ -120,7 +124,7 @@ tl::expected<void, PortError> NetworkTransport::setBaud(std::uint32_t baud) {
     });
     if (!answered)
         return tl::unexpected(answered.error());
-    if (m_telnet->baud() == baud)
+    if (m_telnet->baud() && rateIsGoodEnough(baud, *m_telnet->baud()))
         return {};
     PortError failed = problem(PortProblem::RateNotPossible);
     failed.detail = std::to_string(baud) + " Bd -> " + std::to_string(m_telnet->baud().value_or(0)) + " Bd";
@@ -139,11 +143,18 @@ tl::expected<bool, PortError> NetworkTransport::await(const Condition& condition
     return condition();
 }
 
-std::vector<std::uint8_t> NetworkTransport::onWire(ByteSpan bytes) const {
-    return m_telnet ? Rfc2217::encoded(bytes) : Transport::onWire(bytes);
+std::vector<std::uint8_t> NetworkTransport::onWire(ByteSpan bytes, std::uint32_t baud) const {
+    if (!m_telnet || bytes.empty())
+        return Transport::onWire(bytes, baud);
+    std::vector<std::uint8_t> all = Rfc2217::settingBaud(baud);
+    const std::vector<std::uint8_t> data = Rfc2217::encoded(bytes);
+    all.insert(all.end(), data.begin(), data.end());
+    return all;
 }
 
 tl::expected<void, PortError> NetworkTransport::send(ByteSpan bytes) {
+    if (m_mute)
+        return {};
     return m_telnet ? write(Rfc2217::encoded(bytes)) : write(bytes);
 }
 
@@ -177,7 +188,10 @@ tl::expected<std::vector<std::uint8_t>, PortError> NetworkTransport::read() {
         return std::vector<std::uint8_t>{};
     if (count <= 0)
         return tl::unexpected(problem(PortProblem::Gone, count < 0 ? errno : 0));
-    bytes.resize(static_cast<std::size_t>(count));
+    // A server without TCP_NODELAY keeps the rest of a reply until its beginning is acknowledged, which the
+    // kernel would put off by 40 ms.
+    set(m_socket.get(), IPPROTO_TCP, TCP_QUICKACK, 1);
+    bytes.resize(m_mute ? 0 : static_cast<std::size_t>(count));
     if (!m_telnet)
         return bytes;
     bytes = m_telnet->take(bytes);

@@ -12,9 +12,10 @@
 
 namespace nmc {
 
-/// A serial line behind a network. A raw one stays at the rate that is set at the device server, whatever is
-/// asked of it, so the chain must not be switched to another (hasFixedRate()). A peer that no longer
-/// acknowledges is noticed after some seconds, and reported like an adapter that was unplugged.
+/// A serial line behind a network. A raw one stays at the rate that is set at the device server, which must
+/// be kPowerUpBaud; at any other it is mute, so that a chain is not found where it is not, and the chain must
+/// not be switched to another (hasFixedRate()). A peer that no longer acknowledges is noticed after some
+/// seconds, and reported like an adapter that was unplugged.
 class NetworkTransport : public Transport {
 public:
     /// `name`: as the user has written it. `baud`: the rate that will be needed later; open() makes sure that
@@ -29,7 +30,7 @@ public:
     tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
                                                                int wakeFd) override;
     [[nodiscard]] int fd() const override { return m_socket.get(); }
-    [[nodiscard]] std::vector<std::uint8_t> onWire(ByteSpan bytes) const override;
+    [[nodiscard]] std::vector<std::uint8_t> onWire(ByteSpan bytes, std::uint32_t baud) const override;
     [[nodiscard]] Duration latency() const override { return m_latency; }
 
 private:
@@ -49,6 +50,7 @@ private:
     std::optional<Rfc2217> m_telnet;    ///< of an RFC 2217 line
     std::vector<std::uint8_t> m_early;  ///< bytes that arrived before an answer of the server
     Duration m_latency{};
+    bool m_mute = false;  ///< a raw line is asked for a rate that it does not have
 };
 
 }  // namespace nmc

@@ -39,8 +39,9 @@ public:
     /// The descriptor that a signal handler may write to when the process crashes; -1 where there is none.
     [[nodiscard]] virtual int fd() const { return -1; }
 
-    /// The bytes that must be written to fd() so that the chain receives these.
-    [[nodiscard]] virtual std::vector<std::uint8_t> onWire(ByteSpan bytes) const {
+    /// The bytes that must be written to fd() so that the chain receives these at this rate, unless a driver
+    /// sets it.
+    [[nodiscard]] virtual std::vector<std::uint8_t> onWire(ByteSpan bytes, std::uint32_t /*baud*/) const {
         return {bytes.begin(), bytes.end()};
     }
     /// setBaud() does nothing: the rate is set elsewhere.

@@ -14,7 +14,9 @@
 namespace nmc {
 
 /// The port is open and discovery begins.
-struct PortOpened {};
+struct PortOpened {
+    Duration latency{};  ///< delay of replies that is allowed for
+};
 /// The connection has ended, either through close() or for the given reason.
 struct PortClosed {
     std::optional<PortError> error;

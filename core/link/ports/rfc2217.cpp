@@ -33,7 +33,7 @@ Rfc2217::Rfc2217() {
                                          {kSetParity, kNoParity},
                                          {kSetStopSize, kOneStopBit},
                                          {kSetControl, kNoFlowControl}})
-        sayOfPort(command, {&value, 1});
+        say(ofPort(command, {&value, 1}));
 }
 
 std::vector<std::uint8_t> Rfc2217::encoded(ByteSpan bytes) {
@@ -47,23 +47,28 @@ std::vector<std::uint8_t> Rfc2217::encoded(ByteSpan bytes) {
     return wire;
 }
 
-void Rfc2217::sayOfPort(std::uint8_t command, ByteSpan value) {
-    say({kIac, kSb, kComPort, command});
-    const std::vector<std::uint8_t> wire = encoded(value);
-    m_output.insert(m_output.end(), wire.begin(), wire.end());
-    say({kIac, kSe});
+std::vector<std::uint8_t> Rfc2217::ofPort(std::uint8_t command, ByteSpan value) {
+    std::vector<std::uint8_t> text{kIac, kSb, kComPort, command};
+    const std::vector<std::uint8_t> data = encoded(value);
+    text.insert(text.end(), data.begin(), data.end());
+    text.insert(text.end(), {kIac, kSe});
+    return text;
+}
+
+std::vector<std::uint8_t> Rfc2217::settingBaud(std::uint32_t baud) {
+    const std::array<std::uint8_t, 4> value{
+        static_cast<std::uint8_t>(baud >> 24U), static_cast<std::uint8_t>(baud >> 16U),
+        static_cast<std::uint8_t>(baud >> 8U), static_cast<std::uint8_t>(baud)};
+    return ofPort(kSetBaud, value);
 }
 
 void Rfc2217::setBaud(std::uint32_t baud) {
     m_baud.reset();
-    const std::array<std::uint8_t, 4> value{
-        static_cast<std::uint8_t>(baud >> 24U), static_cast<std::uint8_t>(baud >> 16U),
-        static_cast<std::uint8_t>(baud >> 8U), static_cast<std::uint8_t>(baud)};
-    sayOfPort(kSetBaud, value);
+    say(settingBaud(baud));
 }
 
 void Rfc2217::purgeInput() {
-    sayOfPort(kPurgeData, {&kReceiveBuffer, 1});
+    say(ofPort(kPurgeData, {&kReceiveBuffer, 1}));
 }
 
 std::vector<std::uint8_t> Rfc2217::take(ByteSpan received) {

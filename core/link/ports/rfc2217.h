@@ -24,6 +24,8 @@ public:
     [[nodiscard]] std::vector<std::uint8_t> take(ByteSpan received);
     /// Bytes of the line as they must be sent.
     [[nodiscard]] static std::vector<std::uint8_t> encoded(ByteSpan bytes);
+    /// The command that sets the rate.
+    [[nodiscard]] static std::vector<std::uint8_t> settingBaud(std::uint32_t baud);
     /// Bytes to send to the server now.
     [[nodiscard]] std::vector<std::uint8_t> takeOutput() { return std::exchange(m_output, {}); }
 
@@ -41,7 +43,10 @@ private:
     void answer(std::uint8_t verb, std::uint8_t option);
     void takeSubnegotiation();
     void say(std::initializer_list<std::uint8_t> bytes) { m_output.insert(m_output.end(), bytes); }
-    void sayOfPort(std::uint8_t command, ByteSpan value);
+    [[nodiscard]] static std::vector<std::uint8_t> ofPort(std::uint8_t command, ByteSpan value);
+    void say(const std::vector<std::uint8_t>& bytes) {
+        m_output.insert(m_output.end(), bytes.begin(), bytes.end());
+    }
 
     State m_state = State::Data;
     std::uint8_t m_verb = 0;

@@ -38,6 +38,7 @@ struct LinkState {
     /// What an operator may request; empty: the panel is not locked.
     std::optional<OperatorRights> rights{};
     std::uint32_t baud = 0;
+    Duration latency{};  ///< delay of replies that is allowed for, once the port is open
     bus::ConnectStage stage = bus::ConnectStage::Restarting;
     /// While connecting: the modules below are searched for at their last addresses, and have been sent
     /// nothing that would change these. Whatever they are doing continues.
