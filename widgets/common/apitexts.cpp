@@ -132,7 +132,8 @@ Message lineLent(const LineLent& lent) {
             break;
         case LineLent::State::HeldOff:
             message.severity = Severity::Attention;
-            message.headline = ApiWords::tr("All motors were commanded to stop, and the program is held off.");
+            message.headline =
+                ApiWords::tr("All motors were commanded to stop, and the program is held off.");
             message.body = ApiWords::tr(
                 "What it sends is dropped. Release lets it continue; it does not know what it has missed.");
             break;

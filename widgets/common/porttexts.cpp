@@ -151,9 +151,11 @@ Message portMessage(const PortError& error) {
             m.headline = (isNetworkName(error.port) ? Texts::tr("The connection to %1 is lost. %2")
                                                     : Texts::tr("The adapter at %1 was unplugged. %2"))
                              .arg(shown(error.port), movingSentence(error.moving));
-            m.body = isNetworkName(error.port)
-                         ? Texts::tr("Use the hardware stop if needed, then check the network and the device server.")
-                         : Texts::tr("Use the hardware stop if needed, then plug the adapter in again.");
+            m.body =
+                isNetworkName(error.port)
+                    ? Texts::tr(
+                          "Use the hardware stop if needed, then check the network and the device server.")
+                    : Texts::tr("Use the hardware stop if needed, then plug the adapter in again.");
             m.actions = {retry()};
             return m;
         case PortProblem::Other:

@@ -33,7 +33,7 @@ constexpr int kStopResultLines = 3;  // the stop button is higher than that
 bool explainsItself(const QString& port) {
     return port.startsWith(kSimulatorPort) || isNetworkName(port.toStdString());
 }
-}
+}  // namespace
 
 PortBox::PortBox(QWidget* parent) : QComboBox(parent) {
     setEditable(true);
