@@ -6282,7 +6282,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>L&amp;end the line to a program…</source>
-        <translation>Leitung an ein Programm verl&amp;eihen…</translation>
+        <translation>Leitung an ein &amp;Programm verleihen…</translation>
     </message>
     <message>
         <source>A program has the modules for itself; the panel shows what they report.</source>

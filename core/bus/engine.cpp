@@ -284,9 +284,9 @@ void Engine::onProgram(ByteSpan bytes, TimePoint now) {
         return;
     const ByteSpan passed = bytes.first(m_lending.passing(bytes));
     const TimePoint end = m_line.pass(passed, now);
-    const bool amid = m_lending.onPassed(passed, m_line.timing().byteTime, end);
+    const bool incomplete = m_lending.onPassed(passed, m_line.timing().byteTime, end);
     followProgram(now, now);
-    if (m_lending.cutBy() && !amid)
+    if (m_lending.cutBy() && !incomplete)
         return stopAll(now);
     proceed(now);
 }

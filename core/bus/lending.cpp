@@ -73,7 +73,7 @@ void Lending::end() {
 bool Lending::delays(TimePoint now) {
     if (!passes())
         return false;
-    if (m_packets.amid() && (!m_cutBy || now < *m_cutBy)) {
+    if (m_packets.incomplete() && (!m_cutBy || now < *m_cutBy)) {
         m_cutBy = m_cutBy.value_or(now + kPatience);
         return true;
     }
@@ -88,7 +88,7 @@ std::size_t Lending::passing(ByteSpan bytes) const {
         return bytes.size();
     PacketSplitter ahead = m_packets;
     std::size_t count = 0;
-    while (count < bytes.size() && ahead.amid())
+    while (count < bytes.size() && ahead.incomplete())
         ahead.take(bytes[count++]);
     return count;
 }
@@ -114,7 +114,7 @@ bool Lending::onPassed(ByteSpan bytes, Duration byteTime, TimePoint end) {
         m_passed.push_back({{packet.begin(), packet.end()}, true, startOf(packet.size(), behind)});
     }
     skip(0);
-    return m_packets.amid();
+    return m_packets.incomplete();
 }
 
 std::optional<Lending::Passed> Lending::takePassed(TimePoint by) {

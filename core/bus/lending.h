@@ -39,7 +39,7 @@ public:
     [[nodiscard]] bool heldOff() const { return m_phase == Phase::HeldOff; }
 
     /// A stop of all modules is requested. Returns true if it must wait until cutBy(), or until the program
-    /// is no longer amid a packet; otherwise the program is held off from now on.
+    /// is no longer in the middle of a packet; otherwise the program is held off from now on.
     [[nodiscard]] bool delays(TimePoint now);
     [[nodiscard]] std::optional<TimePoint> cutBy() const { return m_cutBy; }
     /// The number of these bytes of the program that may pass: all, or up to the end of the packet that a
@@ -52,7 +52,8 @@ public:
         bool whole = false;  ///< a packet
         TimePoint start;     ///< when its first byte is sent
     };
-    /// These bytes have passed; the last one has been sent at `end`. Returns true if they end amid a packet.
+    /// These bytes have passed; the last one has been sent at `end`. Returns true if they end in the middle
+    /// of a packet.
     bool onPassed(ByteSpan bytes, Duration byteTime, TimePoint end);
     /// Returns what begins by this time, one after the other.
     [[nodiscard]] std::optional<Passed> takePassed(TimePoint by);

@@ -16,11 +16,11 @@ class PacketSplitter {
 public:
     /// Returns true when this byte completes a packet.
     bool take(std::uint8_t byte) {
-        if (!amid() && byte != kHeader) {
+        if (!incomplete() && byte != kHeader) {
             m_skipped.push_back(byte);
             return false;
         }
-        if (!amid())
+        if (!incomplete())
             m_packet.clear();
         m_packet.push_back(byte);
         // Header, address, command, data, sum.
@@ -29,7 +29,7 @@ public:
         return m_whole;
     }
     /// A packet has begun, and is not complete.
-    [[nodiscard]] bool amid() const { return !m_whole; }
+    [[nodiscard]] bool incomplete() const { return !m_whole; }
     /// The last complete packet.
     [[nodiscard]] const PacketBytes& packet() const { return m_packet; }
     /// The bytes outside of packets since the last call.

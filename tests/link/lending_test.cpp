@@ -159,7 +159,7 @@ TEST_F(LineLentAt, StopAllHoldsTheProgramOffUntilItIsLetThrough) {
     // Heavy traffic: the next command as soon as one is answered.
     for (int i = 0; i < 20; ++i)
         ASSERT_EQ(exchange(port, {0xAA, 1, 0x13, 0x20, 0x34}, 4).size(), 4U);
-    port.write({0xAA, 1});  // amid a packet
+    port.write({0xAA, 1});  // the beginning of a packet
     loop.stopAll();
     ASSERT_TRUE(waitFor<bus::StopFinished>());
     EXPECT_EQ(last<bus::StopFinished>()->stopped.size(), 2U);

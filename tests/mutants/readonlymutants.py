@@ -36,7 +36,8 @@ READ_ONLY = (
     )),
     Mutant("read-only-suspects-motions", "link.md 2.8: all motions belong to other hosts", (
         Edit("core/bus/engine.cpp", 
-             "    if (m_config.readOnly)\n        return;  // whatever moves there", "    //"),
+             "    if (m_config.readOnly || lent())\n        return;  // whatever moves there",
+             "    if (lent())\n        return;  // whatever moves there"),
     )),
     Mutant("read-only-has-a-burst", "link.md 2.8: a crash stops no motors of other hosts", (
         Edit("core/bus/chain.cpp", "    if (m_readOnly)\n        return burst;\n", ""),

@@ -191,9 +191,10 @@ void BusSession::lend(const std::string& path) {
 }
 
 void BusSession::endLending(LineLent::State how, TimePoint now) {
-    m_channel.post(LineLent{how, m_lent->path()});
+    const std::string path = m_lent->path();
     m_lentReported = LineLent::State::Ended;
     m_lent.reset();
+    m_channel.post(LineLent{how, path});
     m_engine.takeBack(now);
     m_engine.connect(now);
 }
