@@ -248,6 +248,11 @@ class Completion(Folder):
                          "nmcsim --chain --deaf-when-addr-in-rises --enable-faults --help --line-margin --link "
                          "--reset-dead-time --seed --speed --stepped --unpaced --version".split())
 
+    def test_knows_the_commands_of_nmcctl(self):
+        self.assertEqual(self.completed("nmcctl mo", "\x1b*"), "nmcctl motor-off move move-by".split())
+        self.assertEqual(self.completed("nmcctl --so"), "nmcctl --socket".split())
+        self.assertEqual(self.completed("nmcctl run-"), "nmcctl run-sequence".split())
+
     def test_knows_rates_files_and_ports(self):
         (self.folder / "mill.json").touch()
         self.assertEqual(self.completed("nmcpanel --baud 1", "\x1b*"), "nmcpanel --baud 115200 19200".split())
