@@ -84,7 +84,9 @@ def main():
     programs = sys.argv[1]
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     with tempfile.TemporaryDirectory() as folder:
-        os.environ["XDG_CONFIG_HOME"] = os.environ["XDG_DATA_HOME"] = os.environ["XDG_RUNTIME_DIR"] = folder
+        for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_RUNTIME_DIR"):
+            os.environ[name] = os.path.join(folder, name)
+            os.mkdir(os.environ[name], 0o700)
         for baud in (19200, 115200):
             for what, load in (("no program", Load(0, False)), ("one that calls", Load(0, True)),
                                (f"{CLIENTS} subscribed", Load(CLIENTS, False)),
