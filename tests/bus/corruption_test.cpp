@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include "bus/plausibility.h"
 #include "sim/random.h"
 #include "tests/bus/replies.h"
+#include "tests/support/campaign.h"
 
 namespace nmc::test {
 
@@ -21,7 +21,6 @@ using namespace std::chrono_literals;
 
 constexpr std::uint8_t kNineBytes = 0x0D;     ///< position, velocity, aux
 constexpr std::uint8_t kSixteenBytes = 0x3F;  ///< everything
-constexpr unsigned kTrials = 200'000;
 constexpr double kTicksBetween = 10.0 / 0.512;
 /// How far an accepted position may be from the straight line, in counts: 144 for an acceleration of 0.5, as
 /// of a shaft turned by hand, over at most 12.3 ms or 24 ticks; 80 for 2 ms more or less at 20 counts per
@@ -75,11 +74,6 @@ constexpr std::array kRows{
     Row{"ByteLostOfSixteen", Damage::ByteLost, kSixteenBytes, 4.4e-3, 0},
     Row{"AllZeroOfSixteen", Damage::AllZero, kSixteenBytes, 1, 0},
 };
-
-[[nodiscard]] unsigned trials() {
-    const char* text = std::getenv("NMC_CORRUPTION_TRIALS");
-    return text != nullptr ? static_cast<unsigned>(std::strtoul(text, nullptr, 10)) : kTrials;
-}
 
 /// A servo whose speed wanders between -20 and 20 counts a tick, at most 0.1 counts per tick squared.
 class Motor {
@@ -199,7 +193,7 @@ TEST_P(Corruption, IsBelievedNoMoreOftenThanThePageSays) {
     unsigned believed = 0;
     unsigned cleanRejected = 0;
     double farthest = 0;
-    const unsigned count = trials();
+    const auto count = static_cast<unsigned>(campaignSize("NMC_CORRUPTION_TRIALS", 200'000));
     Motor motor(random);
     Plausibility plausibility({ModuleType::Servo, 4});
     TimePoint now{};

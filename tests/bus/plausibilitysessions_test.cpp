@@ -3,10 +3,9 @@
 // each session.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "sim/random.h"
 #include "tests/bus/steps.h"
+#include "tests/support/campaign.h"
 #include "tests/support/modules.h"
 #include "tests/support/virtualbus.h"
 
@@ -20,11 +19,6 @@ using servo::StopManner;
 using sim::Input;
 using testing_support::kStep;
 
-[[nodiscard]] Duration sessionLength() {
-    const char* text = std::getenv("NMC_PLAUSIBILITY_SECONDS");
-    return std::chrono::seconds(text != nullptr ? std::strtol(text, nullptr, 10) : 60);
-}
-
 /// An operator who acts at random.
 class Session {
 public:
@@ -33,7 +27,9 @@ public:
 
     [[nodiscard]] bool begin() { return bus.connect(); }
     void run() {
-        for (const TimePoint end = bus.now + sessionLength(); bus.now < end && !m_failed;) {
+        for (const TimePoint end =
+                 bus.now + std::chrono::seconds(campaignSize("NMC_PLAUSIBILITY_SECONDS", 60));
+             bus.now < end && !m_failed;) {
             const auto module = static_cast<std::uint8_t>(below(bus.chain.moduleCount()));
             bus.chain.identity(ModuleIndex(module)) == kStep ? actOnStepper(module) : actOnServo(module);
             bus.runFor(Duration(below(400'000'000)));

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <set>
 
 #include "sim/random.h"
 #include "tests/faults/faultybus.h"
 #include "tests/faults/truth.h"
+#include "tests/support/campaign.h"
 
 namespace nmc::test {
 
@@ -61,11 +61,6 @@ const std::array kFaults{
     Fault{"EchoForEver", "bus echo"},
     Fault{"Break", "bus break status for=10ms", true, kFalseEnd},
 };
-
-[[nodiscard]] std::uint64_t exchangesWanted() {
-    const char* text = std::getenv("NMC_CAMPAIGN_EXCHANGES");
-    return text != nullptr ? std::strtoull(text, nullptr, 10) : 100'000;
-}
 
 class Campaign : public testing::TestWithParam<Fault> {
 protected:
@@ -208,7 +203,7 @@ void Campaign::expectNoViolationsOfOurs() {
 
 TEST_P(Campaign, HasNoWrongSampleNoWrongPermissionAndNoLostStop) {
     const Fault& fault = GetParam();
-    const std::uint64_t wanted = exchangesWanted();
+    const std::uint64_t wanted = campaignSize("NMC_CAMPAIGN_EXCHANGES", 100'000);
     if (!fault.again)
         bus.fault(fault.line);
     for (unsigned round = 1; exchanges < wanted && !HasFatalFailure(); ++round) {

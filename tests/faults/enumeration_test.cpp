@@ -4,10 +4,10 @@
 // is tried with NMC_ENUMERATION_STRIDE=1 (scripts/test nightly), only some of them in the other tiers.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <set>
 
 #include "tests/faults/faultybus.h"
+#include "tests/support/campaign.h"
 
 namespace nmc::test {
 
@@ -32,11 +32,6 @@ struct Case {
                 << (c.restart ? "AtRestart" : "AtConnect");
     }
 };
-
-[[nodiscard]] std::size_t stride() {
-    const char* text = std::getenv("NMC_ENUMERATION_STRIDE");
-    return text != nullptr ? std::strtoull(text, nullptr, 10) : 3;
-}
 
 /// A search during which the byte with this number is damaged; beyond the last byte, none is.
 class Attempt {
@@ -93,9 +88,11 @@ class Enumeration : public testing::TestWithParam<Case> {};
 TEST_P(Enumeration, GivesUniqueAddressesOrRefuses) {
     const std::size_t bytes = Attempt(GetParam(), SIZE_MAX).bytes;
     ASSERT_GT(bytes, 100U);
+    // A search after a restart of the chain takes four times as long.
+    const std::uint64_t stride = campaignSize("NMC_ENUMERATION_STRIDE", GetParam().restart ? 11 : 3);
     unsigned tried = 0;
     unsigned refused = 0;
-    for (std::size_t at = 0; at < bytes && !HasFailure(); at += stride()) {
+    for (std::size_t at = 0; at < bytes && !HasFailure(); at += stride) {
         SCOPED_TRACE("byte " + std::to_string(at));
         Attempt attempt(GetParam(), at);
         ++tried;

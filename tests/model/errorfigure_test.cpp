@@ -4,12 +4,12 @@
 // NMC_ERROR_SAMPLES sets the number of samples.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <random>
 #include <utility>
 
 #include "model/scope/scopefeed.h"
 #include "servofixture.h"
+#include "tests/support/campaign.h"
 #include "tests/support/commandtruth.h"
 #include "tests/support/virtualbus.h"
 
@@ -21,11 +21,6 @@ using namespace std::chrono_literals;
 using servo::StopManner;
 
 constexpr int kErrorLimit = 4'000;
-
-std::size_t samplesWanted() {
-    const char* wanted = std::getenv("NMC_ERROR_SAMPLES");
-    return wanted == nullptr ? 20'000 : std::strtoull(wanted, nullptr, 10);
-}
 
 /// What goes wrong on the line.
 struct Line {
@@ -219,7 +214,7 @@ private:
 /// Issue 16: at most 0.01 % of the errors are outside the band by more than a count, none by more than EL.
 TEST_P(ErrorFigure, IsWithinItsBand) {
     connect();
-    while (m_samples < samplesWanted() && !HasFailure())
+    while (m_samples < test::campaignSize("NMC_ERROR_SAMPLES", 20'000) && !HasFailure())
         act();
     std::printf(
         "%-20s %8zu samples, error known in %5.1f %%, outside by more than a count in %.4f %%, at most "

@@ -4,17 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/monkey/monkey.h"
+#include "tests/support/campaign.h"
 
 namespace nmc::monkey {
 namespace {
 
-constexpr int kActs = 200;
 constexpr int kSeeds = 6;
-
-int fromEnvironment(const char* name, int otherwise) {
-    const int value = qEnvironmentVariableIntValue(name);
-    return value > 0 ? value : otherwise;
-}
 
 /// Counts what the users have met.
 struct Met {
@@ -37,7 +32,7 @@ Met play(int seed, int acts) {
 }
 
 TEST(Monkey, BreaksNothing) {
-    const int acts = fromEnvironment("NMC_MONKEY", kActs);
+    const auto acts = static_cast<int>(test::campaignSize("NMC_MONKEY", 200));
     if (const int seed = qEnvironmentVariableIntValue("NMC_MONKEY_SEED"); seed > 0) {
         const Met met = play(seed, acts);
         std::printf("%u motions, %u stopped with all, %u strikes\n", met.motions, met.stopsInMotion,

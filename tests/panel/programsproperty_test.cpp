@@ -11,6 +11,7 @@
 
 #include "link/api/apiserver.h"
 #include "link/clock.h"
+#include "tests/support/campaign.h"
 #include "tests/support/otherprogram.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/common/requests.h"
@@ -194,11 +195,9 @@ TEST_P(ProgramsProperty, NothingMovesThatNobodyWithTheRightHasMoved) {
     wait(2'500);
 }
 
-/// NMC_PROGRAMS: the number of sessions.
-unsigned lastSeed() {
-    return qEnvironmentVariableIsSet("NMC_PROGRAMS") ? qEnvironmentVariable("NMC_PROGRAMS").toUInt() : 3;
-}
-INSTANTIATE_TEST_SUITE_P(Seeds, ProgramsProperty, testing::Range(1U, 1U + lastSeed()));
+INSTANTIATE_TEST_SUITE_P(Seeds, ProgramsProperty,
+                         testing::Range(1U,
+                                        1U + static_cast<unsigned>(test::campaignSize("NMC_PROGRAMS", 3))));
 
 }  // namespace
 }  // namespace nmc

@@ -16,10 +16,16 @@ protected:
     void SetUp() override { ASSERT_TRUE(bench.ready()); }
     DryRun dry(const std::string& sequence, std::size_t row = 0) {
         bench.take();
-        return dryRun({bench.machine, bench.modules, sequence, row}, cancelled);
+        return dryRun({.machine = bench.machine,
+                       .modules = bench.modules,
+                       .sequence = sequence,
+                       .row = row,
+                       .longest = longest},
+                      cancelled);
     }
     SequenceBench bench;
     std::atomic<bool> cancelled = false;
+    double longest = kLongestDryRun;
 };
 
 TEST_F(DryRuns, TakeAsLongAndGoAsFarAsTheRun) {
@@ -139,8 +145,10 @@ TEST_F(DryRuns, LeaveOutAModuleThatIsNotKnownHere) {
 
 TEST_F(DryRuns, EndWhenNobodyWantsThemAnyMore) {
     bench.machine.program.sequences = {{"Main", {action::Wait{86'400}, action::Repeat{0, 1'000'000}}}};
+    longest = 60;
     const DryRun longOne = dry("Main");
     EXPECT_TRUE(longOne.tooLong);
+    EXPECT_NEAR(longOne.seconds, 60, 1);
     EXPECT_FALSE(longOne.done());
     cancelled = true;
     const DryRun foreseen = dry("Main");

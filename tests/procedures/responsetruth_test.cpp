@@ -10,6 +10,7 @@
 #include "model/procedure/stepresponse.h"
 #include "model/response/responserecord.h"
 #include "tests/procedures/procedurebench.h"
+#include "tests/support/campaign.h"
 #include "tests/support/servotick.h"
 
 namespace nmc::test {
@@ -278,8 +279,7 @@ private:
 
 /// Sets that cannot be tried at all do not count.
 TEST(ResponseTruth, MetricsFromTheWireAreThoseOfTheMotor) {
-    const char* const wanted = std::getenv("NMC_STEP_SETS");
-    const int sets = wanted != nullptr ? std::atoi(wanted) : 200;
+    const auto sets = static_cast<int>(campaignSize("NMC_STEP_SETS", 200));
     const unsigned seed = 20'240'601;
     std::printf("seed %u, %d sets\n", seed, sets);
     Trials trials(seed);

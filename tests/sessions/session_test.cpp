@@ -11,6 +11,7 @@
 #include <set>
 
 #include "tests/sessions/plan.h"
+#include "tests/support/campaign.h"
 
 namespace nmc::test {
 
@@ -18,11 +19,6 @@ namespace {
 
 constexpr unsigned kShares = 10;  ///< so that each ends in good time under a sanitizer, and on two cores
 constexpr unsigned kTold = 5;     ///< number of failed sessions that are printed in full
-
-[[nodiscard]] std::uint64_t number(const char* variable, std::uint64_t otherwise) {
-    const char* text = std::getenv(variable);
-    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 void print(const Rig& rig) {
     for (const WireItem& item : rig.wire)
@@ -57,7 +53,7 @@ protected:
     using Maker = Plan (*)(std::uint64_t seed);
 
     void holdAll(Maker make) {
-        if (const std::uint64_t alone = number("NMC_SESSION_SEED", 0); alone != 0) {
+        if (const std::uint64_t alone = campaignSize("NMC_SESSION_SEED", 0); alone != 0) {
             if (alone % kShares != GetParam())
                 return;
             const Plan plan = make(alone);
@@ -65,7 +61,7 @@ protected:
             EXPECT_TRUE(complaints.empty()) << inFull(plan, complaints);
             return;
         }
-        const std::uint64_t sessions = number("NMC_SESSIONS", 300);
+        const std::uint64_t sessions = campaignSize("NMC_SESSIONS", 300);
         for (std::uint64_t seed = 1; seed <= sessions; ++seed)
             if (seed % kShares == GetParam())
                 hold(make(seed));

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "model/tuning/identify.h"
+#include "tests/support/campaign.h"
 #include "tests/support/truemargins.h"
 #include "tests/support/unknownmotor.h"
 
@@ -219,7 +220,7 @@ TEST(PredictDoubt, SaysThatAStickyMotorMayStayOffItsGoal) {
         EXPECT_LE(prediction.low[i].position, prediction.high[i].position);
 }
 
-/// Twelve motors are identified from three steps, with five figures each, of which one in twenty may be off
+/// Motors are identified from three steps, with up to five figures each, of which one in twenty may be off
 /// by more than two standard deviations. tune_bench does the same with 300 motors.
 TEST(PredictDoubt, CoversTheTruthOfMotorsThatWereFound) {
     using namespace testing_support;
@@ -230,7 +231,8 @@ TEST(PredictDoubt, CoversTheTruthOfMotorsThatWereFound) {
         ++of;
         covered += std::abs(predicted.value - truth) <= 2 * predicted.doubt ? 1 : 0;
     };
-    for (int i = 0; i < 12; ++i) {
+    const std::uint64_t motors = test::campaignSize("NMC_MOTORS", 5);
+    for (std::uint64_t i = 0; i < motors; ++i) {
         const sim::MotorParameters motor = unknownMotor(random);
         const auto found = identify(stepsOf(motor, random.next()));
         ASSERT_TRUE(found);
@@ -249,7 +251,7 @@ TEST(PredictDoubt, CoversTheTruthOfMotorsThatWereFound) {
         if (predicted.gainMargin)
             count(*predicted.gainMargin, margins.gain);
     }
-    EXPECT_GE(of, 36);
+    EXPECT_GE(of, 3 * static_cast<int>(motors));
     EXPECT_GE(covered, of * 0.95) << covered << " of " << of;
 }
 

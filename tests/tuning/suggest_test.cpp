@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/campaign.h"
 #include "tests/support/unknownmotor.h"
 
 namespace nmc {
@@ -226,11 +227,10 @@ INSTANTIATE_TEST_SUITE_P(, SuggestedForSticking,
                          testing::Values(StickingMotor{27, 11.3e-3}, StickingMotor{121, 8.9e-3}),
                          [](const auto& given) { return "Motor" + std::to_string(given.param.number); });
 
-class SuggestedGains : public testing::TestWithParam<std::uint64_t> {};
-
-TEST_P(SuggestedGains, SettleOnTheMotorThatWasFound) {
-    sim::Random random(GetParam());
-    for (int i = 0; i < 5; ++i) {
+TEST(SuggestedGains, SettleOnTheMotorThatWasFound) {
+    sim::Random random(2'001);
+    const std::uint64_t motors = test::campaignSize("NMC_MOTORS", 6);
+    for (std::uint64_t i = 0; i < motors; ++i) {
         const sim::MotorParameters motor = unknownMotor(random);
         const MotorConstants truth = physics(motor);
         SCOPED_TRACE(testing::Message()
@@ -254,8 +254,6 @@ TEST_P(SuggestedGains, SettleOnTheMotorThatWasFound) {
                     5 + run.metrics.overshoot->doubt);
     }
 }
-
-INSTANTIATE_TEST_SUITE_P(Fifteen, SuggestedGains, testing::Values(2'001, 2'002, 2'003));
 
 }  // namespace
 }  // namespace nmc

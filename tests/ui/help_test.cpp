@@ -251,7 +251,7 @@ TEST_P(HelpPage, LinksAndPicturesAreThere) {
     EXPECT_FALSE(browser().toPlainText().contains(QRegularExpression(u"[\uE000\uE001]|<a "_s)));
     window->findChild<QWidget*>(u"manualWindow"_s)
         ->grab()
-        .save(QStringLiteral(SCREENSHOT_DIR "/manual-") + file.chopped(3) + u".png"_s);
+        .save(QStringLiteral(SCREENSHOT_DIR "/manual-") + file.chopped(3) + u".jpg"_s);
 }
 
 QSet<QString> ownAnchors(const QString& page) {

@@ -111,7 +111,7 @@ public:
                 {module.info.index, origin(module.info.index), origin(module.info.index), 0.0, 0});
         const TimePoint began = m_bus.now();
         while (turn() && !m_cancelled && !m_result.tooLong)
-            m_result.tooLong = toSeconds(m_bus.now() - began) > kLongestDryRun;
+            m_result.tooLong = toSeconds(m_bus.now() - began) > m_start.longest;
         m_result.cancelled = m_cancelled;
         m_result.seconds = toSeconds(m_bus.now() - began);
         m_result.report = m_run->report();

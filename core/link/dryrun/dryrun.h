@@ -12,12 +12,15 @@
 
 namespace nmc {
 
+inline constexpr double kLongestDryRun = 3'600.0;  ///< s of the sequence's own time
+
 struct DryRunStart {
     Machine machine;
     std::vector<ModuleState> modules;  ///< modules of the connected chain in their present state
     std::string sequence;
     std::size_t row = 0;
     std::uint32_t baud = 115'200;
+    double longest = kLongestDryRun;
 };
 
 /// The result of running a sequence on a copy.
@@ -38,12 +41,11 @@ struct DryRun {
     std::vector<ModuleIndex> homeAssumed;  ///< home searches that took no time and ended where home is known
     bool inputsAssumed = false;            ///< inputs that rows wait for occurred at once
     bool onceOnly = false;                 ///< an endless repetition was run once
-    bool tooLong = false;                  ///< the run was cut off after kLongestDryRun
+    bool tooLong = false;                  ///< the run was cut off after DryRunStart::longest
     bool cancelled = false;
 
     [[nodiscard]] bool done() const { return problems.empty() && report.stage == SequenceStage::Done; }
 };
-inline constexpr double kLongestDryRun = 3'600.0;  ///< s of the sequence's own time
 
 /// Runs the sequence on a simulated copy of the chain in virtual time, with the panel's own engine, gains,
 /// parameters and velocities. The copy starts at the axes' present positions; its motors are the simulator's
