@@ -18,7 +18,6 @@ namespace nmc {
 
 namespace {
 
-constexpr auto kProtocol = "1.0";
 constexpr qsizetype kLongestName = 60;
 constexpr Duration kStillHeld = std::chrono::milliseconds(250);  ///< a jog after that is another press
 constexpr std::size_t kMostWaits = 64;                           ///< pending, of one client
@@ -218,7 +217,7 @@ void ApiController::call(Client client, const api::Method& method, const Json& p
 
 void ApiController::greet(Client client, const Json& parameters, const Json& id) {
     const QString theirs = QString::fromStdString(parameters.at("protocol").get<std::string>());
-    const QString ours = QLatin1String(kProtocol);
+    const QString ours = QLatin1String(api::kProtocol);
     if (theirs.section(QLatin1Char('.'), 0, 0) != ours.section(QLatin1Char('.'), 0, 0))
         return fail(client, id, kNotGreeted, texts::otherProtocol(theirs, ours), "OtherProtocol");
     const QString name =
@@ -226,7 +225,7 @@ void ApiController::greet(Client client, const Json& parameters, const Json& id)
     const bool first =
         std::exchange(session(client).program, name.isEmpty() ? QStringLiteral("?") : name).isEmpty();
     answer(client, id,
-           {{"protocol", kProtocol},
+           {{"protocol", api::kProtocol},
             {"program", "NMC Panel " NMC_VERSION},
             {"chain", api::stateOf(m_store.link(), m_store.machine())},
             {"capabilities", Json::array({"control", "subscribe", "samples"})},

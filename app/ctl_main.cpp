@@ -23,7 +23,6 @@ namespace {
 
 using nmc::CtlCommands;
 
-constexpr std::size_t kLargestMachine = 4U << 20U;  // bytes
 const QString kServe = QStringLiteral("serve");
 
 struct Options {
@@ -181,7 +180,7 @@ QString wordsOf(const nmc::Message& message) {
 nmc::Machine readMachine(const QString& path) {
     if (path.isEmpty())
         return {};
-    const auto text = nmc::readFile(path, kLargestMachine);
+    const auto text = nmc::readFile(path, nmc::kMaxMachineFile);
     if (!text)
         refuse(wordsOf(nmc::texts::machineNotOpened(text.error())));
     const auto machine = nmc::parseMachine(*text);

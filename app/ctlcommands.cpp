@@ -10,8 +10,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "base/enumname.h"
-#include "model/recording/recording.h"
+#include "model/api/apirecording.h"
 
 namespace nmc {
 
@@ -73,48 +72,6 @@ constexpr std::array kNotAsTheyAre{"hello", "describe",        "state",         
 /// Methods that move a motor to a goal, which it cannot have reached if it is off afterwards.
 [[nodiscard]] bool movesToGoal(const std::string& method) {
     return isOneOf(method, std::array{"move", "move_by", "go_home", "home"});
-}
-
-/// What the scope needs to know of the modules, as far as the state says it.
-[[nodiscard]] RecordingHeader headerOf(const Json& state) {
-    RecordingHeader header;
-    header.program = "nmcctl " NMC_VERSION;
-    header.startedAt = QDateTime::currentDateTime().toString(Qt::ISODateWithMs).toStdString();
-    header.port = state.at("port").get<std::string>();
-    header.simulated = state.at("simulated").get<bool>();
-    for (const Json& axis : state.at("modules")) {
-        RecordingModule module{
-            .index = ModuleIndex(static_cast<std::uint8_t>(axis.at("number").get<int>() - 1)),
-            .identity = {},
-            .name = axis.at("name").get<std::string>(),
-            .unit = {},
-            .analog = {}};
-        for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper, ModuleType::Io})
-            if (axis.at("type") ==
-                QString::fromUtf8(enumName<ModuleType::Stepper>(type)).toLower().toStdString())
-                module.identity = {type, axis.at("version").get<std::uint8_t>()};
-        const std::string unit = axis.at("unit").get<std::string>();
-        module.unit = {UnitKind::Own, axis.at("counts_per_unit").get<double>(), unit};
-        for (const UnitKind kind :
-             {UnitKind::Native, UnitKind::Turns, UnitKind::Degrees, UnitKind::Millimetres})
-            if (unit == symbolOf({kind}, module.identity.type == ModuleType::Stepper))
-                module.unit = {kind, module.unit.countsPerUnit};
-        header.modules.push_back(std::move(module));
-    }
-    return header;
-}
-
-/// A row of "samples": time, position, error, velocity, status, aux.
-[[nodiscard]] ScopeSample sampleOf(const Json& row, TimePoint time) {
-    const auto orUnknown = [&row](std::size_t i) {
-        return row.at(i).is_null() ? ScopeSample::kUnknown : row.at(i).get<float>();
-    };
-    ScopeSample sample{.time = time, .position = row.at(1).get<std::int32_t>()};
-    sample.error = orUnknown(2);
-    sample.velocity = orUnknown(3);
-    sample.status = row.at(4).get<std::uint8_t>();
-    sample.aux = row.at(5).get<std::uint8_t>();
-    return sample;
 }
 
 /// Numbers of an axis may carry its unit.
@@ -415,32 +372,18 @@ CtlCommands::Exit CtlCommands::record(const Command& command, const Words& words
         return notWritten(BadArguments);
     if (const auto begun = m_client.call("subscribe", {{"samples", true}}); !begun)
         return report(begun.error());
-    const RecordingHeader header = headerOf(*state);
-    std::string rows = recordingHead(header);
-    std::optional<double> begin;  // s
-    bool gap = false;
+    api::ApiRecording recording(*state, "nmcctl " NMC_VERSION,
+                                QDateTime::currentDateTime().toString(Qt::ISODateWithMs).toStdString());
+    std::string rows = recording.head();
     while (true) {
         if (file.write(rows.data(), static_cast<qint64>(rows.size())) < 0 || !file.flush())
             return notWritten(NotCarriedOut);
-        rows.clear();
         const auto news = m_client.next(*until);
         if (!news && news.error().kind != ApiClient::Error::Kind::Interrupted)
             return report(news.error());
         if (!news || !*news)
             return Done;
-        const Json& parameters = (*news)->at("params");
-        gap = gap || parameters.at("missed") != 0;
-        for (const Json& module : parameters.at("modules"))
-            for (const Json& row : module.at("rows")) {
-                const double time = row.at(0).get<double>();
-                ScopeSample sample = sampleOf(row, TimePoint(fromSeconds(time - begin.value_or(time))));
-                begin = begin.value_or(time);
-                sample.gapBefore = std::exchange(gap, false);
-                const auto index = module.at("axis").get<std::size_t>() - 1;
-                sample.io =
-                    index < header.modules.size() && header.modules[index].identity.type == ModuleType::Io;
-                appendRow(rows, ModuleIndex(static_cast<std::uint8_t>(index)), sample, header.zero);
-            }
+        rows = recording.rowsOf((*news)->at("params"));
     }
 }
 

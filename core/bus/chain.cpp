@@ -108,6 +108,19 @@ std::optional<CommandExecuted> Chain::takeBlindStop(StopTarget& target) {
     return CommandExecuted{module, blind->latched, blind->stop, {}, takeUnanswered(module, blind->latched)};
 }
 
+const Chain::Module* Chain::find(BusAddress address) const {
+    const auto found = std::ranges::find_if(
+        m_modules, [address](const Module& module) { return module.belief.info().address == address; });
+    return found != m_modules.end() ? &*found : nullptr;
+}
+
+std::vector<ModuleInfo> Chain::infos() const {
+    std::vector<ModuleInfo> infos;
+    for (const Module& module : m_modules)
+        infos.push_back(module.belief.info());
+    return infos;
+}
+
 void Chain::noteSent(ModuleIndex index, const ModuleCommand& command, TimePoint latched) {
     Module& module = at(index);
     module.belief.onSent(command, latched);

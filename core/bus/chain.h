@@ -111,6 +111,9 @@ public:
     [[nodiscard]] Module& at(ModuleIndex module) { return m_modules[module.value()]; }
     [[nodiscard]] const Module& at(ModuleIndex module) const { return m_modules[module.value()]; }
     [[nodiscard]] const Belief& belief(ModuleIndex module) const { return at(module).belief; }
+    /// The module with this address; null if there is none.
+    [[nodiscard]] const Module* find(BusAddress address) const;
+    [[nodiscard]] std::vector<ModuleInfo> infos() const;
 
     /// Nominal rate to which its modules are set.
     [[nodiscard]] std::uint32_t rate() const { return m_rate; }

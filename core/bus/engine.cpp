@@ -587,12 +587,7 @@ void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
 
 /// The modules of the present chain, or of the chain last used at this port.
 std::vector<ModuleInfo> Engine::knownModules() const {
-    if (m_chain.empty())
-        return m_config.known;
-    std::vector<ModuleInfo> known;
-    for (const Chain::Module& module : m_chain.modules())
-        known.push_back(module.belief.info());
-    return known;
+    return m_chain.empty() ? m_config.known : m_chain.infos();
 }
 
 void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) {

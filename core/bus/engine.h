@@ -116,8 +116,8 @@ public:
     void onProgramRate(std::uint32_t baud);
     /// The program has the line again after a stop. Ignored during the stop.
     void letThrough(TimePoint now);
-    /// The line is no longer lent. What the engine believes is what it has seen; connect() looks at the
-    /// modules anew.
+    /// The line is no longer lent. The engine believes what it has seen; connect() searches for the modules
+    /// again.
     void takeBack(TimePoint now);
     [[nodiscard]] bool lent() const { return m_lending.active(); }
     /// What the program sends is passed on; otherwise, while the line is lent, it is held off.

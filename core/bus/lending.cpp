@@ -11,11 +11,6 @@ namespace nmc::bus {
 
 namespace {
 
-template <typename Command>
-[[nodiscard]] std::optional<ModuleCommand> commandFrom(const tl::expected<Command, CommandError>& decoded) {
-    return decoded ? std::optional(ModuleCommand(*decoded)) : std::nullopt;
-}
-
 /// The command that these bytes are to a module of that type; for an unknown type, only one that means the
 /// same on every chip.
 [[nodiscard]] std::optional<ModuleCommand> commandOf(const ModuleIdentity& module, const Payload& payload) {
@@ -24,11 +19,9 @@ template <typename Command>
                         code == CommandCode::ReadStatus || code == CommandCode::Nop;
     if (!common && !isKnown(module))
         return std::nullopt;
-    if (module.type == ModuleType::Stepper)
-        return commandFrom(decodeStepCommand(payload));
-    if (module.type == ModuleType::Io)
-        return commandFrom(decodeIoCommand(payload));
-    return commandFrom(decodeServoCommand(module, payload));
+    return withDecoded(module, payload, [](const auto& command) {
+        return command ? std::optional(ModuleCommand(*command)) : std::nullopt;
+    });
 }
 
 /// The items that this request asks for, if it does.
@@ -65,7 +58,7 @@ void Lending::begin() {
 void Lending::end() {
     m_phase = Phase::None;
     m_cutBy.reset();
-    std::vector<ModuleInfo> heard = modules();
+    std::vector<ModuleInfo> heard = m_chain.infos();
     if (std::erase_if(heard, [](const ModuleInfo& info) { return info.identity == kUnheardModule; }) > 0)
         become(std::move(heard));
 }
@@ -142,7 +135,7 @@ std::optional<Ask> Lending::follow(const PacketBytes& packet, TimePoint latched)
         followGroup(ask, right, latched);
         return ask.module ? std::optional(std::move(ask)) : std::nullopt;
     }
-    const Chain::Module* module = find(ask.request.address);
+    const Chain::Module* module = m_chain.find(ask.request.address);
     if (right)
         ask.command = commandOf(module != nullptr ? module->belief.info().identity : kUnheardModule,
                                 ask.request.payload);
@@ -181,7 +174,7 @@ void Lending::followReset(BusAddress address) {
         return info.address == address || address == kEverybody ||
                (address.value() >= kFirstGroup && (!info.group || BusAddress(info.group->group) == address));
     };
-    std::vector<ModuleInfo> rest = modules();
+    std::vector<ModuleInfo> rest = m_chain.infos();
     if (std::erase_if(rest, obeys) > 0)
         become(std::move(rest));
 }
@@ -214,7 +207,7 @@ Line::Script Lending::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) 
 void Lending::onAnswered(const Ask& ask, const ReplyEnd& end, TimePoint now) {
     if (m_chain.rate() != m_line.baud()) {
         m_chain.setRate(m_line.baud());
-        m_events.emplace_back(ModulesSeen{modules(), m_chain.rate()});
+        m_events.emplace_back(ModulesSeen{m_chain.infos(), m_chain.rate()});
     }
     if (ask.module && !m_chain.answers(*ask.module)) {
         m_chain.schedule().recover(*ask.module, now);
@@ -237,7 +230,7 @@ void Lending::onAddress(const Ask& ask) {
         m_events.emplace_back(AddressChanged{*ask.module, set.address});
     } else if (ask.request.address == kUnaddressed) {
         // It has been reset, or powered up, and takes the place of one that had this address.
-        std::vector<ModuleInfo> now = modules();
+        std::vector<ModuleInfo> now = m_chain.infos();
         const ModuleInfo found{{}, set.address, kUnheardModule, GroupPlace{set.group.value(), set.leader}};
         const auto same = std::ranges::find(now, set.address, &ModuleInfo::address);
         same != now.end() ? void(*same = found) : now.push_back(found);
@@ -247,7 +240,7 @@ void Lending::onAddress(const Ask& ask) {
 
 /// A module that was not known here has answered, or one of unheard type has reported it.
 void Lending::onHeard(const Ask& ask, const ReplyEnd& end) {
-    const Chain::Module* module = find(ask.request.address);
+    const Chain::Module* module = m_chain.find(ask.request.address);
     if (module != nullptr && module->belief.info().identity != kUnheardModule)
         return;
     const auto asked = itemsAsked(ask.request.payload);
@@ -255,7 +248,7 @@ void Lending::onHeard(const Ask& ask, const ReplyEnd& end) {
     const auto identity = items ? identityIn(*items, end.bytes) : std::nullopt;
     if (module != nullptr && !identity)
         return;
-    std::vector<ModuleInfo> now = modules();
+    std::vector<ModuleInfo> now = m_chain.infos();
     if (module == nullptr)
         now.push_back({{}, ask.request.address, kUnheardModule, {}});
     std::ranges::find(now, ask.request.address, &ModuleInfo::address)->identity =
@@ -271,7 +264,7 @@ void Lending::become(std::vector<ModuleInfo> modules, std::optional<BusAddress> 
     Chain chain(modules, m_chain.rate(), false);
     for (Chain::Module& module : chain.modules()) {
         const ModuleInfo info = module.belief.info();
-        const Chain::Module* before = find(info.address);
+        const Chain::Module* before = m_chain.find(info.address);
         if (info.address == reset)
             continue;
         if (before != nullptr && before->belief.info().identity == info.identity) {
@@ -288,20 +281,6 @@ void Lending::become(std::vector<ModuleInfo> modules, std::optional<BusAddress> 
     m_chain = std::move(chain);
     m_changed = true;
     m_events.emplace_back(ModulesSeen{std::move(modules), m_chain.rate()});
-}
-
-std::vector<ModuleInfo> Lending::modules() const {
-    std::vector<ModuleInfo> modules;
-    for (const Chain::Module& module : m_chain.modules())
-        modules.push_back(module.belief.info());
-    return modules;
-}
-
-const Chain::Module* Lending::find(BusAddress address) const {
-    const auto found = std::ranges::find_if(m_chain.modules(), [address](const Chain::Module& module) {
-        return module.belief.info().address == address;
-    });
-    return found != m_chain.modules().end() ? &*found : nullptr;
 }
 
 // ---- after a stop ----

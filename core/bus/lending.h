@@ -68,7 +68,7 @@ public:
     [[nodiscard]] bool wants(TimePoint now) const override;
     [[nodiscard]] Next next(TimePoint now) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
-    /// Of the next packet to be sent.
+    /// When the next packet of the program is sent.
     [[nodiscard]] std::optional<TimePoint> due() const override {
         return m_passed.empty() ? std::nullopt : std::optional(m_passed.front().start);
     }
@@ -76,9 +76,7 @@ public:
 private:
     enum class Phase : std::uint8_t { None, Passing, HeldOff };
 
-    [[nodiscard]] const Chain::Module* find(BusAddress address) const;
     [[nodiscard]] const Chain::Module* unheard() const;
-    [[nodiscard]] std::vector<ModuleInfo> modules() const;
     void followGroup(Ask& ask, bool right, TimePoint latched);
     void followReset(BusAddress address);
     void frame(Ask& ask, const Belief& module) const;

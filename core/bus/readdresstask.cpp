@@ -47,11 +47,8 @@ void ReaddressTask::begin(ModuleIndex module, Stage stage, bool fits, bool busy)
 
 void ReaddressTask::beginMove(ModuleIndex module, BusAddress address, bool busy) {
     using Reason = ReaddressFailed::Reason;
-    const auto& modules = m_chain.modules();
     const bool taken = address.value() < kLowestAddress || address.value() > kHighestAddress ||
-                       std::any_of(modules.begin(), modules.end(), [&](const Chain::Module& other) {
-                           return other.belief.info().address == address;
-                       });
+                       m_chain.find(address) != nullptr;
     const bool fits = m_chain.has(module) && m_chain.answers(module) && !m_chain.belief(module).restarted();
     if (!fits || busy || active() || anythingMoves())
         m_events.emplace_back(ReaddressFailed{module, Reason::NotNow});

@@ -21,7 +21,6 @@ namespace nmc::bus {
 ///
 /// Not detected: a host that sends a few queries per second while this one polls without a pause. Its answers
 /// fall into exchanges and damage them, which shows as a doubtful link.
-/// answers fall into exchanges and damage them; that shows as a doubtful link.
 class StrayFrames {
 public:
     /// Shorter frames have a right sum too often, for example from an adapter that returns the end of a

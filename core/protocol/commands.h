@@ -119,6 +119,21 @@ using IoCommand = std::variant<io::SetDirection, SetAddress, DefineStatus, ReadS
 [[nodiscard]] tl::expected<StepperCommand, CommandError> decodeStepCommand(const Payload& payload);
 [[nodiscard]] tl::expected<IoCommand, CommandError> decodeIoCommand(const Payload& payload);
 
+/// Calls the function with what one of these returns for a module of that type.
+template <typename Function>
+[[nodiscard]] auto withDecoded(const ModuleIdentity& module, const Payload& payload, const Function& use) {
+    switch (module.type) {
+        case ModuleType::Stepper:
+            return use(decodeStepCommand(payload));
+        case ModuleType::Io:
+            return use(decodeIoCommand(payload));
+        case ModuleType::Servo:
+        case ModuleType::Adc:
+            break;
+    }
+    return use(decodeServoCommand(module, payload));
+}
+
 template <typename... Commands>
 [[nodiscard]] Payload encode(const std::variant<Commands...>& command) {
     return std::visit([](const auto& c) { return encode(c); }, command);

@@ -124,24 +124,6 @@ std::string sentence(Module module, const std::variant<Commands...>& command) {
     return describer.text().empty() ? name : name + ": " + describer.text();
 }
 
-template <typename Command>
-std::optional<std::string> sentenceOf(Module module, const tl::expected<Command, CommandError>& command) {
-    return command ? std::optional(sentence(module, *command)) : std::nullopt;
-}
-
-std::optional<std::string> sentenceOf(Module module, const Payload& payload) {
-    switch (module.type) {
-        case ModuleType::Stepper:
-            return sentenceOf(module, decodeStepCommand(payload));
-        case ModuleType::Io:
-            return sentenceOf(module, decodeIoCommand(payload));
-        case ModuleType::Servo:
-        case ModuleType::Adc:
-            break;
-    }
-    return sentenceOf(module, decodeServoCommand(module, payload));
-}
-
 std::string describePayload(Module addressee, const Payload& payload) {
     // An unknown module is only sent commands that all modules have in common.
     const ModuleIdentity module = isKnown(addressee) ? addressee : kFirstServo;
@@ -150,7 +132,9 @@ std::string describePayload(Module addressee, const Payload& payload) {
     if (!row)
         return "command " + std::to_string(static_cast<int>(payload.code)) +
                ", which the chip does not have: " + data;
-    const auto text = sentenceOf(module, payload);
+    const auto text = withDecoded(module, payload, [&module](const auto& command) {
+        return command ? std::optional(sentence(module, *command)) : std::nullopt;
+    });
     return text ? *text : std::string(row->name) + ", not as the data sheet has it: " + data;
 }
 

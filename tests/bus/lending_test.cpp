@@ -209,7 +209,7 @@ TEST_F(LentFamily, AfterAHardResetModulesAreWhatTheyReport) {
     EXPECT_TRUE(seen().empty());
     enumerate(3);
     EXPECT_EQ(seen(), std::vector<ModuleIdentity>(3, kUnheardModule));
-    // Of an unknown chip only the status byte is believed.
+    // What other items of an unknown chip mean is not known.
     send(packet(2, 0x13, {0x01}));
     EXPECT_EQ(bus.lastSample(1)->report.items.mask(), 0x00);
     send(packet(2, 0x13, {0x3F}));  // of all items, type and version

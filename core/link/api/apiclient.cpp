@@ -8,12 +8,11 @@
 #include <utility>
 
 #include "link/api/apiserver.h"
+#include "model/api/apimethods.h"
 
 namespace nmc {
 
 namespace {
-
-constexpr auto kProtocol = "1.0";
 
 [[nodiscard]] auto unexpected(ApiClient::Error::Kind kind, const QString& sentence = {}) {
     return tl::unexpected(ApiClient::Error{kind, sentence});
@@ -34,7 +33,7 @@ ApiClient::Or<std::unique_ptr<ApiClient>> ApiClient::connectTo(const QString& pa
     client->m_socket.connectToServer(path);
     if (!client->m_socket.waitForConnected())
         return unexpected(Error::Kind::NotReached, QStringLiteral("No panel lets programs in here."));
-    auto hello = client->call("hello", {{"protocol", kProtocol}, {"program", program.toStdString()}});
+    auto hello = client->call("hello", {{"protocol", api::kProtocol}, {"program", program.toStdString()}});
     if (!hello)
         return tl::unexpected(hello.error());
     client->m_about = std::move(*hello);

@@ -434,6 +434,10 @@ Or<Call> callOf(std::string_view method, const Json& parameters, const LinkState
     return kMakers.at(method)(caller);
 }
 
+std::string nameOf(ModuleType type) {
+    return lower(enumName<ModuleType::Stepper>(type));
+}
+
 Json stateOf(const ModuleState& module, const AxisSettings& axis) {
     const AxisScale scale = scaleOf(module, axis);
     const StatusReport report = module.latest.value_or(StatusReport{});
@@ -446,8 +450,7 @@ Json stateOf(const ModuleState& module, const AxisSettings& axis) {
             {"name", axis.name},
             {"unit", symbolOf(axis.unit, module.isStepper())},
             {"counts_per_unit", scale.counts(1.0)},
-            {"type", module.isKnown() ? Json(lower(enumName<ModuleType::Stepper>(module.info.identity.type)))
-                                      : Json()},
+            {"type", module.isKnown() ? Json(nameOf(module.info.identity.type)) : Json()},
             {"version", module.info.identity.version},
             {"state", enumName<Activity::Ready>(module.activity())},
             {"answers", !module.silent},

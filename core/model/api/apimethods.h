@@ -20,6 +20,9 @@ namespace nmc::api {
 
 using Json = nlohmann::ordered_json;
 
+/// Major and minor version of the interface, as `hello` states it.
+inline constexpr auto kProtocol = "1.0";
+
 /// What a client needs to call a method.
 enum class Access : std::uint8_t {
     Read,     ///< nothing
@@ -105,5 +108,7 @@ struct BadRequest {
 [[nodiscard]] Json stateOf(const LinkState& link, const Machine& machine);
 /// One module of it.
 [[nodiscard]] Json stateOf(const ModuleState& module, const AxisSettings& axis);
+/// The type of a module as the state has it.
+[[nodiscard]] std::string nameOf(ModuleType type);
 
 }  // namespace nmc::api

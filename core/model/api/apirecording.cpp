@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "model/api/apirecording.h"
+
+#include <utility>
+
+#include "base/time.h"
+
+namespace nmc::api {
+
+namespace {
+
+[[nodiscard]] RecordingModule moduleOf(const Json& axis) {
+    RecordingModule module{.index = ModuleIndex(static_cast<std::uint8_t>(axis.at("number").get<int>() - 1)),
+                           .identity = {},
+                           .name = axis.at("name").get<std::string>(),
+                           .unit = {},
+                           .analog = {}};
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper, ModuleType::Io})
+        if (axis.at("type") == nameOf(type))
+            module.identity = {type, axis.at("version").get<std::uint8_t>()};
+    const std::string unit = axis.at("unit").get<std::string>();
+    module.unit = {UnitKind::Own, axis.at("counts_per_unit").get<double>(), unit};
+    for (const UnitKind kind : {UnitKind::Native, UnitKind::Turns, UnitKind::Degrees, UnitKind::Millimetres})
+        if (unit == symbolOf({kind}, module.identity.type == ModuleType::Stepper))
+            module.unit = {kind, module.unit.countsPerUnit};
+    return module;
+}
+
+/// A row is: time, position, error, velocity, status, aux.
+[[nodiscard]] ScopeSample sampleOf(const Json& row, TimePoint time) {
+    const auto orUnknown = [&row](std::size_t i) {
+        return row.at(i).is_null() ? ScopeSample::kUnknown : row.at(i).get<float>();
+    };
+    ScopeSample sample{.time = time, .position = row.at(1).get<std::int32_t>()};
+    sample.error = orUnknown(2);
+    sample.velocity = orUnknown(3);
+    sample.status = row.at(4).get<std::uint8_t>();
+    sample.aux = row.at(5).get<std::uint8_t>();
+    return sample;
+}
+
+}  // namespace
+
+ApiRecording::ApiRecording(const Json& state, std::string program, std::string startedAt) {
+    m_header.program = std::move(program);
+    m_header.startedAt = std::move(startedAt);
+    m_header.port = state.at("port").get<std::string>();
+    m_header.simulated = state.at("simulated").get<bool>();
+    for (const Json& axis : state.at("modules"))
+        m_header.modules.push_back(moduleOf(axis));
+}
+
+std::string ApiRecording::rowsOf(const Json& samples) {
+    std::string rows;
+    m_gap = m_gap || samples.at("missed") != 0;
+    for (const Json& module : samples.at("modules")) {
+        const auto index = module.at("axis").get<std::size_t>() - 1;
+        const bool io =
+            index < m_header.modules.size() && m_header.modules[index].identity.type == ModuleType::Io;
+        for (const Json& row : module.at("rows")) {
+            const double time = row.at(0).get<double>();
+            m_begin = m_begin.value_or(time);
+            ScopeSample sample = sampleOf(row, TimePoint(fromSeconds(time - *m_begin)));
+            sample.gapBefore = std::exchange(m_gap, false);
+            sample.io = io;
+            appendRow(rows, ModuleIndex(static_cast<std::uint8_t>(index)), sample, m_header.zero);
+        }
+    }
+    return rows;
+}
+
+}  // namespace nmc::api

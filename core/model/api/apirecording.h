@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/api/apimethods.h"
+#include "model/recording/recording.h"
+
+namespace nmc::api {
+
+/// A recording (model/recording) of the samples that a program receives from the interface (docs/api.md).
+/// Times are seconds since the first sample. Pure.
+class ApiRecording {
+public:
+    /// `state`: the result of the method of that name. `program`, `startedAt`: as in RecordingHeader.
+    ApiRecording(const Json& state, std::string program, std::string startedAt);
+
+    /// What the file begins with.
+    [[nodiscard]] std::string head() const { return recordingHead(m_header); }
+    /// The rows for the parameters of a "samples" notification.
+    [[nodiscard]] std::string rowsOf(const Json& samples);
+
+private:
+    RecordingHeader m_header;
+    std::optional<double> m_begin{};  ///< s, time of the first sample
+    bool m_gap = false;               ///< samples are missing before the next one
+};
+
+}  // namespace nmc::api
