@@ -37,7 +37,8 @@ void LoopTestController::followSteps(const ProcedureReport& report) {
     if (std::exchange(m_steps[report.module], *report.step) != *report.step)
         if (const auto run = recordOf(*module, *report.step))
             m_window.showResponse(*run);
-    if (report.kind == ProcedureKind::StepSeries && report.stage == ProcedureStage::Done)
+    if (report.kind == ProcedureKind::StepSeries && report.stage == ProcedureStage::Done &&
+        !report.step->isMove())
         m_window.stepResponses().page().find(report.module);
 }
 

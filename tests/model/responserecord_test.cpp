@@ -99,9 +99,9 @@ TEST(ResponseRecord, CanBeJudgedByAnotherBand) {
     ResponseRecord run = takeRun(ModuleIndex(0), samples, taken(0, 100), 20);
     EXPECT_EQ(run.band(), 20);
     EXPECT_NEAR(run.metrics.settling->value, 0.01, 0.001);
-    setBand(run, 5);
+    judge(run, 5);
     EXPECT_NEAR(run.metrics.settling->value, 0.03, 0.001);
-    setBand(run, 0.1);
+    judge(run, 0.1);
     EXPECT_EQ(run.band(), 1) << "the encoder resolves no less than a count";
 }
 

@@ -26,7 +26,20 @@ namespace {
     kept.run.pwm = PwmDemand{300, 255};
     for (int i = -20; i < 700; ++i)
         kept.run.points.push_back({i / 999.7, i < 5 ? -500.0 : 600.0 - i % 2});
-    setBand(kept.run, kFirstBand);
+    judge(kept.run, kFirstBand);
+    return kept;
+}
+
+[[nodiscard]] KeptResponse moveOf(int number) {
+    KeptResponse kept = runOf(number);
+    ResponseTaken& taken = kept.run.taken;
+    taken.method = ResponseMethod::Move;
+    taken.pace = {CountsPerTick(123'456), CountsPerTickSquared(789)};
+    taken.round = 3;
+    kept.run.pwm.reset();
+    for (ResponsePoint& point : kept.run.points)
+        point.error = 0.125 - point.seconds;
+    judge(kept.run, kFirstBand);
     return kept;
 }
 
@@ -81,6 +94,19 @@ TEST(ResponseStore, GivesTheSameRunsAgain) {
     EXPECT_TRUE(readResponses(writeResponses({}))->empty());
 }
 
+TEST(ResponseStore, GivesTheSameMovesAgain) {
+    const KeptResponse move = moveOf(4);
+    const auto read = readResponses(writeResponses(std::vector{move}));
+    ASSERT_TRUE(read);
+    const ResponseRecord& run = read->front().run;
+    EXPECT_EQ(run.taken, move.run.taken);
+    ASSERT_EQ(run.points.size(), move.run.points.size());
+    for (std::size_t i = 0; i < run.points.size(); ++i)
+        EXPECT_EQ(run.points[i].error, move.run.points[i].error);
+    ASSERT_TRUE(run.move && run.move->rms);
+    EXPECT_EQ(run.move->rms->value, move.run.move->rms->value);
+}
+
 TEST(ResponseStore, SaysWhatIsWrongInABadFile) {
     using Kind = FileProblem::Kind;
     const std::string good = writeResponses(std::vector{runOf(1), runOf(2)});
@@ -109,12 +135,12 @@ TEST(ResponseStore, SaysWhatIsWrongInABadFile) {
 
 TEST(ResponseStore, HasRoomForAHundredOfTheLongest) {
     std::vector<KeptResponse> runs;
-    KeptResponse longest = runOf(1);
-    longest.run.taken.record = 3.0;
+    KeptResponse longest = moveOf(1);
+    longest.run.taken.record = 6.0;
     longest.run.points.clear();
     // A status about every 0.5 ms, with awkward times.
-    for (int i = 0; i < 6'000; ++i)
-        longest.run.points.push_back({i / 1'999.9, -123'456'789.0 + i});
+    for (int i = 0; i < 12'000; ++i)
+        longest.run.points.push_back({i / 1'999.9, -123'456'789.0 + i, -1'234.567});
     for (int i = 1; i <= 100; ++i) {
         longest.number = i;
         runs.push_back(longest);

@@ -122,6 +122,83 @@ TEST_F(StepSeries, IsRefusedBeforeAnythingMoves) {
     EXPECT_EQ(motions(before), 0U);
 }
 
+/// Moves of 4 counts per tick at 0.02 counts per tick squared: 400 counts and 0.1024 s for each ramp.
+class Moves : public StepSeries {
+protected:
+    [[nodiscard]] static intent::StepSeries thereAndBack(std::int32_t counts) {
+        intent::StepSeries wanted{{counts, ResponseMethod::Move, 0.2}, {counts, -counts, counts, -counts}};
+        wanted.each.pace = {CountsPerTick(4U << 16U), CountsPerTickSquared(1'311)};
+        return wanted;
+    }
+};
+
+TEST_F(Moves, GoThereAndBackAtTheirPaceAndEndWhereTheyBegan) {
+    ASSERT_TRUE(bench.enable());
+    ASSERT_TRUE(bench.moveTo(500));
+    bench.settle();
+    watchSteps();
+    bench.fastest = 0;
+    double lowest = 500, highest = 500;
+    bench.bus.onTime = [&] {
+        lowest = std::min(lowest, bench.truth().commandPosition);
+        highest = std::max(highest, bench.truth().commandPosition);
+        bench.fastest = std::max(bench.fastest, std::abs(bench.truth().commandVelocity));
+    };
+    const ProcedureReport report = bench.run(thereAndBack(3'000));
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    if (report.step && (steps.empty() || steps.back() != *report.step))
+        steps.push_back(*report.step);
+    ASSERT_EQ(steps.size(), 4U);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        EXPECT_EQ(steps[i].from, i % 2 == 0 ? 500 : 3'500);
+        EXPECT_EQ(steps[i].goal, i % 2 == 0 ? 3'500 : 500);
+        EXPECT_EQ(steps[i].round, i + 1);
+        // 200 ticks to its velocity, 550 at it, 200 to rest.
+        EXPECT_NEAR(steps[i].record, 950 * 512e-6 + 0.2, 1e-3);
+    }
+    EXPECT_EQ(lowest, 500);
+    EXPECT_EQ(highest, 3'500);
+    EXPECT_NEAR(bench.fastest, 4, 1e-3);
+    EXPECT_TRUE(bench.truth().servoOn);
+    EXPECT_EQ(bench.truth().commandPosition, 500);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(Moves, AreRefusedBeforeAnythingMoves) {
+    ASSERT_TRUE(hold());
+    const std::size_t before = bench.bus.sent.size();
+    EXPECT_EQ(refusal(thereAndBack(10'000)), std::nullopt) << "no step of that length is possible";
+    EXPECT_EQ(refusal(thereAndBack(0)), Refusal::StepTooShort);
+    // 0.2 s to its velocity and to rest, at 7812.5 counts/s; 0.2 s are recorded after it.
+    EXPECT_EQ(refusal(thereAndBack(44'000)), std::nullopt);
+    EXPECT_EQ(refusal(thereAndBack(45'000)), Refusal::MoveTooLong);
+    intent::StepSeries wrong = thereAndBack(1'000);
+    wrong.each.pace.acceleration = {};
+    EXPECT_EQ(refusal(wrong), Refusal::TestOutOfRange);
+    bench.module().travel.fastest = 3.9;
+    EXPECT_EQ(refusal(thereAndBack(1'000)), Refusal::TooFast);
+    bench.module().travel.fastest = 4.0;
+    bench.module().travel.highest = 5'000;
+    bench.module().home.found(0, bench.bus.now);
+    EXPECT_EQ(refusal(thereAndBack(5'001)), Refusal::BeyondTravel);
+    EXPECT_EQ(refusal(thereAndBack(5'000)), std::nullopt);
+    EXPECT_EQ(motions(before), 0U);
+}
+
+TEST_F(Moves, AStopEndsThemForGood) {
+    for (const bool all : {true, false}) {
+        ASSERT_TRUE(hold());
+        bench.begin(thereAndBack(3'000));
+        ASSERT_TRUE(runTo(2, ProcedureStage::Moving));
+        const std::size_t before = bench.bus.sent.size();
+        all ? bench.stopAll() : bench.procedure->cancel();
+        EXPECT_EQ(bench.goOn(5).stage, ProcedureStage::Cancelled);
+        bench.bus.runFor(2s);
+        EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 0U) << "no move is loaded";
+        EXPECT_EQ(bench.truth().commandVelocity, 0);
+    }
+}
+
 TEST(StepSeriesOfAStepper, IsRefused) {
     ProcedureBench bench({{ModuleType::Stepper, 1}});
     ASSERT_TRUE(bench.connect());

@@ -86,7 +86,7 @@ public:
         for (const ResponsePoint& point : polled)
             if (point.seconds - at <= record)
                 run.points.push_back({point.seconds - at, point.position});
-        setBand(run, kFirstBand);
+        judge(run, kFirstBand);
         return run;
     }
 
@@ -100,7 +100,7 @@ public:
             tick();
             run.points.push_back({t, static_cast<double>(m_driven)});
         }
-        setBand(run, kFirstBand);
+        judge(run, kFirstBand);
         return run;
     }
 

@@ -87,7 +87,7 @@ TEST(StepPlotPicture, NoLineCrossesAGap) {
                  points.end());
     for (ResponsePoint& point : points)
         point.position = point.seconds > 0.01 ? 560 : point.position;
-    setBand(run.run, kFirstBand);
+    judge(run.run, kFirstBand);
     plot.showRuns(&run, nullptr);
     QTest::mouseDClick(&plot, Qt::LeftButton);
     plot.grab();

@@ -17,7 +17,7 @@ inline KeptResponse ramp(double there = 100, int module = 0) {
         const double gone = ms < 0 ? 0 : ms > 10 ? there : there * ms / 10;
         kept.run.points.push_back({ms / 1'000.0, 500 + gone});
     }
-    setBand(kept.run, kFirstBand);
+    judge(kept.run, kFirstBand);
     kept.startedAt = "2026-11-21T21:21:02.123+01:00";
     kept.moduleName = "Module 1";
     kept.port = "simulator";

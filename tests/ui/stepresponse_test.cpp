@@ -26,7 +26,7 @@ KeptResponse inTwoStages() {
     for (ResponsePoint& point : kept.run.points)
         if (point.seconds > 0.0005)
             point.position = point.seconds < 0.0095 ? 500 : point.seconds < 0.0295 ? 590 : 600;
-    setBand(kept.run, kFirstBand);
+    judge(kept.run, kFirstBand);
     return kept;
 }
 
@@ -70,12 +70,23 @@ protected:
     }
     QTableWidget* table() { return find<QTableWidget>(u"responseRunTable"_s); }
     QString listed(int row, int column) { return table()->item(row, column)->text(); }
+    /// Of the rows that are shown; others are for moves only, or for steps only.
+    std::vector<int> resultRows() {
+        auto* results = find<QTableWidget>(u"responseResults"_s);
+        std::vector<int> rows;
+        for (int row = 0; row < results->rowCount(); ++row)
+            if (!results->isRowHidden(row))
+                rows.push_back(row);
+        return rows;
+    }
     QString result(int row, int column = 0) {
-        return find<QTableWidget>(u"responseResults"_s)->item(row, column)->text();
+        return find<QTableWidget>(u"responseResults"_s)
+            ->item(resultRows().at(static_cast<std::size_t>(row)), column)
+            ->text();
     }
     QString results(int column) {
         QStringList cells;
-        for (int row = 0; row < find<QTableWidget>(u"responseResults"_s)->rowCount(); ++row)
+        for (int row = 0; row < static_cast<int>(resultRows().size()); ++row)
             cells << result(row, column);
         return cells.join(u" | "_s);
     }
@@ -513,11 +524,79 @@ TEST_F(Responses, ExportIsReadableWhateverTheLocale) {
     EXPECT_TRUE(lines.contains(u"# run 1 steady-state error: -20 counts +- 0.5"_s));
     EXPECT_TRUE(lines.contains(
         u"# gains of module 1 at 0.000000000 s: kp 100 kd 1000 ki 0 il 0 ol 255 cl 0 el 4000 sr 1 db 0"_s));
-    const auto first = lines.indexOf(u"run,time_s,position,from_start"_s);
+    const auto first = lines.indexOf(u"run,time_s,position,from_start,error"_s);
     ASSERT_GT(first, 0);
-    EXPECT_EQ(lines.at(first + 1), u"1,-0.01,500,0"_s);
-    EXPECT_EQ(lines.at(first + 1 + 15), u"1,0.005,560,60"_s);
+    EXPECT_EQ(lines.at(first + 1), u"1,-0.01,500,0,0"_s);
+    EXPECT_EQ(lines.at(first + 1 + 15), u"1,0.005,560,60,40"_s);
     EXPECT_EQ(lines.size(), first + 1 + 111 + 1);
+}
+
+/// 100 counts at 1 count per tick, 0.1 counts per tick squared: 110 ticks, 56.32 ms; it lags by 7 counts
+/// until then, and by 2 for another 4 ms.
+KeptResponse move(unsigned round, double last = 0.0605) {
+    KeptResponse kept = ramp();
+    ResponseTaken& taken = kept.run.taken;
+    taken.method = ResponseMethod::Move;
+    taken.pace = {CountsPerTick(1U << 16U), CountsPerTickSquared(6'554)};
+    taken.round = round;
+    if (round % 2 == 0)
+        std::swap(taken.from, taken.goal);
+    kept.run.points.clear();
+    for (int ms = -10; ms <= 100; ++ms) {
+        const double s = ms / 1'000.0;
+        const double error = s < 0 || s > last ? 0 : s < 0.0565 ? 7 : 2;
+        kept.run.points.push_back({s, taken.goal - error, error});
+    }
+    judge(kept.run, kFirstBand);
+    return kept;
+}
+
+TEST_F(Responses, AMoveIsRequestedWithItsOwnPaceThereAndBack) {
+    openWith();
+    for (const QString& name :
+         {u"responseVelocityField"_s, u"responseWindowField"_s, u"responseRoundsField"_s})
+        EXPECT_FALSE(field(name)->isVisible()) << name.toStdString();
+    find<QComboBox>(u"responseMethodBox"_s)->setCurrentIndex(2);
+    EXPECT_TRUE(field(u"responseVelocityField"_s)->isVisible());
+    EXPECT_FALSE(field(u"responseBandField"_s)->isVisible());
+    type(u"responseDistanceField"_s, u"30000"_s);  // no step of that length is possible
+    type(u"responseVelocityField"_s, u"8"_s);
+    type(u"responseAccelerationField"_s, u"0.5"_s);
+    type(u"responseRoundsField"_s, u"2"_s);
+    EXPECT_EQ(button(u"responseButton"_s)->text(), u"Move"_s);
+    click(u"responseButton"_s);
+    ASSERT_EQ(intents.size(), 1);
+    const auto series = std::get<intent::StepSeries>(intents.takeFirst().at(1).value<Intent>());
+    EXPECT_EQ(series.counts, (std::vector{30'000, -30'000, 30'000, -30'000}));
+    EXPECT_EQ(series.each.method, ResponseMethod::Move);
+    EXPECT_EQ(series.each.pace, (ServoPace{CountsPerTick(8U << 16U), CountsPerTickSquared(32'768)}));
+    type(u"responseVelocityField"_s, u"0"_s);
+    EXPECT_FALSE(reason(u"responseButton"_s).isEmpty());
+    type(u"responseVelocityField"_s, u"0.5"_s);
+    EXPECT_TRUE(reason(u"responseButton"_s).contains(u"more than 6 s"_s)) << "30000 counts at 977 counts/s";
+    // A step is as long as before, and a motor is identified from steps.
+    find<QComboBox>(u"responseMethodBox"_s)->setCurrentIndex(0);
+    EXPECT_FALSE(field(u"responseDistanceField"_s)->problemText().isEmpty());
+}
+
+TEST_F(Responses, MovesAreJudgedByWindowAndDwell) {
+    openWith();
+    for (const unsigned round : {1U, 2U, 3U})
+        window->showResponse(move(round, round == 3 ? 0.0705 : 0.0605));
+    find<QComboBox>(u"responseMethodBox"_s)->setCurrentIndex(2);
+    type(u"responseDwellField"_s, u"0.01"_s);
+    type(u"responseWindowField"_s, u"1"_s);
+    EXPECT_EQ(result(1), u"56.3 ± 0.6 ms"_s) << "to a tick, rounded up";
+    // 2 counts off at 70 ms, none at 71 ms; the edge at 1.5 counts is passed at 70.25 ms, known to half an
+    // interval and a tick.
+    EXPECT_EQ(result(2), u"13.9 ± 1.1 ms"_s);
+    EXPECT_TRUE(result(3).endsWith(u"ms (3)"_s)) << result(3).toStdString();
+    EXPECT_EQ(result(4), u"7.0 ± 1.0 counts"_s);
+    type(u"responseWindowField"_s, u"2"_s);
+    EXPECT_TRUE(result(2).startsWith(u"0."_s)) << result(2).toStdString();
+    type(u"responseDwellField"_s, u"0.05"_s);
+    EXPECT_EQ(result(2), u"not recorded"_s);
+    EXPECT_EQ(result(3), u"0 of 3 settled"_s);
 }
 
 TEST_F(Responses, CursorsStandBesideThePlotWhileTheyAreWanted) {

@@ -252,6 +252,9 @@ QString refusal(Refusal refusal) {
                 "The current limit CL is 0 or unknown, so current cannot stop the motor. Apply a CL first.");
         case Refusal::RecordTime:
             return Texts::tr("A record must be 0.02 s to 3 s long.");
+        case Refusal::MoveTooLong:
+            return Texts::tr(
+                "The move and the record after it would take more than 6 s. Shorten the move or the record, or move faster.");
         case Refusal::PathNotPossible:
             return Texts::tr("The path cannot be followed from here.");
         case Refusal::TestOutOfRange:

@@ -72,6 +72,20 @@ QString responseSection(const KeptResponse& kept) {
     plot.showRuns(&kept, nullptr);
     const ResponseMetrics& metrics = kept.run.metrics;
     const ResponseTaken& taken = kept.run.taken;
+    if (const auto& move = kept.run.move)
+        return htmlSection(
+            texts::responseMethod(taken.method),
+            picture(plot, kStepPicture, texts::responseMethod(taken.method)),
+            {Report::tr("%1 counts in %2 s")
+                 .arg(taken.goal - taken.from)
+                 .arg(texts::readout(move->moveTime, 3)),
+             texts::gainsInShort(taken.gains),
+             Report::tr("Settling to ±%1 counts for %2 s: %3")
+                 .arg(texts::readout(kept.run.window.counts), texts::readout(kept.run.window.dwell),
+                      texts::responseTime(move->settling)),
+             Report::tr("Peak error %1").arg(texts::responseError(move->peak, kept.scale)),
+             Report::tr("RMS error %1").arg(texts::responseError(move->rms, kept.scale)),
+             QString::fromStdString(kept.startedAt)});
     return htmlSection(
         Common::tr("Step response"), picture(plot, kStepPicture, Common::tr("Step response")),
         {Report::tr("%1 counts, %2").arg(taken.goal - taken.from).arg(texts::responseMethod(taken.method)),

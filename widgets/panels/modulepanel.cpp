@@ -160,11 +160,14 @@ void ModulePanel::setFoot(QWidget* foot) {
         m_footPlace->deleteLater();
         m_footPlace = nullptr;
     }
+    if (m_foot)
+        m_foot->removeEventFilter(this);
     m_foot = foot;
     if (foot != nullptr) {
         m_footPlace = scrolled(foot);
         m_footPlace->setParent(this);
         m_footPlace->show();
+        foot->installEventFilter(this);
     }
     fill();
     for (const auto& [module, page] : m_pages)
@@ -191,6 +194,13 @@ bool ModulePanel::event(QEvent* event) {
     if (event->type() == QEvent::LayoutRequest)
         fill();
     return QWidget::event(event);
+}
+
+/// The foot may need another height.
+bool ModulePanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_foot && event->type() == QEvent::LayoutRequest)
+        fill();
+    return QWidget::eventFilter(watched, event);
 }
 
 void ModulePanel::resizeEvent(QResizeEvent* event) {

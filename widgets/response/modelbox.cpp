@@ -99,7 +99,7 @@ QSlider* ModelBox::newSlider(const QString& objectName, const QString& text, con
 std::vector<const KeptResponse*> ModelBox::runsOf(std::optional<ModuleIndex> module) const {
     std::vector<const KeptResponse*> mine;
     for (const KeptResponse& kept : m_runs)
-        if (module == kept.run.module && !kept.earlier)
+        if (module == kept.run.module && !kept.earlier && !kept.run.taken.isMove())
             mine.push_back(&kept);
     if (mine.size() > kMaxRuns)
         mine.erase(mine.begin(), mine.end() - kMaxRuns);

@@ -5,9 +5,11 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
+#include <utility>
 
 #include "model/intent/gainsplan.h"
 #include "model/intent/looptestplan.h"
+#include "model/module/servodefaults.h"
 #include "model/response/responserecord.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/form.h"
@@ -27,7 +29,10 @@ using namespace Qt::StringLiterals;
 namespace {
 constexpr double kFirstRecord = 0.5;  ///< s
 constexpr double kNarrowestBand = 0.1, kWidestBand = 50.0;
-constexpr int kStepDigits = 6;  ///< width of each field
+constexpr int kStepDigits = 6;            ///< width of each field
+constexpr double kWidestWindow = 10'000;  ///< counts
+constexpr double kLongestDwell = 2.0;     ///< s
+constexpr double kFirstRounds = 3;
 }  // namespace
 
 ResponseForm::ResponseForm(Requests& requests, QWidget* parent)
@@ -35,8 +40,9 @@ ResponseForm::ResponseForm(Requests& requests, QWidget* parent)
     look::name(this, u"responseForm"_s, tr("Settings of the next step"));
     auto* grid = new FormGrid(this, 4, {.sides = 0, .ends = 0, .across = 1});
     buildFields(grid);
+    buildMoveFields(grid);
     buildButton(grid);
-    refresh();
+    showMethod();
 }
 
 void ResponseForm::buildFields(FormGrid* grid) {
@@ -49,17 +55,19 @@ void ResponseForm::buildFields(FormGrid* grid) {
          .max = kLongestStep,
          .digits = kStepDigits,
          .meaning = tr(
-             "How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.")},
+             "How far the command goes; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.")},
         this);
     m_distance->showNative(kFirstStep);
     m_method =
         form::newChoice({u"responseMethodBox"_s, Common::tr("Method: how the command jumps"), {}}, this);
-    for (const ResponseMethod method : {ResponseMethod::Profile, ResponseMethod::StopHere}) {
+    for (const ResponseMethod method :
+         {ResponseMethod::Profile, ResponseMethod::StopHere, ResponseMethod::Move}) {
         m_method->addItem(texts::responseMethod(method), static_cast<int>(method));
         m_method->setItemData(m_method->count() - 1, texts::responseMethodMeaning(method), Qt::ToolTipRole);
     }
     m_method->setToolTip(texts::responseMethodMeaning(ResponseMethod::Profile) + u"\n"_s +
-                         texts::responseMethodMeaning(ResponseMethod::StopHere));
+                         texts::responseMethodMeaning(ResponseMethod::StopHere) + u"\n"_s +
+                         texts::responseMethodMeaning(ResponseMethod::Move));
     m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_method->setMinimumContentsLength(12);
     m_record = form::newNumber(
@@ -70,7 +78,8 @@ void ResponseForm::buildFields(FormGrid* grid) {
          .max = kLongestRecord,
          .decimals = 2,
          .digits = kStepDigits,
-         .meaning = tr("How long to record after the step. Then the motor is commanded to hold.")},
+         .meaning = tr(
+             "How long to record after the step, or after the end of a move. Then the motor is commanded to hold.")},
         this);
     m_record->showValue(kFirstRecord);
     m_band = form::newNumber(
@@ -88,17 +97,105 @@ void ResponseForm::buildFields(FormGrid* grid) {
     grid->addRow(tr("Distance"), m_distance);
     grid->addTitled(Common::tr("Method"), m_method)->setBuddy(m_method);
     grid->addRow(tr("Record"), m_record, {new QLabel(Common::tr("s"), this)});
-    grid->addRow(tr("Settling band"), m_band, {new QLabel(tr("% of the step"), this)});
+    auto* percent = new QLabel(tr("% of the step"), this);
+    m_forSteps = {grid->addRow(tr("Settling band"), m_band, {percent}), m_band, percent};
     connect(m_distance, &QuantityField::nativeEdited, this, &ResponseForm::edited);
+    connect(m_method, &QComboBox::currentIndexChanged, this, &ResponseForm::showMethod);
     connect(m_method, &QComboBox::currentIndexChanged, this, &ResponseForm::edited);
     connect(m_record, &NumberField::edited, this, &ResponseForm::edited);
     connect(this, &ResponseForm::edited, this, &ResponseForm::refresh);
-    connect(m_band, &NumberField::edited, this, [this] {
-        if (const auto band = m_band->value()) {
-            m_lastBand = *band;
-            emit bandEdited(*band);
-        }
-    });
+    connect(m_band, &NumberField::edited, this, &ResponseForm::takeJudgement);
+}
+
+QuantityField* ResponseForm::newPaceField(const QString& objectName, const QString& name,
+                                          const QString& meaning, QuantityField::Kind kind, double step) {
+    auto* field = form::newQuantity({.kind = kind,
+                                     .name = objectName,
+                                     .accessible = name,
+                                     .min = servodefaults::kSmallest,
+                                     .max = servodefaults::kLargest,
+                                     .step = step,
+                                     .digits = kStepDigits,
+                                     .meaning = meaning},
+                                    this);
+    connect(field, &QuantityField::nativeEdited, this, &ResponseForm::edited);
+    return field;
+}
+
+void ResponseForm::buildMoveFields(FormGrid* grid) {
+    m_velocity = newPaceField(u"responseVelocityField"_s, tr("Velocity of the move"),
+                              tr("The velocity of the move; initially that of the Motion page."),
+                              QuantityField::Kind::Velocity, 0.05);
+    m_acceleration = newPaceField(u"responseAccelerationField"_s, tr("Acceleration of the move"),
+                                  tr("The acceleration of the move; initially that of the Motion page."),
+                                  QuantityField::Kind::Acceleration, 0.0005);
+    m_rounds = form::newNumber({.name = u"responseRoundsField"_s,
+                                .accessible = tr("Moves there and back"),
+                                .min = 1,
+                                .max = kMaxMoves,
+                                .digits = kStepDigits,
+                                .meaning = tr("How often it moves there and back. Each move is recorded.")},
+                               this);
+    m_rounds->showValue(kFirstRounds);
+    m_window = form::newQuantity(
+        {.kind = QuantityField::Kind::Distance,
+         .name = u"responseWindowField"_s,
+         .accessible = tr("Settling window"),
+         .min = 1,
+         .max = kWidestWindow,
+         .digits = kStepDigits,
+         .meaning = tr(
+             "The motor has settled when it stays this close to its goal for the dwell. At least one count. Applies to all moves.")},
+        this);
+    m_window->showNative(m_lastWindow.counts);
+    m_dwell = form::newNumber(
+        {.name = u"responseDwellField"_s,
+         .accessible = tr("Dwell"),
+         .unit = Common::tr("s"),
+         .min = 0,
+         .max = kLongestDwell,
+         .decimals = 3,
+         .digits = kStepDigits,
+         .meaning =
+             tr("How long it must stay in the window. The settling time ends where the dwell begins.")},
+        this);
+    m_dwell->showValue(m_lastWindow.dwell);
+    for (const auto& [label, field] :
+         {std::pair{Common::tr("Velocity"), m_velocity},
+          std::pair{Common::tr("Acceleration"), m_acceleration}, std::pair{tr("Window"), m_window}}) {
+        QWidget* control = field;  // without its value in the other unit, because the form is often narrow
+        field->otherView()->hide();
+        m_forMoves.insert(m_forMoves.end(),
+                          {grid->addRow(label, control, {field->unitLabel()}), field, field->unitLabel()});
+    }
+    auto* seconds = new QLabel(Common::tr("s"), this);
+    m_forMoves.insert(m_forMoves.end(), {grid->addRow(tr("Dwell"), m_dwell, {seconds}), m_dwell, seconds});
+    m_forMoves.insert(m_forMoves.end(), {grid->addRow(tr("There and back"), m_rounds), m_rounds});
+    connect(m_rounds, &NumberField::edited, this, &ResponseForm::edited);
+    connect(m_window, &QuantityField::nativeEdited, this, &ResponseForm::takeJudgement);
+    connect(m_dwell, &NumberField::edited, this, &ResponseForm::takeJudgement);
+}
+
+bool ResponseForm::moves() const {
+    return form::chosen<ResponseMethod>(m_method) == ResponseMethod::Move;
+}
+
+void ResponseForm::showMethod() {
+    for (QWidget* widget : m_forSteps)
+        widget->setVisible(!moves());
+    for (QWidget* widget : m_forMoves)
+        widget->setVisible(moves());
+    const bool far = moves();
+    m_distance->setNativeRange(far ? static_cast<double>(servo::kPositionRange.min) : -kLongestStep,
+                               far ? static_cast<double>(servo::kPositionRange.max) : kLongestStep);
+    refresh();
+}
+
+void ResponseForm::takeJudgement() {
+    m_lastBand = m_band->value().value_or(m_lastBand);
+    m_lastWindow = {m_window->native().value_or(m_lastWindow.counts),
+                    m_dwell->value().value_or(m_lastWindow.dwell)};
+    emit judgementEdited();
 }
 
 void ResponseForm::buildButton(FormGrid* grid) {
@@ -121,7 +218,11 @@ void ResponseForm::showModule(const PanelView& view) {
     if (view.procedure != nullptr && makesSteps(view.procedure->kind))
         m_report = *view.procedure;
     m_staged = view.settings.gains;
-    m_distance->setScale(view.scale());
+    for (QuantityField* field : {m_distance, m_velocity, m_acceleration, m_window})
+        field->setScale(view.scale());
+    const MotionSettings before = std::exchange(m_motion, servodefaults::motionOf(view.settings));
+    m_velocity->follow(m_motion.velocity, before.velocity);
+    m_acceleration->follow(m_motion.acceleration, before.acceleration);
     refresh();
 }
 
@@ -137,28 +238,50 @@ std::optional<std::int32_t> ResponseForm::distance() const {
     return distance ? std::optional(static_cast<std::int32_t>(*distance)) : std::nullopt;
 }
 
-std::optional<intent::StepResponse> ResponseForm::entered() const {
+std::vector<const NumberField*> ResponseForm::fieldsInUse() const {
+    std::vector<const NumberField*> fields{m_distance, m_record};
+    if (moves())
+        fields.insert(fields.end(), {m_velocity, m_acceleration, m_rounds});
+    return fields;
+}
+
+std::optional<intent::StepSeries> ResponseForm::entered(const std::vector<std::int32_t>& series) const {
     const auto distance = this->distance();
     const auto record = m_record->value();
     if (!distance || !record)
         return std::nullopt;
-    return intent::StepResponse{*distance, form::chosen<ResponseMethod>(m_method), *record};
+    intent::StepSeries wanted{{*distance, form::chosen<ResponseMethod>(m_method), *record}, series};
+    if (!series.empty() && moves())
+        wanted.each.method = ResponseMethod::Profile;
+    if (series.empty() && !moves())
+        wanted.counts = {*distance};
+    if (!wanted.counts.empty()) {
+        wanted.each.counts = wanted.counts.front();
+        return wanted;
+    }
+    const auto velocity = m_velocity->native();
+    const auto acceleration = m_acceleration->native();
+    const auto rounds = m_rounds->value();
+    if (!velocity || !acceleration || !rounds)
+        return std::nullopt;
+    wanted.each.pace = {CountsPerTick(servodefaults::toFixed(*velocity)),
+                        CountsPerTickSquared(servodefaults::toFixed(*acceleration))};
+    for (int i = 0; i < static_cast<int>(*rounds); ++i)
+        wanted.counts.insert(wanted.counts.end(), {*distance, -*distance});
+    return wanted;
 }
 
 std::optional<Refusal> ResponseForm::refusal(const std::vector<std::int32_t>& series) const {
-    const auto step = entered();
-    if (!m_module || !step)
-        return std::nullopt;
-    return series.empty() ? nmc::whyNot(*step, *m_module)
-                          : nmc::whyNot(intent::StepSeries{*step, series}, *m_module);
+    const auto wanted = entered(series);
+    return m_module && wanted ? nmc::whyNot(*wanted, *m_module) : std::nullopt;
 }
 
 QString ResponseForm::whyNotNow(const std::vector<std::int32_t>& series) const {
     if (!m_connected || !m_module)
         return texts::refusal(Refusal::NotConnected);
     if (m_report && !m_report->over())
-        return tr("A step is already running.");
-    for (const NumberField* field : {static_cast<NumberField*>(m_distance), m_record})
+        return tr("A step or move is already running.");
+    for (const NumberField* field : fieldsInUse())
         if (const QString problem = field->problemText(); !problem.isEmpty())
             return problem;
     const auto refusal = this->refusal(series);
@@ -167,9 +290,13 @@ QString ResponseForm::whyNotNow(const std::vector<std::int32_t>& series) const {
 
 void ResponseForm::refresh() {
     const QString reason = whyNotNow();
+    m_step->setText(moves() ? tr("Move") : tr("Step"));
+    m_step->setAccessibleName(moves() ? tr("Move and record") : tr("Step and record"));
     look::setPossible(
         m_step, reason,
-        tr("The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9)."));
+        moves()
+            ? tr("The motor moves there and back, then holds. Make sure that everything it drives can move freely (Shift+F9).")
+            : tr("The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9)."));
     m_hold->showFor(m_module, refusal());
     const bool runs = m_report && !m_report->over();
     const bool failed = reason.isEmpty() && m_report && m_report->failure;
@@ -179,18 +306,17 @@ void ResponseForm::refresh() {
 }
 
 void ResponseForm::step(const std::vector<std::int32_t>& series) {
-    const auto step = entered();
-    if (!step || !whyNotNow(series).isEmpty())
+    const auto wanted = entered(series);
+    if (!wanted || !whyNotNow(series).isEmpty())
         return;
     if (unsentGains().isEmpty())
-        ask(m_module->info.index, *step, series);
+        ask(m_module->info.index, *wanted);
     else
-        askWhichGains(*step, series);
+        askWhichGains(*wanted, series);
 }
 
-void ResponseForm::ask(ModuleIndex module, const intent::StepResponse& step,
-                       const std::vector<std::int32_t>& series) {
-    emit m_requests.intent(module, series.empty() ? Intent(step) : intent::StepSeries{step, series});
+void ResponseForm::ask(ModuleIndex module, const intent::StepSeries& wanted) {
+    emit m_requests.intent(module, wanted.counts.size() == 1 ? Intent(wanted.each) : wanted);
 }
 
 /// The gains in the fields that differ from those of the module; empty if there are none.
@@ -208,12 +334,11 @@ QString ResponseForm::unsentGains() const {
     return differ.join(u", "_s);
 }
 
-void ResponseForm::askWhichGains(const intent::StepResponse& step, const std::vector<std::int32_t>& series) {
-    const auto ask = [self = QPointer(this), index = m_module->info.index,
-                      series](const intent::StepResponse& wanted) {
-        return [self, index, wanted, series] {
+void ResponseForm::askWhichGains(const intent::StepSeries& wanted, const std::vector<std::int32_t>& series) {
+    const auto ask = [self = QPointer(this), index = m_module->info.index](const intent::StepSeries& steps) {
+        return [self, index, steps] {
             if (self)
-                self->ask(index, wanted, series);
+                self->ask(index, steps);
         };
     };
     const auto text = [self = QPointer(this), index = m_module->info.index, before = unsentGains(), series] {
@@ -223,15 +348,15 @@ void ResponseForm::askWhichGains(const intent::StepResponse& step, const std::ve
                             .arg(before)
                       : QString();
     };
-    intent::StepResponse applied = step;
-    applied.gains = m_staged;
+    intent::StepSeries applied = wanted;
+    applied.each.gains = m_staged;
     AskDialog::ask({.name = u"stepGainsDialog"_s,
                     .title = tr("Gains not sent"),
                     .text = text,
                     .stay = tr("&Cancel"),
                     .stayName = u"cancelStepButton"_s},
                    {{tr("&Apply and step"), u"applyAndStepButton"_s, ask(applied)},
-                    {tr("Step with &present gains"), u"stepWithoutButton"_s, ask(step)}},
+                    {tr("Step with &present gains"), u"stepWithoutButton"_s, ask(wanted)}},
                    window());
 }
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "model/response/movemetrics.h"
+#include "widgets/common/quantityfield.h"
 #include "widgets/panels/panelview.h"
 
 class QComboBox;
@@ -15,11 +17,9 @@ namespace nmc {
 
 class FormGrid;
 class HoldFirstButton;
-class NumberField;
-class QuantityField;
 class Requests;
 
-/// The settings of the next step, and the button that makes it.
+/// The settings of the next step or profiled move, and the button that makes it.
 class ResponseForm : public QWidget {
     Q_OBJECT
 
@@ -30,7 +30,7 @@ public:
     void showModule(const PanelView& view);
     void showNothing();
 
-    /// Makes a step as the button does; with `series`, a series of such steps by these distances
+    /// Makes a step or the moves as the button does; with `series`, steps by these distances
     /// (intent::StepSeries).
     void step(const std::vector<std::int32_t>& series = {});
 
@@ -41,24 +41,37 @@ public:
 
     /// In percent of the step; the last valid value of the field.
     [[nodiscard]] double band() const { return m_lastBand; }
+    /// The last valid values of the fields.
+    [[nodiscard]] const SettleWindow& settleWindow() const { return m_lastWindow; }
 
     /// Why no step is possible, or the progress or failure of the last one; a child of the form's parent, to
     /// be placed where there is room for a sentence.
     [[nodiscard]] QLabel* stateLabel() const { return m_state; }
 
 signals:
-    void bandEdited(double percent);
+    /// band() or settleWindow() has changed.
+    void judgementEdited();
     /// The settings of the next step have changed.
     void edited();
 
 private:
     void buildFields(FormGrid* grid);
+    void buildMoveFields(FormGrid* grid);
+    [[nodiscard]] QuantityField* newPaceField(const QString& objectName, const QString& name,
+                                              const QString& meaning, QuantityField::Kind kind, double step);
+    /// Shows the fields that matter to the method.
+    void showMethod();
+    void takeJudgement();
     void buildButton(FormGrid* grid);
     void refresh();
-    void askWhichGains(const intent::StepResponse& step, const std::vector<std::int32_t>& series);
-    void ask(ModuleIndex module, const intent::StepResponse& step, const std::vector<std::int32_t>& series);
+    void askWhichGains(const intent::StepSeries& wanted, const std::vector<std::int32_t>& series);
+    void ask(ModuleIndex module, const intent::StepSeries& wanted);
     [[nodiscard]] std::optional<Refusal> refusal(const std::vector<std::int32_t>& series = {}) const;
-    [[nodiscard]] std::optional<intent::StepResponse> entered() const;
+    /// A single step is a series of one.
+    [[nodiscard]] std::optional<intent::StepSeries> entered(
+        const std::vector<std::int32_t>& series = {}) const;
+    [[nodiscard]] std::vector<const NumberField*> fieldsInUse() const;
+    [[nodiscard]] bool moves() const;
     [[nodiscard]] QString unsentGains() const;
 
     Requests& m_requests;
@@ -66,13 +79,21 @@ private:
     QComboBox* m_method = nullptr;
     NumberField* m_record = nullptr;
     NumberField* m_band = nullptr;
+    QuantityField* m_velocity = nullptr;
+    QuantityField* m_acceleration = nullptr;
+    NumberField* m_rounds = nullptr;
+    QuantityField* m_window = nullptr;
+    NumberField* m_dwell = nullptr;
+    std::vector<QWidget*> m_forSteps, m_forMoves;
     QPushButton* m_step = nullptr;
     HoldFirstButton* m_hold = nullptr;
     QLabel* m_state = nullptr;
     std::optional<ModuleState> m_module;
     std::optional<servo::SetGain> m_staged;  ///< values in the fields of the gains
+    MotionSettings m_motion;                 ///< as last shown
     std::optional<ProcedureReport> m_report;
     double m_lastBand;
+    SettleWindow m_lastWindow;
     bool m_connected = false;
 };
 

@@ -50,7 +50,7 @@ ResponsePage::ResponsePage(Requests& requests, QWidget* parent)
     keepFocusOnTabs(*m_findings);
     connect(m_model, &ModelBox::curvesChanged, this, &ResponsePage::showModelCurves);
     lay();
-    connect(m_form, &ResponseForm::bandEdited, this, &ResponsePage::judgeAll);
+    connect(m_form, &ResponseForm::judgementEdited, this, &ResponsePage::judgeAll);
     connect(m_table, &ResponseTable::shownWanted, this, &ResponsePage::showAs);
     connect(m_table, &ResponseTable::chosenChanged, this, &ResponsePage::refreshButtons);
     connect(m_table, &ResponseTable::named, this, &ResponsePage::nameRun);
@@ -168,7 +168,7 @@ const KeptResponse* ResponsePage::find(std::optional<int> number) const {
 
 void ResponsePage::showRun(KeptResponse run) {
     run.number = ++m_lastNumber;
-    setBand(run.run, m_form->band());
+    judge(run);
     if (!m_shown[1])
         m_shown[1] = m_shown[0];
     m_shown[0] = run.number;
@@ -180,7 +180,7 @@ void ResponsePage::showRun(KeptResponse run) {
 void ResponsePage::showKept(std::vector<KeptResponse> runs) {
     int last = 0;
     for (KeptResponse& run : runs) {
-        setBand(run.run, m_form->band());
+        judge(run);
         last = std::max(last, run.number);
     }
     // Runs that were recorded before these were read are newer nevertheless.
@@ -224,9 +224,13 @@ void ResponsePage::nameRun(int number, const QString& name, const QString& note)
     emit m_requests.storeRuns();
 }
 
-void ResponsePage::judgeAll(double bandPercent) {
+void ResponsePage::judge(KeptResponse& kept) const {
+    nmc::judge(kept.run, m_form->band(), m_form->settleWindow());
+}
+
+void ResponsePage::judgeAll() {
     for (KeptResponse& kept : m_kept)
-        setBand(kept.run, bandPercent);
+        judge(kept);
     m_model->showRuns();
     refreshRuns();
 }
@@ -240,7 +244,7 @@ void ResponsePage::refreshRuns() {
     const KeptResponse* a = find(m_shown[0]);
     const KeptResponse* b = find(m_shown[1]);
     m_table->showRuns(m_kept, m_shown);
-    m_results->showRuns(a, b);
+    m_results->showRuns(a, b, m_kept);
     m_view->showRuns(a, b, others());
     showModelCurves();
     refreshButtons();
@@ -263,7 +267,7 @@ void ResponsePage::forgetModules() {
 void ResponsePage::showModelCurves() {
     const KeptResponse* about = find(m_model->about());
     const auto alike = [about](const KeptResponse* shown) {
-        return shown != nullptr && shown->run.module == about->run.module &&
+        return shown != nullptr && shown->run.module == about->run.module && !shown->run.taken.isMove() &&
                shown->run.taken.goal - shown->run.taken.from == about->run.taken.goal - about->run.taken.from;
     };
     const bool drawn = about != nullptr && (alike(find(m_shown[0])) || alike(find(m_shown[1])));
@@ -315,7 +319,7 @@ void ResponsePage::removeChosen() {
 void ResponsePage::putBack() {
     KeptResponse run = std::move(m_removed.back());
     m_removed.pop_back();
-    setBand(run.run, m_form->band());
+    judge(run);
     const auto place =
         std::lower_bound(m_kept.begin(), m_kept.end(), run.number,
                          [](const KeptResponse& kept, int number) { return kept.number < number; });

@@ -65,7 +65,8 @@ private:
     QWidget* newRunsPart();
     QPushButton* newButton(const QString& objectName, const QString& text, const QKeySequence& shortcut);
     void showAs(int which, int run, bool shown);
-    void judgeAll(double bandPercent);
+    void judge(KeptResponse& kept) const;
+    void judgeAll();
     void showModelCurves();
     void useGains();
     void nameRun(int number, const QString& name, const QString& note);

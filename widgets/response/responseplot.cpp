@@ -29,7 +29,6 @@ const QList<qreal> kDashes{4, 2.5};
 constexpr std::size_t kModel = 3, kPrediction = 2;  ///< trace colours
 constexpr double kPalest = 0.15, kStrongest = 0.5;  ///< opacity of runs that are neither A nor B
 constexpr double kShortest = 0.1;                   ///< share of the record that is always visible
-constexpr double kGap = 6;                          ///< sample intervals; a longer distance is a gap
 constexpr double kUsualRecord = 0.5;                ///< s, length of the time axis before there is a run
 }  // namespace
 
@@ -48,12 +47,15 @@ QColor ResponsePlot::colour(std::size_t which) const {
 ResponsePlot::Curve ResponsePlot::curveOf(const KeptResponse& kept, const AxisScale& scale) {
     const ResponseTaken& taken = kept.run.taken;
     Curve curve;
-    const double farApart = kGap * kept.run.metrics.interval;
+    const double farApart = kSeveralIntervals * kept.run.metrics.interval;
     for (const ResponsePoint& point : kept.run.points) {
         const QPointF next(point.seconds, scale.position(point.position - taken.from));
         if (curve.parts.empty() || next.x() - curve.parts.back().back().x() > farApart)
             curve.parts.emplace_back();
         curve.parts.back() << next;
+        if (taken.isMove())
+            curve.command << QPointF(point.seconds,
+                                     scale.position(point.position + point.error - taken.from));
     }
     curve.goal = scale.position(static_cast<double>(taken.goal) - taken.from);
     curve.band = scale.distance(kept.run.band());
@@ -61,8 +63,9 @@ ResponsePlot::Curve ResponsePlot::curveOf(const KeptResponse& kept, const AxisSc
     curve.record = taken.record;
     // Twice the settling time, so that the plot shows that the motor stays there.
     const auto& atRest = kept.run.metrics.settlingAtRest;
-    curve.transient =
-        atRest ? std::clamp(2 * atRest->value, kShortest * taken.record, taken.record) : taken.record;
+    curve.transient = atRest && !taken.isMove()
+                          ? std::clamp(2 * atRest->value, kShortest * taken.record, taken.record)
+                          : taken.record;
     const QString run = kept.name.empty()
                             ? QString::number(kept.number)
                             : u"%1 \"%2\""_s.arg(kept.number).arg(QString::fromStdString(kept.name));
@@ -119,8 +122,10 @@ void ResponsePlot::refreshLegend() {
         legend.push_back({tr("motor model"), colour(kModel), true});
     if (!m_predicted.empty())
         legend.push_back({tr("predicted"), colour(kPrediction), true});
+    const bool moves =
+        std::ranges::any_of(m_curves, [](const auto& curve) { return curve && !curve->command.empty(); });
     if (!legend.empty())
-        legend.push_back({tr("goal"), look::mutedText(palette()), true});
+        legend.push_back({moves ? tr("goal, command") : tr("goal"), look::mutedText(palette()), true});
     m_frame.setLegend(legend);
     update();
 }
@@ -197,6 +202,10 @@ void ResponsePlot::paintTraces(QPainter& painter) {
         paintGoal(painter, *m_curves[1]);
     paintOthers(painter);
     paintRange(painter);
+    painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DashLine));
+    for (const auto& curve : m_curves)
+        if (curve)
+            paintLine(painter, m_geometry, curve->command);
     paintCurve(painter, 1);
     paintCurve(painter, 0);
     painter.setPen(QPen(colour(kModel), kTraceWidth, Qt::DotLine, Qt::FlatCap));

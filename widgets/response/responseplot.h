@@ -15,9 +15,10 @@ namespace nmc {
 
 struct Prediction;
 
-/// One or two step responses over the time since their step, relative to their start: A solid, B dashed, with
-/// the goal and the settling band; below them error and PWM. Shows the transient; a double click switches to
-/// the whole record and back. Wheel, mouse and keys zoom and move the plot as they do a strip of the scope.
+/// One or two step responses or profiled moves over the time since their step, relative to their start: A
+/// solid, B dashed, with the goal and the settling band; below them error and PWM. Shows the transient; a
+/// double click switches to the whole record and back. Wheel, mouse and keys zoom and move the plot as they
+/// do a strip of the scope.
 class ResponsePlot : public RecordPlot {
     Q_OBJECT
 
@@ -67,6 +68,7 @@ private:
     /// In seconds and in the unit of the axis.
     struct Curve {
         std::vector<QPolygonF> parts;  ///< samples are missing between them
+        QPolygonF command;             ///< of a profiled move
         double goal = 0;
         double band = 0;
         double bandPercent = 0;

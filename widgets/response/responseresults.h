@@ -14,13 +14,13 @@ class ResponseResults : public QTableWidget {
 public:
     explicit ResponseResults(QWidget* parent = nullptr);
 
-    /// Either may be null.
-    void showRuns(const KeptResponse* a, const KeptResponse* b);
+    /// Either may be null, and is one of `runs`, which contain the moves that were made together with it.
+    void showRuns(const KeptResponse* a, const KeptResponse* b, std::span<const KeptResponse> runs = {});
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 private:
-    void showRun(int column, const KeptResponse* kept);
+    void showRun(int column, const KeptResponse* kept, std::span<const KeptResponse> runs);
 };
 
 }  // namespace nmc

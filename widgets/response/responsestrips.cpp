@@ -8,6 +8,7 @@
 
 #include "model/response/responsedrive.h"
 #include "widgets/common/look.h"
+#include "widgets/common/plots.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/response/plotline.h"
@@ -42,6 +43,8 @@ void ResponseStrips::show(const KeptResponse* a, const KeptResponse* b, const Ax
             curve.error << QPointF(point.seconds, scale.position(point.error));
             curve.pwm << QPointF(point.seconds, point.pwm);
         }
+        if (kept->run.move && kept->run.move->peak)
+            m_zoom = std::max(m_zoom, scale.distance(kept->run.move->peak->value));
         const ResponseMetrics& metrics = kept->run.metrics;
         if (metrics.steadyError)
             m_zoom = std::max(m_zoom, 2 * scale.distance(std::abs(metrics.steadyError->value)));

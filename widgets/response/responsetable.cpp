@@ -98,7 +98,7 @@ void ResponseTable::showRun(int row, const KeptResponse& kept, const ShownRuns& 
     cell(row, Kd)->setText(QString::number(gains.kd));
     cell(row, Ki)->setText(QString::number(gains.ki));
     cell(row, Overshoot)->setText(texts::responseOvershoot(kept.run.metrics.overshoot));
-    cell(row, Settling)->setText(texts::responseSettling(kept.run.metrics));
+    cell(row, Settling)->setText(texts::responseSettling(kept.run));
 }
 
 void ResponseTable::showRuns(const std::vector<KeptResponse>& runs, const ShownRuns& shown) {

@@ -126,7 +126,7 @@ void ResponseView::showRuns(const KeptResponse* a, const KeptResponse* b,
                 << tr("Kp %1 Kd %2 Ki %3 IL %4; rise %5; overshoot %6; settling %7")
                        .arg(QString::number(gains.kp), QString::number(gains.kd), QString::number(gains.ki),
                             QString::number(gains.il), texts::responseTime(metrics.rise),
-                            texts::responseOvershoot(metrics.overshoot), texts::responseSettling(metrics));
+                            texts::responseOvershoot(metrics.overshoot), texts::responseSettling(kept->run));
     }
     m_plot->showRuns(a, b, others);
 }

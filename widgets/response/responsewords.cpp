@@ -30,6 +30,8 @@ QString unmeasured(Unmeasured why) {
             return ResponseTexts::tr("samples missing, repeat");
         case Unmeasured::NeverSettled:
             return ResponseTexts::tr("not recorded");
+        case Unmeasured::NoConstantVelocity:
+            return ResponseTexts::tr("never constant");
     }
     return {};
 }
@@ -52,6 +54,8 @@ QString responseMethod(ResponseMethod method) {
             return ResponseTexts::tr("Very fast profile");
         case ResponseMethod::StopHere:
             return ResponseTexts::tr("Stop here, at the goal");
+        case ResponseMethod::Move:
+            return ResponseTexts::tr("Profiled move");
     }
     return {};
 }
@@ -64,6 +68,9 @@ QString responseMethodMeaning(ResponseMethod method) {
         case ResponseMethod::StopHere:
             return ResponseTexts::tr(
                 "The servo holds the goal at once, without a profile. Not available with version 1.");
+        case ResponseMethod::Move:
+            return ResponseTexts::tr(
+                "No step: moves there and back with the velocity and acceleration below, judged by a window and a dwell. Not available with version 1.");
     }
     return {};
 }
@@ -93,10 +100,31 @@ QString responseTime(const ResponseMetrics::Result<Measured>& seconds) {
                               : plusMinus(*seconds, Common::tr("s"));
 }
 
-QString responseSettling(const ResponseMetrics& metrics) {
+QString responseSettling(const ResponseRecord& run) {
+    if (run.move)
+        return responseTime(run.move->settling);
+    const ResponseMetrics& metrics = run.metrics;
     const bool beside = !metrics.settling && metrics.settlingAtRest;
     return beside ? ResponseTexts::tr("%1, off its goal").arg(responseTime(metrics.settlingAtRest))
                   : responseTime(metrics.settling);
+}
+
+QString settlingSpread(std::span<const KeptResponse> moves) {
+    double least = 0, most = 0;
+    std::size_t settled = 0;
+    for (const KeptResponse& move : moves) {
+        if (!move.run.move || !move.run.move->settling)
+            continue;
+        const double seconds = move.run.move->settling->value;
+        least = settled == 0 ? seconds : std::min(least, seconds);
+        most = std::max(most, seconds);
+        ++settled;
+    }
+    if (settled < moves.size())
+        return ResponseTexts::tr("%1 of %2 settled").arg(settled).arg(moves.size());
+    return ResponseTexts::tr("%1 to %2 ms (%3)")
+        .arg(number(least * 1e3, 1), number(most * 1e3, 1))
+        .arg(moves.size());
 }
 
 QString responseOvershoot(const ResponseMetrics::Result<Measured>& percent) {

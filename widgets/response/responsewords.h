@@ -3,11 +3,9 @@
 
 #include <QString>
 #include <optional>
+#include <span>
 
-#include "model/intent/responsetaken.h"
-#include "model/module/pwmdemand.h"
-#include "model/response/responsemetrics.h"
-#include "model/settings/axisscale.h"
+#include "model/response/responsefile.h"
 
 /// Step responses in words.
 namespace nmc::texts {
@@ -22,8 +20,10 @@ namespace nmc::texts {
 [[nodiscard]] QString plusMinus(const Measured& measured);
 // The value with its uncertainty, or why it could not be measured.
 [[nodiscard]] QString responseTime(const ResponseMetrics::Result<Measured>& seconds);
-/// Time to settle at the goal or, if it did not, at its rest position.
-[[nodiscard]] QString responseSettling(const ResponseMetrics& metrics);
+/// Time to settle at the goal or, if it did not, at its rest position; of a profiled move, after its profile.
+[[nodiscard]] QString responseSettling(const ResponseRecord& run);
+/// The shortest and the longest settling time of moves that were made together.
+[[nodiscard]] QString settlingSpread(std::span<const KeptResponse> moves);
 [[nodiscard]] QString responseOvershoot(const ResponseMetrics::Result<Measured>& percent);
 [[nodiscard]] QString responseError(const ResponseMetrics::Result<Measured>& counts, const AxisScale& scale);
 /// "limited to 127", "at least 23", "unknown"; of 255.

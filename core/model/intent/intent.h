@@ -93,13 +93,14 @@ struct MoveBy {
     Rounds moves;
     Pace pace;
 };
-/// Makes a small move without a profile from the position that the servo holds, to see how it follows
-/// (looptestplan.h). A procedure.
+/// Makes a small move without a profile, or a profiled move, from the position that the servo holds, to see
+/// how it follows (looptestplan.h). A procedure.
 struct StepResponse {
     std::int32_t counts = 0;  ///< signed
     ResponseMethod method = ResponseMethod::Profile;
-    double record = 0.0;                    ///< s, from the step on
+    double record = 0.0;                    ///< s, from the step or the end of the profile on
     std::optional<servo::SetGain> gains{};  ///< sent before the step; empty: the present gains are used
+    ServoPace pace{};                       ///< ResponseMethod::Move
 };
 /// Makes a series of step responses, from which a motor can be identified (looptestplan.h). A procedure.
 struct StepSeries {
@@ -230,6 +231,7 @@ enum class Refusal : std::uint8_t {
     NoCurrentLimit,  ///< CL is 0, so the current never exceeds the limit
     CommandUnknown,  ///< the exact position that the servo holds is unknown
     RecordTime,      ///< none, or longer than the bus can be reserved for one module
+    MoveTooLong,     ///< a profiled move and the record after it exceed kLongestMove
     PathNotPossible,  ///< pathplan.h has the reason
     TestOutOfRange,   ///< times, frequencies or travel of a loop test
     // PIC-STEP

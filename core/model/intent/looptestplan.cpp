@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "bus/standstill.h"
+#include "model/intent/moveforecast.h"
 #include "model/intent/travel.h"
 
 namespace nmc {
@@ -65,7 +66,10 @@ std::optional<Refusal> whyNot(const intent::StepSeries& wanted, const ModuleStat
         low = std::min(low, at);
         high = std::max(high, at);
     }
-    if (const auto refusal = whyNotTest(module, gains, stays ? 0 : longest, low, high))
+    // The error of a profiled move is not known beforehand; a step's is the whole step.
+    const bool moves = each.method == ResponseMethod::Move;
+    const std::int64_t error = stays ? 0 : moves ? 1 : longest;
+    if (const auto refusal = whyNotTest(module, gains, error, low, high))
         return refusal;
     if (const auto refusal = each.gains ? whyNot(IntentKind::ApplyGains, module) : std::nullopt)
         return refusal;
@@ -77,6 +81,11 @@ std::optional<Refusal> whyNot(const intent::StepSeries& wanted, const ModuleStat
         return Refusal::VersionLacksIt;
     if (!(each.record >= kShortestRecord && each.record <= kLongestRecord))
         return Refusal::RecordTime;
+    if (moves && (each.pace.velocity.value() == 0 || each.pace.acceleration.value() == 0))
+        return Refusal::TestOutOfRange;
+    if (moves &&
+        forecast(static_cast<double>(longest), each.pace, gains->sr).seconds + each.record > kLongestMove)
+        return Refusal::MoveTooLong;
     return std::nullopt;
 }
 

@@ -18,6 +18,11 @@ inline constexpr std::int32_t kFirstStep = 100;
 /// Seconds; the bus can be reserved for one module for 5 s (bus::Engine::focus).
 inline constexpr double kShortestRecord = 0.02;
 inline constexpr double kLongestRecord = 3.0;
+/// Seconds, for a profiled move and the record after it; a run file has room for as many samples
+/// (model/machinefile/responsestore.h).
+inline constexpr double kLongestMove = 6.0;
+/// Moves there and back.
+inline constexpr unsigned kMaxMoves = 20;
 /// Amplitude in counts, to either side.
 inline constexpr std::int32_t kWidestSine = 500;
 inline constexpr std::int32_t kFirstSine = 20;

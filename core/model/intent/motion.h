@@ -71,6 +71,7 @@ using MotionSpec = std::variant<ServoMotion, StepperMotion>;
 struct ServoPace {
     CountsPerTick velocity;
     CountsPerTickSquared acceleration;
+    bool operator==(const ServoPace&) const = default;
 };
 using Pace = std::variant<ServoPace, bus::StepperPace>;
 

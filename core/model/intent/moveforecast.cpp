@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "base/time.h"
+
 namespace nmc {
 
 MoveForecast forecast(double distance, double velocity, double acceleration, double perSecond) {
@@ -13,7 +15,13 @@ MoveForecast forecast(double distance, double velocity, double acceleration, dou
     if (peak == 0.0)
         return {};
     const double ticks = triangular ? 2.0 * peak / acceleration : length / velocity + velocity / acceleration;
-    return {ticks / perSecond, peak, triangular};
+    return {ticks / perSecond, peak, triangular, peak / acceleration / perSecond};
+}
+
+MoveForecast forecast(double distance, const ServoPace& pace, int servoRate) {
+    constexpr double kFixedPoint = 65'536.0;
+    return forecast(distance, pace.velocity.value() / kFixedPoint, pace.acceleration.value() / kFixedPoint,
+                    ticksPerSecond(servoRate));
 }
 
 }  // namespace nmc

@@ -43,6 +43,11 @@ struct Course {
     bool turns = false;                  ///< takes up backlash, if the axis has any
 };
 
+/// Native; a jump has none.
+[[nodiscard]] double velocityOf(const intent::StepResponse& step) {
+    return step.method == ResponseMethod::Move ? native(step.pace.velocity) : 0.0;
+}
+
 /// The effect of a motion, or of a load once it is started.
 [[nodiscard]] Course courseOf(const ServoMotion& motion, const ModuleState& /*module*/) {
     Course course{.velocity = std::visit([](const auto& any) { return native(any.velocity); }, motion)};
@@ -93,7 +98,12 @@ struct CourseOf {
         course.from = from;
         return course;
     }
-    std::optional<Course> operator()(const intent::StepResponse& step) const { return about(step.counts); }
+    std::optional<Course> operator()(const intent::StepResponse& step) const {
+        auto course = about(step.counts);
+        if (course)
+            course->velocity = velocityOf(step);
+        return course;
+    }
     /// The course extends to the farther side; whyNot() checks both.
     std::optional<Course> operator()(const intent::SquareWave& wave) const { return about(wave.counts / 2); }
     std::optional<Course> operator()(const intent::FrequencyResponse& sines) const {
@@ -163,6 +173,8 @@ private:
 /// The problem of the first step that leaves the travel. Each step begins where the previous one ends.
 [[nodiscard]] std::optional<TravelProblem> problemOf(const intent::StepSeries& series,
                                                      const ModuleState& module) {
+    if (const auto fast = tooFast(velocityOf(series.each), module))
+        return fast;
     const auto range = travelRange(module);
     const auto held = module.goal();
     if (!range || !held)

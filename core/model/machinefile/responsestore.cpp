@@ -16,11 +16,13 @@ namespace layout {
 namespace {
 constexpr int kRunsVersion = 1;
 constexpr std::string_view kRunsFormat = "nmc-panel-step-runs";
-/// Per run: four times the number of samples that the bus provides in the longest record.
+/// Per run: twice the number of samples that the bus provides in the longest record.
 constexpr std::size_t kMostPoints = 20'000;
 constexpr Word<ResponseMethod> kMethodWords[] = {{ResponseMethod::Profile, "profile"},
-                                                 {ResponseMethod::StopHere, "stop here"}};
-constexpr Bounds kRecord{kShortestRecord, kLongestRecord};
+                                                 {ResponseMethod::StopHere, "stop here"},
+                                                 {ResponseMethod::Move, "move"}};
+constexpr Bounds kRecord{kShortestRecord, kLongestMove};
+constexpr Bounds kFixedPoint{0, 4294967295.0};
 constexpr Bounds kPwm{0, 1e9};
 
 struct Runs {
@@ -30,12 +32,19 @@ struct Runs {
 
 template <typename Form, As<ResponseTaken> T>
 void fields(Form& form, T& taken) {
-    auto& [at, from, goal, record, method, gains] = taken;
+    auto& [at, from, goal, record, method, gains, pace, round] = taken;
     form.whole("from_counts", from, takenByModule(servo::kPositionRange));
     form.whole("goal_counts", goal, takenByModule(servo::kPositionRange));
     form.real("record_s", record, kRecord);
     form.choice("way", method, kMethodWords);
     form.part("gains", gains);
+    std::uint32_t velocity = pace.velocity.value();
+    std::uint32_t acceleration = pace.acceleration.value();
+    form.whole("velocity_fixed_point", velocity, kFixedPoint, Need::Optional);
+    form.whole("acceleration_fixed_point", acceleration, kFixedPoint, Need::Optional);
+    form.whole("round", round, {1, 2 * kMaxMoves}, Need::Optional);
+    if constexpr (!std::is_const_v<T>)
+        pace = {CountsPerTick(velocity), CountsPerTickSquared(acceleration)};
 }
 
 template <typename Form, As<PwmDemand> T>
@@ -47,17 +56,23 @@ void fields(Form& form, T& pwm) {
 
 template <typename Form, As<ResponseRecord> T>
 void fields(Form& form, T& run) {
-    auto& [module, taken, bandPercent, points, metrics, pwm] = run;
+    auto& [module, taken, bandPercent, window, points, metrics, move, pwm] = run;
     form.module("module", module);
     form.part("step", taken);
     form.part("pwm", pwm);
     std::vector<double> numbers;
-    for (const ResponsePoint& point : points)
+    std::vector<double> errors;
+    for (const ResponsePoint& point : points) {
         numbers.insert(numbers.end(), {point.seconds, point.position});
+        if (taken.isMove())
+            errors.push_back(point.error);
+    }
     form.numbers("seconds_and_counts", numbers, 2 * kMostPoints);
+    if (taken.isMove())
+        form.numbers("errors_counts", errors, kMostPoints);
     if constexpr (!std::is_const_v<T>)
         for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
-            points.push_back({numbers[i], numbers[i + 1]});
+            points.push_back({numbers[i], numbers[i + 1], i / 2 < errors.size() ? errors[i / 2] : 0.0});
 }
 
 template <typename Form, As<KeptResponse> T>
@@ -121,7 +136,7 @@ tl::expected<std::vector<KeptResponse>, FileProblem> readResponses(std::string_v
                                   .min = static_cast<double>(servo::kPositionRange.min),
                                   .max = static_cast<double>(servo::kPositionRange.max)};
         else
-            setBand(run, kFirstBand);
+            judge(run, kFirstBand);
     }
     if (problem)
         return tl::unexpected(*problem);

@@ -18,7 +18,7 @@ namespace nmc {
 /// The number of runs stored for a machine.
 inline constexpr std::size_t kMaxKeptRuns = 100;
 /// Longer files are not read; kMaxKeptRuns runs of the longest record stay below this.
-inline constexpr std::size_t kMaxRunFile = 32'000'000;
+inline constexpr std::size_t kMaxRunFile = 64'000'000;
 /// File name extension of run files.
 inline constexpr std::string_view kRunFileSuffix = "runs";
 

@@ -9,9 +9,6 @@ namespace nmc {
 
 namespace {
 
-/// Velocity and acceleration with which the profile reaches the goal of the longest step in one tick. The
-/// largest loadable values would do so too, but their sum would exceed the chip's 32 bits.
-constexpr std::uint32_t kInOneTick = 4'096U << 16U;
 /// The time for a hold to calm a motor that has gone too far.
 constexpr Duration kCalmWithin = std::chrono::milliseconds(500);
 
@@ -63,14 +60,14 @@ LoopTest::Next LoopTest::start(const ModuleState& module) {
     return next;
 }
 
-std::vector<bus::Order> LoopTest::jump(const ModuleState& module, std::int32_t goal,
-                                       ResponseMethod method) const {
+std::vector<bus::Order> LoopTest::jump(const ModuleState& module, std::int32_t goal, ResponseMethod method,
+                                       const ServoPace& pace) const {
     if (method == ResponseMethod::StopHere)
         return orders({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, Counts(goal)}});
     servo::LoadTrajectory load;
     load.position = Counts(goal);
-    load.velocity = CountsPerTick(kInOneTick);
-    load.acceleration = CountsPerTickSquared(kInOneTick);
+    load.velocity = pace.velocity;
+    load.acceleration = pace.acceleration;
     return orders({load, StartMotion{}});
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/stepresponse.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
 #include "model/intent/gainsplan.h"
 #include "model/intent/looptestplan.h"
+#include "model/intent/moveforecast.h"
 
 namespace nmc {
 
@@ -18,9 +20,19 @@ std::optional<StepResponseRun::Next> StepResponseRun::beforeStandstill(const Mod
 StepResponseRun::Next StepResponseRun::begin(const ModuleState& module) {
     if (whyNot(m_wanted, module))
         return fail(ProcedureFailure::Refused);
-    m_taken = {{}, from(), from() + m_wanted.counts, m_wanted.record, m_wanted.method, *module.gains};
+    m_taken = {{},
+               from(),
+               from() + m_wanted.counts,
+               m_wanted.record,
+               m_wanted.method,
+               *module.gains,
+               m_wanted.pace,
+               std::max(m_report.round, 1U)};
     m_sent = true;
-    return send(jump(module, m_taken.goal, m_wanted.method));
+    if (!m_taken.isMove())
+        return send(jump(module, m_taken.goal, m_wanted.method));
+    m_taken.record += forecast(m_wanted.counts, m_wanted.pace, module.gains->sr).seconds;
+    return send(jump(module, m_taken.goal, m_wanted.method, m_wanted.pace));
 }
 
 StepResponseRun::Next StepResponseRun::goOn(const ModuleState& module, TimePoint now) {

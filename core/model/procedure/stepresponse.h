@@ -8,8 +8,9 @@
 
 namespace nmc {
 
-/// One step of the command position of a PIC-SERVO at rest, to see how the motor follows (DS-V 4.3); the
-/// motor is then held at the goal. A motor that goes the wrong way, or twice the step, has gone too far.
+/// One step of the command position of a PIC-SERVO at rest (DS-V 4.3), or one profiled move, to see how the
+/// motor follows; the motor is then held at the goal. A motor that goes the wrong way, or twice as far, has
+/// gone too far.
 class StepResponseRun : public LoopTest {
 public:
     /// `wanted` must be possible now.

@@ -8,8 +8,8 @@
 
 namespace nmc {
 
-/// Successive steps, each from the end of the previous one, as soon as the motor stands there. A step after
-/// which it does not come to rest is the last.
+/// Successive steps or moves, each from the end of the previous one, as soon as the motor stands there. A
+/// step after which it does not come to rest is the last.
 class StepSeriesRun : public StepResponseRun {
 public:
     /// `wanted` must be possible now.

@@ -88,7 +88,7 @@ std::optional<EdgeFold> foldEdges(std::span<const ResponseRecord> edges, bool fo
     fold.points = laidOver(found);
     for (const FoldedPoint& point : fold.points)
         fold.run.points.push_back({point.seconds, fold.run.taken.from + point.position});
-    setBand(fold.run, fold.run.bandPercent);
+    judge(fold.run, fold.run.bandPercent);
     return fold;
 }
 

@@ -22,12 +22,15 @@ std::vector<DrivePoint> driveOf(const ResponseRecord& run) {
     for (const ResponsePoint& point : run.points)
         if (point.seconds <= 0)
             stood = point.position;
-    std::vector<DrivePoint> drive{{0.0, run.taken.goal - stood, pwmOf(run.taken.goal - stood, step)}};
+    const bool moves = run.taken.isMove();
+    std::vector<DrivePoint> drive{{0.0, 0.0, 0.0}};
+    if (!moves)
+        drive = {{0.0, run.taken.goal - stood, pwmOf(run.taken.goal - stood, step)}};
     for (const ResponsePoint& point : run.points) {
         const double between = point.seconds - drive.back().seconds;
         if (between <= 0)
             continue;
-        const double error = run.taken.goal - point.position;
+        const double error = run.errorAt(point);
         const double mean = (error + drive.back().error) / 2;
         integral = std::clamp(integral + mean * between / tick / 256, -mostIntegral, mostIntegral);
         drive.push_back({point.seconds, error, pwmOf(error, (error - drive.back().error) * tick / between)});

@@ -14,7 +14,8 @@ struct DrivePoint {
 };
 
 /// Computes the output of the control filter for a run (DS-V 4.3), with output limit and deadband
-/// compensation but without the current limit: at the step itself, and at each sample after it. Between
+/// compensation but without the current limit: at the step itself, and at each sample after it or after the
+/// start of a profiled move. Between
 /// samples the error is interpolated linearly. The integral before the step is unknown and is taken as zero.
 /// Pure.
 [[nodiscard]] std::vector<DrivePoint> driveOf(const ResponseRecord& run);

@@ -38,11 +38,32 @@ std::string_view methodText(ResponseMethod method) {
             return "by a profile of one tick";
         case ResponseMethod::StopHere:
             return "by Stop Here";
+        case ResponseMethod::Move:
+            return "by a profiled move";
     }
     return {};
 }
 
+void appendMove(Comments& comments, const ResponseRecord& run) {
+    const double perSecond = ticksPerSecond(run.taken.gains.sr) / 65'536;
+    comments.add("velocity", textOf(run.taken.pace.velocity.value() * perSecond) + " counts/s");
+    comments.add("acceleration", textOf(run.taken.pace.acceleration.value() * perSecond *
+                                        ticksPerSecond(run.taken.gains.sr)) +
+                                     " counts/s2");
+    comments.add("move", textOf(run.taken.round));
+    comments.add("move time", textOf(run.move->moveTime) + " s");
+    comments.add("settling to within " + textOf(run.window.counts) + " counts for " +
+                     textOf(run.window.dwell) + " s after the move",
+                 run.move->settling, "s");
+    comments.add("peak error", run.move->peak, "counts");
+    comments.add("RMS error", run.move->rms, "counts");
+    comments.add("error at constant velocity", run.move->slew, "counts");
+    comments.add("steady-state error", run.metrics.steadyError, "counts");
+}
+
 void appendMetrics(Comments& comments, const ResponseRecord& run) {
+    if (run.move)
+        return appendMove(comments, run);
     comments.add("rise from 10 to 90 %", run.metrics.rise, "s");
     comments.add("overshoot", run.metrics.overshoot, "% of the step");
     const std::string within = "settling to within " + textOf(run.band()) + " counts of ";
@@ -72,6 +93,22 @@ void appendRun(std::string& out, const KeptResponse& kept) {
 
 }  // namespace
 
+std::span<const KeptResponse> seriesOf(std::span<const KeptResponse> runs, const KeptResponse& run) {
+    const auto follows = [](const KeptResponse& before, const KeptResponse& after) {
+        const ResponseTaken& a = before.run.taken;
+        const ResponseTaken& b = after.run.taken;
+        return a.isMove() && b.isMove() && before.run.module == after.run.module && b.round == a.round + 1 &&
+               b.from == a.goal && b.pace == a.pace;
+    };
+    auto first = static_cast<std::size_t>(&run - runs.data());
+    std::size_t last = first;
+    while (first > 0 && follows(runs[first - 1], runs[first]))
+        --first;
+    while (last + 1 < runs.size() && follows(runs[last], runs[last + 1]))
+        ++last;
+    return runs.subspan(first, last - first + 1);
+}
+
 std::string responsesCsv(std::string_view program, std::span<const KeptResponse> runs) {
     std::string out = "# NMC Panel step responses 1\n# program: ";
     out.append(program) += '\n';
@@ -79,12 +116,13 @@ std::string responsesCsv(std::string_view program, std::span<const KeptResponse>
         appendRun(out, kept);
     out +=
         "# time_s = seconds since the module latched the step\n"
-        "# position and from_start = counts\n"
-        "run,time_s,position,from_start\n";
+        "# position, from_start and error = counts; error = command position - position\n"
+        "run,time_s,position,from_start,error\n";
     for (const KeptResponse& kept : runs)
         for (const ResponsePoint& point : kept.run.points)
             out += textOf(kept.number) + ',' + textOf(point.seconds) + ',' + textOf(point.position) + ',' +
-                   textOf(point.position - kept.run.taken.from) + '\n';
+                   textOf(point.position - kept.run.taken.from) + ',' + textOf(kept.run.errorAt(point)) +
+                   '\n';
     return out;
 }
 

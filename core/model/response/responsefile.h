@@ -25,6 +25,11 @@ struct KeptResponse {
     bool earlier = false;  ///< from an earlier session: the motor may have changed since
 };
 
+/// The moves that were made together with this one, in order, as far as they are in the list; of a step,
+/// only itself. `run` is one of `runs`, which are in the order of their numbers.
+[[nodiscard]] std::span<const KeptResponse> seriesOf(std::span<const KeptResponse> runs,
+                                                     const KeptResponse& run);
+
 /// CSV for spreadsheets and people: comments that describe each run, then one row per sample. UTF-8, line
 /// feeds, the C locale regardless of the user's:
 ///
@@ -39,8 +44,8 @@ struct KeptResponse {
 ///     # gains of module 1 at 0.000000000 s: kp 100 kd 1000 ki 0 il 0 ol 255 cl 0 el 2000 sr 1 db 0
 ///     # run 1 rise: 0.012 s +- 0.001
 ///     # ...
-///     run,time_s,position,from_start
-///     1,-0.0195,3,0
+///     run,time_s,position,from_start,error
+///     1,-0.0195,3,0,-3
 ///
 /// Figures that could not be measured are omitted.
 [[nodiscard]] std::string responsesCsv(std::string_view program, std::span<const KeptResponse> runs);

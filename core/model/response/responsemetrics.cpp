@@ -12,9 +12,6 @@ namespace nmc {
 namespace {
 
 constexpr double kLastPart = 0.2;
-constexpr std::size_t kFewest = 3;
-/// An encoder resolves no less than a count.
-constexpr double kHalfCount = 0.5;
 
 /// Position in counts along the step: 0 at the goal, negative before it.
 struct StepReading {
@@ -26,14 +23,13 @@ struct StepReading {
 /// Marks readings that follow the previous one after several usual intervals; the usual interval is the
 /// median.
 void markGaps(std::vector<StepReading>& readings) {
-    constexpr double kSeveral = 6;
     std::vector<double> between;
     for (std::size_t i = 2; i < readings.size(); ++i)  // the first may lie anywhere after the step
         between.push_back(readings[i].seconds - readings[i - 1].seconds);
     const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
     std::nth_element(between.begin(), middle, between.end());
     for (std::size_t i = 1; i < readings.size(); ++i)
-        readings[i].gapBefore = readings[i].seconds - readings[i - 1].seconds > kSeveral * *middle;
+        readings[i].gapBefore = readings[i].seconds - readings[i - 1].seconds > kSeveralIntervals * *middle;
 }
 
 /// The time at which the straight line between two readings crosses `level`.
@@ -121,7 +117,7 @@ void markGaps(std::vector<StepReading>& readings) {
         sum += point.position;
         ++count;
     }
-    if (count < kFewest)
+    if (count < kFewestForMean)
         return tl::unexpected(Unmeasured::TooFewSamples);
     return Measured{goal - sum / static_cast<double>(count), std::max(kHalfCount, (highest - lowest) / 2)};
 }
@@ -134,7 +130,7 @@ void markGaps(std::vector<StepReading>& readings) {
     for (auto reading = readings.rbegin(); reading != readings.rend() && reading->seconds >= lastPart;
          ++reading, ++count)
         sum += reading->beyond;
-    if (count < kFewest)
+    if (count < kFewestForMean)
         return tl::unexpected(Unmeasured::TooFewSamples);
     const double rest = sum / static_cast<double>(count);
     if (rest + step <= band)
@@ -151,7 +147,7 @@ ResponseMetrics measureResponse(std::span<const ResponsePoint> points, double fr
     for (const ResponsePoint& point : points)
         if (point.seconds > readings.back().seconds)
             readings.push_back({point.seconds, goal < from ? goal - point.position : point.position - goal});
-    if (readings.size() <= kFewest) {
+    if (readings.size() <= kFewestForMean) {
         const auto none = tl::unexpected(Unmeasured::TooFewSamples);
         return {none, none, none, none, none, 0.0};
     }

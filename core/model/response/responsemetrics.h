@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -8,9 +9,18 @@
 
 namespace nmc {
 
+/// An encoder resolves no less than a count.
+inline constexpr double kHalfCount = 0.5;
+/// Samples are missing between two that are farther apart than this many usual intervals: the motor may have
+/// moved to and fro unseen.
+inline constexpr double kSeveralIntervals = 6;
+/// A mean of fewer samples means nothing.
+inline constexpr std::size_t kFewestForMean = 3;
+
 struct ResponsePoint {
     double seconds = 0.0;   ///< since the step command was latched; negative before it
     double position = 0.0;  ///< counts
+    double error = 0.0;     ///< counts, command minus position; only of a profiled move
 };
 
 struct Measured {
@@ -21,9 +31,10 @@ struct Measured {
 
 enum class Unmeasured : std::uint8_t {
     TooFewSamples,
-    NeverRose,       ///< 90 % of the step was never reached, or it never left its starting point
-    NeverSettled,    ///< it was outside the band in the last part of the record
-    SamplesMissing,  ///< at the place of the measurement; a repetition may help
+    NeverRose,           ///< 90 % of the step was never reached, or it never left its starting point
+    NeverSettled,        ///< it was outside the band in the last part of the record
+    SamplesMissing,      ///< at the place of the measurement; a repetition may help
+    NoConstantVelocity,  ///< the move was too short to reach its velocity
 };
 
 /// The figures that characterize a step response. The last part of a record is its last fifth.

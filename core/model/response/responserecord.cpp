@@ -12,6 +12,11 @@ namespace {
 /// The uncertainty of a duration: either end is known to half a tick (bus::Sample).
 constexpr Duration kTimeDoubt = kServoTick;
 
+/// The digits beyond are those of a float, and would only fill the file.
+[[nodiscard]] double thousandths(float error) {
+    return std::round(static_cast<double>(error) * 1e3) / 1e3;
+}
+
 /// Returns the position unwrapped around `from`, because positions wrap at 32 bits.
 [[nodiscard]] double near(std::int32_t from, std::int32_t position) {
     const auto distance = static_cast<std::uint32_t>(position) - static_cast<std::uint32_t>(from);
@@ -21,8 +26,14 @@ constexpr Duration kTimeDoubt = kServoTick;
 }  // namespace
 
 double ResponseRecord::band() const {
+    if (taken.isMove())
+        return window.counts;
     const double step = static_cast<double>(taken.goal) - static_cast<double>(taken.from);
     return std::max(1.0, std::abs(step) * bandPercent / 100);
+}
+
+double ResponseRecord::errorAt(const ResponsePoint& point) const {
+    return taken.isMove() ? point.error : (point.seconds < 0 ? taken.from : taken.goal) - point.position;
 }
 
 ResponseRecord takeRun(ModuleIndex module, std::span<const ScopeSample> samples, const ResponseTaken& taken,
@@ -33,20 +44,26 @@ ResponseRecord takeRun(ModuleIndex module, std::span<const ScopeSample> samples,
     for (const ScopeSample& sample : samples) {
         if (sample.time < taken.at - kBeforeStep || sample.time > taken.at + fromSeconds(taken.record))
             continue;
-        run.points.push_back({toSeconds(sample.time - taken.at), near(taken.from, sample.position)});
-        if (sample.time < taken.at && sample.errorKnown())
+        if (taken.isMove() && !sample.errorKnown())
+            continue;
+        run.points.push_back({toSeconds(sample.time - taken.at), near(taken.from, sample.position),
+                              sample.errorKnown() ? thousandths(sample.error) : 0.0});
+        if (!taken.isMove() && sample.time < taken.at && sample.errorKnown())
             run.pwm = pwmDemand(taken.gains, static_cast<double>(sample.error),
                                 static_cast<double>(taken.goal) - static_cast<double>(taken.from));
     }
-    setBand(run, bandPercent);
+    judge(run, bandPercent, run.window);
     return run;
 }
 
-void setBand(ResponseRecord& run, double bandPercent) {
+void judge(ResponseRecord& run, double bandPercent, const SettleWindow& window) {
     run.bandPercent = bandPercent;
+    run.window = window;
     // Positions are whole counts: the edge is half-way between the last one inside and the first one outside.
     const double edge = std::floor(run.band()) + 0.5;
     run.metrics = measureResponse(run.points, run.taken.from, run.taken.goal, edge, toSeconds(kTimeDoubt));
+    if (run.taken.isMove())
+        run.move = measureMove(run.points, run.taken, window, toSeconds(kTimeDoubt));
 }
 
 }  // namespace nmc

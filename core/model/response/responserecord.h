@@ -9,6 +9,7 @@
 #include "base/time.h"
 #include "model/intent/responsetaken.h"
 #include "model/module/pwmdemand.h"
+#include "model/response/movemetrics.h"
 #include "model/response/responsemetrics.h"
 #include "model/scope/scopesample.h"
 
@@ -19,25 +20,30 @@ inline constexpr Duration kBeforeStep = std::chrono::milliseconds(20);
 /// Percent; the default settling band.
 inline constexpr double kFirstBand = 2.0;
 
-/// A step response, kept for comparison with others.
+/// A step response or a profiled move, kept for comparison with others.
 struct ResponseRecord {
     ModuleIndex module;
     ResponseTaken taken;
     double bandPercent = 0.0;           ///< percent of the step, on either side of the goal
+    SettleWindow window{};              ///< of a profiled move, instead of the band
     std::vector<ResponsePoint> points;  ///< from shortly before the step to the end of the record
     ResponseMetrics metrics;
-    std::optional<PwmDemand> pwm;  ///< present when the position error before the step was known
+    std::optional<MoveMetrics> move{};  ///< of a profiled move
+    std::optional<PwmDemand> pwm{};     ///< of a step, when the position error before it was known
 
     /// Counts, at least one, because the encoder resolves no less.
     [[nodiscard]] double band() const;
+    /// Counts, command position minus position, at one of its points.
+    [[nodiscard]] double errorAt(const ResponsePoint& point) const;
 };
 
 /// `samples` are those of the module in order of time, from kBeforeStep before the step on; samples outside
-/// the record are ignored.
+/// the record are ignored, and so are those of a profiled move whose error is unknown.
 [[nodiscard]] ResponseRecord takeRun(ModuleIndex module, std::span<const ScopeSample> samples,
                                      const ResponseTaken& taken, double bandPercent);
 
-/// Measures the same run again with another band.
-void setBand(ResponseRecord& run, double bandPercent);
+/// Measures the same run again with another band, which matters to a step, and another window, which matters
+/// to a profiled move.
+void judge(ResponseRecord& run, double bandPercent, const SettleWindow& window = {});
 
 }  // namespace nmc

@@ -166,7 +166,7 @@ ResponseRecord reckonStep(const MotorConstants& motor, const ResponseTaken& take
     Loop loop(motor, taken.gains, start, taken.goal, Rounding::Chip);
     for (double t = 0; t <= taken.record; t += loop.tick())
         run.points.push_back({t, loop.reading(loop.at(t).position)});
-    setBand(run, bandPercent);
+    judge(run, bandPercent);
     return run;
 }
 
