@@ -82,10 +82,13 @@ void MachineController::edit(ModuleIndex module, const AxisSettings& settings) {
     if (m_machine.axes.size() <= module.value())
         m_machine.axes.resize(module.value() + std::size_t{1});
     m_machine.axes[module.value()] = settings;
+    changedAxes();
+}
+
+void MachineController::changedAxes() {
     const bool nothingExpected =
         std::none_of(m_machine.axes.begin(), m_machine.axes.end(),
                      [](const AxisSettings& axis) { return axis.expected.has_value(); });
-    // Naming an axis implies that the present chain is the expected one.
     if (nothingExpected && !chain().empty())
         return acceptChain(chain());
     changed();
@@ -189,6 +192,21 @@ void MachineController::restoreWork() {
     showPending();
 }
 
+void MachineController::copy(const AxisCopy& copy) {
+    if (locked())
+        return;
+    const std::vector<Difference> differences = copyDifferences(copy, m_machine, modules());
+    if (differences.empty())
+        return m_window.showMessage(texts::axisCopied(copy.from, 0, 0));
+    m_pending = Pending{{}, {}, false, chain(), copy};
+    m_window.machineMenu().showCopy(copy.from, differences);
+    followLink();
+}
+
+Machine MachineController::pendingMachine() const {
+    return m_pending->copy ? withCopy(*m_pending->copy, m_machine, modules()) : m_pending->content.machine;
+}
+
 void MachineController::showPending() {
     m_pending->chain = chain();
     std::vector<Difference> differences = compare(m_pending->content.machine, m_machine, modules());
@@ -207,7 +225,7 @@ void MachineController::apply(const std::vector<PartId>& chosen) {
     if (!m_pending)
         return;
     const std::vector<ModuleState> present = modules();
-    const Machine& file = m_pending->content.machine;
+    const Machine file = pendingMachine();
     const std::vector<ModuleIntent> intents = sendings(file, m_machine, present, chosen);
     if (!intents.empty() && m_store.movingMotors() > 0)
         return;  // the button shows why; this lasts only a frame
@@ -218,14 +236,20 @@ void MachineController::apply(const std::vector<PartId>& chosen) {
     Machine machine = applied(file, m_machine, present, chosen);
     const Pending from = *std::exchange(m_pending, std::nullopt);
     m_window.machineMenu().closeDifferences();
-    take(from, std::move(machine), whole);
+    if (from.copy) {
+        m_machine = std::move(machine);
+        changedAxes();
+    } else
+        take(from, std::move(machine), whole);
     for (const ModuleIntent& send : intents)
         emit intentRequested(send.module, send.intent);
     if (std::find(chosen.begin(), chosen.end(), PartId{{}, MachinePart::Groups}) != chosen.end())
         for (const bus::GroupChange& change : groupChanges(m_machine, present))
             emit groupChangeRequested(change);
-    m_window.showMessage(
-        texts::machineOpened(from.path, static_cast<int>(chosen.size()), static_cast<int>(intents.size())));
+    const int parts = static_cast<int>(chosen.size());
+    const int sent = static_cast<int>(intents.size());
+    m_window.showMessage(from.copy ? texts::axisCopied(from.copy->from, parts, sent)
+                                   : texts::machineOpened(from.path, parts, sent));
 }
 
 /// A file that could not be applied as a whole does not become the present file, so that saving does not
@@ -294,7 +318,10 @@ void MachineController::followLink() {
     if (!m_pending)
         return;
     // A different chain requires a new comparison; what was ticked applied to the previous one.
-    if (m_pending->chain != chain())
+    if (m_pending->chain != chain() && m_pending->copy) {
+        m_pending.reset();  // it was chosen for the axes of that chain
+        m_window.machineMenu().closeDifferences();
+    } else if (m_pending->chain != chain())
         showPending();
     else if (DifferencesDialog* dialog = m_window.machineMenu().differences())
         dialog->showMoving(m_store.movingMotors());

@@ -9,6 +9,7 @@
 #include "link/connection/busstore.h"
 #include "link/files/unsavedwork.h"
 #include "model/intent/intent.h"
+#include "model/machinefile/axiscopy.h"
 #include "model/machinefile/machinefile.h"
 #include "widgets/mainwindow/mainwindow.h"
 
@@ -48,6 +49,8 @@ public:
     void discardWork() { m_unsaved.dropLeft(); }
 
     void open(const QString& path);
+    /// Shows what the copy would change.
+    void copy(const AxisCopy& copy);
 
 signals:
     void machineChanged();
@@ -61,12 +64,13 @@ signals:
     void groupChangeRequested(const nmc::bus::GroupChange& change);
 
 private:
-    /// A file that was read and awaits the user's choice.
+    /// A file that was read, or a copy, that awaits the user's choice.
     struct Pending {
         QString path;
         ParsedMachine content;
         bool restored = false;  ///< unsaved work, which is not in any file
         std::vector<ModuleIdentity> chain;
+        std::optional<AxisCopy> copy{};  ///< then there is no file
     };
 
     void wire();
@@ -76,6 +80,10 @@ private:
     void saved(const QString& path, const Machine& asked, const ParsedMachine& written,
                const FileWriter::Result& result);
     void showPending();
+    /// The machine with everything that the file or the copy contains.
+    [[nodiscard]] Machine pendingMachine() const;
+    /// The user has changed axes: this implies that the present chain is the expected one, unless one is.
+    void changedAxes();
     void apply(const std::vector<PartId>& chosen);
     void take(const Pending& from, Machine machine, bool whole);
     void followLink();

@@ -295,8 +295,8 @@ TEST_F(Help, EachAnchorOfTheManualIsAWidget) {
         showInEveryDock({type, version});
         look();
     }
-    for (const QString& action : {u"chainDoctorAction"_s, u"findCommandAction"_s, u"lendLineAction"_s,
-                                  u"operatorAction"_s, u"scopeSignalsAction"_s})
+    for (const QString& action : {u"chainDoctorAction"_s, u"copyAxisAction"_s, u"findCommandAction"_s,
+                                  u"lendLineAction"_s, u"operatorAction"_s, u"scopeSignalsAction"_s})
         window->findChild<QAction*>(action)->trigger();
     window->machineMenu().showDifferences(u"mill.json"_s, {});
     (new PrintDialog({}, window->requests(), window.get()))->show();

@@ -115,9 +115,9 @@ TEST_P(Screenshots, OfTheIoPanel) {
 
 TEST_P(Screenshots, OfTheDialogs) {
     showServo();
-    for (const QString& action :
-         {u"chainDoctorAction"_s, u"groupsAction"_s, u"operatorAction"_s, u"scopeSignalsAction"_s,
-          u"manualAction"_s, u"reportProblemAction"_s, u"restartNetworkAction"_s, u"aboutAction"_s}) {
+    for (const QString& action : {u"chainDoctorAction"_s, u"groupsAction"_s, u"copyAxisAction"_s,
+                                  u"operatorAction"_s, u"scopeSignalsAction"_s, u"manualAction"_s,
+                                  u"reportProblemAction"_s, u"restartNetworkAction"_s, u"aboutAction"_s}) {
         window->findChild<QAction*>(action)->trigger();
         QApplication::processEvents();
         QWidget* dialog = QApplication::activeWindow();

@@ -123,6 +123,7 @@ const std::array kWindows{
                t.click(u"applyGainsButton"_s);
            }},
     Opened{"Chain", "chainDialog", [](StopEverywhere& t) { t.trigger(u"chainDoctorAction"_s); }},
+    Opened{"Copying", "copyDialog", [](StopEverywhere& t) { t.trigger(u"copyAxisAction"_s); }},
     Opened{"Differences", "differencesDialog",
            [](StopEverywhere& t) { t.window->machineMenu().showDifferences(u"mill.json"_s, {}); }},
     Opened{"About", "aboutDialog", [](StopEverywhere& t) { t.trigger(u"aboutAction"_s); }},

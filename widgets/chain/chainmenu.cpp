@@ -5,7 +5,9 @@
 #include <QMenu>
 
 #include "model/intent/intent.h"
+#include "model/intent/rights.h"
 #include "widgets/chain/chaindialog.h"
+#include "widgets/chain/copydialog.h"
 #include "widgets/chain/lenddialog.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/sharedwords.h"
@@ -28,6 +30,7 @@ ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, Requests& re
                          tr("Assigns modules to groups, and starts their loaded moves together."))),
       m_rate(newAction(u"rateAction"_s, tr("B&aud rate of the chain…"), Qt::Key_F8,
                        tr("Changes the baud rate of the whole chain."))),
+      m_copy(newAction(u"copyAxisAction"_s, tr("&Copy settings to other axes…"), QKeySequence(), QString())),
       m_scan(newAction(u"scanAction"_s, Common::tr("&Scan again"), Qt::Key_F5,
                        tr("Scans the chain again; nothing is reset."))),
       m_restart(newAction(u"restartNetworkAction"_s,
@@ -43,6 +46,7 @@ ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, Requests& re
     connect(m_doctor, &QAction::triggered, this, &ChainMenu::openDoctor);
     connect(m_groups, &QAction::triggered, this, [this] { open(ChainDialog::Groups); });
     connect(m_rate, &QAction::triggered, this, [this] { open(ChainDialog::Rate); });
+    connect(m_copy, &QAction::triggered, this, &ChainMenu::openCopy);
     connect(m_lend, &QAction::triggered, this, &ChainMenu::openLending);
     connect(m_scan, &QAction::triggered, &requests, &Requests::scan);
     connect(m_restart, &QAction::triggered, &requests, &Requests::restart);
@@ -59,7 +63,7 @@ QAction* ChainMenu::newAction(const QString& objectName, const QString& text, co
 }
 
 void ChainMenu::addTo(QMenu& menu) {
-    menu.addActions({m_doctor, m_groups, m_rate});
+    menu.addActions({m_doctor, m_groups, m_rate, m_copy});
     menu.addSeparator();
     menu.addActions({m_scan, m_restart});
     menu.addSeparator();
@@ -77,10 +81,34 @@ void ChainMenu::refresh() {
     m_restart->setEnabled(!refusal);
     m_restart->setToolTip(refusal ? texts::refusal(*refusal)
                                   : Common::tr("Resets every module and assigns new addresses. Asks first."));
+    const auto noCopy = whyNoCopy();
+    m_copy->setEnabled(!noCopy);
+    m_copy->setToolTip(
+        noCopy
+            ? texts::refusal(*noCopy)
+            : tr("Copies gains, limits and other settings to axes of the same type. Shows the differences first."));
+    if (m_copyDialog != nullptr && (noCopy || !m_copyDialog->isFor(m_link)))
+        m_copyDialog->close();
+    else if (m_copyDialog != nullptr)
+        m_copyDialog->showMachine(m_machine);
     if (m_dialog != nullptr && m_dialog->isVisible())
         m_dialog->showChain(m_machine, m_link);
     if (m_lendDialog != nullptr)
         m_lendDialog->showLink(m_link);
+}
+
+/// Settings are stored even if they cannot be sent, as on a read-only connection.
+std::optional<Refusal> ChainMenu::whyNoCopy() const {
+    const auto refusal = whyNoChain(m_link);
+    return refusal ? refusal : whyNotEdited(m_link.rights);
+}
+
+void ChainMenu::openCopy() {
+    if (m_copyDialog == nullptr)
+        m_copyDialog = new CopyDialog(m_machine, m_link, m_selected, m_requests, m_window);
+    m_copyDialog->show();
+    m_copyDialog->raise();
+    m_copyDialog->activateWindow();
 }
 
 void ChainMenu::openLending() {

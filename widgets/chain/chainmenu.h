@@ -2,8 +2,11 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
+#include <optional>
 
 #include "bus/types.h"
+#include "model/intent/intent.h"
 #include "model/module/linkstate.h"
 #include "model/settings/machine.h"
 
@@ -13,6 +16,7 @@ class QMenu;
 namespace nmc {
 
 class ChainDialog;
+class CopyDialog;
 class LendDialog;
 class Requests;
 
@@ -27,6 +31,8 @@ public:
     void addTo(QMenu& menu);
     /// Call when the machine or the link has changed. Emits nothing.
     void refresh();
+    /// The module that is shown, whose settings are copied unless the user chooses another.
+    void showSelected(ModuleIndex module) { m_selected = module; }
     void showPrograms(bool on);
     void openDoctor();
 
@@ -35,6 +41,8 @@ private:
                        const QString& tip);
     void open(int page);
     void openLending();
+    void openCopy();
+    [[nodiscard]] std::optional<Refusal> whyNoCopy() const;
 
     Requests& m_requests;
     const Machine& m_machine;
@@ -42,9 +50,12 @@ private:
     QWidget* m_window;
     ChainDialog* m_dialog = nullptr;     ///< null until it is opened for the first time
     LendDialog* m_lendDialog = nullptr;  ///< null until it is opened for the first time
+    QPointer<CopyDialog> m_copyDialog;
+    std::optional<ModuleIndex> m_selected;
     QAction* m_doctor;
     QAction* m_groups;
     QAction* m_rate;
+    QAction* m_copy;
     QAction* m_scan;
     QAction* m_restart;
     QAction* m_programs;

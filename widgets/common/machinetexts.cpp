@@ -124,6 +124,11 @@ QString choiceWord(const std::string& word) {
     return found != words.cend() ? Texts::tr(*found) : QString::fromStdString(word);
 }
 
+QString commandsSent(int sent) {
+    return sent == 0 ? Texts::tr("Nothing was sent.")
+                     : Texts::tr("Commands sent: %1. No motor was moved.").arg(sent);
+}
+
 QString machineOrFile(const QString& machine) {
     return machine.isEmpty() ? Texts::tr("an unnamed machine") : u'"' + machine + u'"';
 }
@@ -206,12 +211,16 @@ Message machineNotSaved(const QString& file, const FileProblem& problem) {
 }
 
 Message machineOpened(const QString& file, int parts, int sent) {
-    Message message{
+    return {
         .key = key::machineFile() + u".opened"_s,
-        .headline = Texts::tr("\"%1\" is open. Settings applied: %2.").arg(machineFileName(file)).arg(parts)};
-    message.body = sent == 0 ? Texts::tr("Nothing was sent.")
-                             : Texts::tr("Commands sent: %1. No motor was moved.").arg(sent);
-    return message;
+        .headline = Texts::tr("\"%1\" is open. Settings applied: %2.").arg(machineFileName(file)).arg(parts),
+        .body = commandsSent(sent)};
+}
+
+Message axisCopied(ModuleIndex from, int parts, int sent) {
+    return {.key = key::machineFile() + u".copied"_s,
+            .headline = Texts::tr("Settings copied from %1: %2.").arg(moduleName(from)).arg(parts),
+            .body = commandsSent(sent)};
 }
 
 Message machineSame(const QString& file) {

@@ -13,6 +13,7 @@
 
 namespace nmc {
 
+struct AxisCopy;
 struct KeptResponse;
 struct PathColumn;
 struct ResponseRecord;
@@ -22,6 +23,7 @@ struct SuggestionTask;
 /// between them and the program passes it on. One for each window. GUI thread.
 class Requests : public QObject {
     Q_OBJECT
+    Q_MOC_INCLUDE("model/machinefile/axiscopy.h")
     Q_MOC_INCLUDE("model/path/pathfile.h")
     Q_MOC_INCLUDE("widgets/response/modelbox.h")
 
@@ -55,6 +57,8 @@ signals:
 
     // ---- of axes together ----
 
+    /// The differences are shown first; nothing is sent before the user applies them.
+    void copyAxis(const nmc::AxisCopy& copy);
     void homeAll();
     void homeOrderEdited(const std::vector<nmc::ModuleIndex>& order);
     /// Points and sequences have been edited; nothing is sent.

@@ -189,6 +189,7 @@ namespace texts {
 [[nodiscard]] Message machineNotSaved(const QString& file, const FileProblem& problem);
 /// `parts`: how many settings of the file were applied. `sent`: how many commands were sent.
 [[nodiscard]] Message machineOpened(const QString& file, int parts, int sent);
+[[nodiscard]] Message axisCopied(ModuleIndex from, int parts, int sent);
 /// The file does not differ from the present settings.
 [[nodiscard]] Message machineSame(const QString& file);
 /// An earlier session left unsaved changes; `machine` is the name of the machine or of its file, and may be

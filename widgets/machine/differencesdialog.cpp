@@ -89,8 +89,7 @@ DifferencesDialog::DifferencesDialog(QWidget* parent)
       m_none(form::newPush({u"tickNoneButton"_s, tr("Clear a&ll"), tr("Clear all")}, this)),
       m_apply(form::newPush({u"applyDifferencesButton"_s, tr("&Apply"), tr("Apply")}, this)),
       m_cancel(form::newPush({u"cancelDifferencesButton"_s, tr("&Cancel"), Common::tr("Cancel")}, this)) {
-    look::name(this, u"differencesDialog"_s, tr("Changes from the machine file"));
-    setWindowTitle(Common::tr("Open machine"));
+    setObjectName(u"differencesDialog"_s);
     setAttribute(Qt::WA_DeleteOnClose);
     setModal(false);
     build();
@@ -104,10 +103,9 @@ DifferencesDialog::DifferencesDialog(QWidget* parent)
 void DifferencesDialog::build() {
     m_summary->setObjectName(u"differencesSummary"_s);
     m_summary->setWordWrap(true);
-    look::name(m_table, u"differencesTable"_s, tr("Differences between the file and the panel"));
+    look::name(m_table, u"differencesTable"_s, tr("Differences from the present settings"));
     m_table->header()->setObjectName(u"differencesHeader"_s);
     m_table->setColumnCount(kColumns);
-    m_table->setHeaderLabels({tr("Setting"), tr("In the file"), tr("Here or last sent"), tr("When applied")});
     m_table->setAllColumnsShowFocus(true);
     m_table->setAlternatingRowColors(true);
     m_table->setUniformRowHeights(true);
@@ -128,6 +126,21 @@ void DifferencesDialog::showDifferences(const QString& file, std::vector<Differe
     m_text->setText(
         tr("\"%1\" differs from the current settings. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced by those in the file.")
             .arg(file));
+    showRows(Common::tr("Open machine"), tr("In the file"), std::move(differences));
+}
+
+void DifferencesDialog::showCopy(ModuleIndex from, std::vector<Difference> differences) {
+    m_text->setText(
+        tr("Settings of %1 for other axes. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced.")
+            .arg(texts::moduleName(from)));
+    showRows(tr("Copy settings"), texts::moduleName(from), std::move(differences));
+}
+
+void DifferencesDialog::showRows(const QString& title, const QString& source,
+                                 std::vector<Difference> differences) {
+    setWindowTitle(title);
+    setAccessibleName(tr("%1: differences").arg(title));
+    m_table->setHeaderLabels({tr("Setting"), source, tr("Here or last sent"), tr("When applied")});
     {
         const QSignalBlocker blocker(m_table);
         m_table->clear();

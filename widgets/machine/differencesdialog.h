@@ -14,9 +14,9 @@ class QTreeWidgetItem;
 
 namespace nmc {
 
-/// Shows what opening a machine file would change: one row for each part, with a check box if it can be
-/// applied, and its fields below it. Nothing is changed or sent before Apply. Not modal; Esc drops the file,
-/// and stops the motors as everywhere.
+/// Shows what opening a machine file, or copying settings of an axis, would change: one row for each part,
+/// with a check box if it can be applied, and its fields below it. Nothing is changed or sent before Apply.
+/// Not modal; Esc drops the file or the copy, and stops the motors as everywhere.
 class DifferencesDialog : public QDialog {
     Q_OBJECT
 
@@ -25,6 +25,8 @@ public:
 
     /// Replaces what was shown, including the check marks. Emits nothing.
     void showDifferences(const QString& file, std::vector<Difference> differences);
+    /// The same for settings to be copied from that axis.
+    void showCopy(ModuleIndex from, std::vector<Difference> differences);
     /// `motors`: how many motors are moving; until all have stopped, nothing can be sent.
     void showMoving(int motors);
 
@@ -35,6 +37,7 @@ private:
     enum Column : std::uint8_t { kWhat, kFile, kNow, kApplying, kColumns };
 
     void build();
+    void showRows(const QString& title, const QString& source, std::vector<Difference> differences);
     void addRow(const Difference& difference);
     void tickAll(bool ticked);
     void summarise();

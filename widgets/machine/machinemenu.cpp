@@ -121,6 +121,14 @@ QString MachineMenu::titlePart() const {
 }
 
 void MachineMenu::showDifferences(const QString& file, std::vector<Difference> differences) {
+    openDifferences().showDifferences(texts::machineFileName(file), std::move(differences));
+}
+
+void MachineMenu::showCopy(ModuleIndex from, std::vector<Difference> differences) {
+    openDifferences().showCopy(from, std::move(differences));
+}
+
+DifferencesDialog& MachineMenu::openDifferences() {
     if (m_differences == nullptr) {
         m_differences = new DifferencesDialog(m_window);
         connect(m_differences, &DifferencesDialog::applyRequested, this, &MachineMenu::applyRequested);
@@ -129,9 +137,9 @@ void MachineMenu::showDifferences(const QString& file, std::vector<Difference> d
             emit differencesDropped();
         });
     }
-    m_differences->showDifferences(texts::machineFileName(file), std::move(differences));
     m_differences->show();
     m_differences->activateWindow();
+    return *m_differences;
 }
 
 void MachineMenu::closeDifferences() {

@@ -45,6 +45,7 @@ public:
 
     /// Opens the table of differences, or replaces what it shows.
     void showDifferences(const QString& file, std::vector<Difference> differences);
+    void showCopy(ModuleIndex from, std::vector<Difference> differences);
     void closeDifferences();
     [[nodiscard]] DifferencesDialog* differences() const { return m_differences; }
 
@@ -66,6 +67,8 @@ private:
     using Go = std::function<void()>;
     QAction* newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
                        const QString& tip);
+    /// Opens it unless it is open.
+    DifferencesDialog& openDifferences();
     void fillRecent();
     void refresh();
     /// Calls `go` at once if nothing is unsaved; otherwise asks first.

@@ -403,6 +403,7 @@ void MainWindow::preparePage() {
 void MainWindow::showSelected() {
     if (const ModuleState* module = m_session.selected()) {
         m_chain->showSelected(module->info.index);
+        m_chainMenu->showSelected(module->info.index);
         const PanelView view = m_session.viewOf(*module);
         m_panel->showModule(view);
         m_response->showModule(view);
