@@ -36,23 +36,22 @@ struct Truth {
     bool off = false;
 
     /// Determined independently: the motor went beyond twice the step, or a quarter of it the wrong way.
-    [[nodiscard]] bool wentTooFar(const ResponseTaken& taken) const {
-        const double step = taken.goal - taken.from;
+    [[nodiscard]] bool wentTooFar(double from, double step) const {
         return std::any_of(positions.begin(), positions.end(), [&](std::int32_t position) {
-            const double method = (position - taken.from) / step;
-            return method > 2 || method < -0.25;
+            const double way = (position - from) / step;
+            return way > 2 || way < -0.25;
         });
     }
     /// Determined independently: between 1 s and 2 s, long after the record but before a hold was tried in
     /// vain, the motor swings by more than a third of the step from end to end.
-    [[nodiscard]] bool swingsFar(const ResponseTaken& taken) const {
+    [[nodiscard]] bool swingsFar(double step) const {
         const auto from = std::min(static_cast<std::size_t>(1.0 / kTick), positions.size());
         const auto to = std::min(static_cast<std::size_t>(2.0 / kTick), positions.size());
         if (from == to)
             return false;
         const auto at = [this](std::size_t tick) { return positions.begin() + static_cast<long>(tick); };
         const auto [low, high] = std::minmax_element(at(from), at(to));
-        return *high - *low > std::abs(taken.goal - taken.from) / 3;
+        return *high - *low > std::abs(step) / 3;
     }
 };
 
@@ -127,6 +126,9 @@ public:
         }
         return takeRun(ModuleIndex(0), samples, taken, kBandPercent);
     }
+
+    /// The position that the servo held before the step.
+    [[nodiscard]] double from() const { return m_before.commandPosition; }
 
     Truth truth;
 
@@ -230,7 +232,7 @@ struct Share {
 
 class Tally {
 public:
-    void add(const ProcedureReport& report, const ResponseBench& bench) {
+    void add(const Trial& trial, const ProcedureReport& report, const ResponseBench& bench) {
         ++m_sets;
         const auto failure = report.failure;
         if (failure == ProcedureFailure::WentOff) {
@@ -238,7 +240,9 @@ public:
             ++m_trips;
             ++m_right;
         } else if (failure == ProcedureFailure::TravelLimit || failure == ProcedureFailure::Unstable) {
-            EXPECT_TRUE(bench.truth.wentTooFar(*report.step) || bench.truth.swingsFar(*report.step));
+            // There is no report of a step that was not recorded to its end.
+            EXPECT_TRUE(bench.truth.wentTooFar(bench.from(), trial.wanted.counts) ||
+                        bench.truth.swingsFar(trial.wanted.counts));
             ++m_tooFar;
             ++m_right;
         } else {
@@ -289,7 +293,7 @@ TEST(ResponseTruth, MetricsFromTheWireAreThoseOfTheMotor) {
         SCOPED_TRACE(testing::Message() << "set " << tried << ": " << toText(trial));
         ResponseBench bench(static_cast<std::uint64_t>(tried) + 1);
         if (const auto report = bench.tryOut(trial)) {
-            tally.add(*report, bench);
+            tally.add(trial, *report, bench);
             ++done;
         }
     }
