@@ -1387,6 +1387,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Motor</source>
         <translation>Motor</translation>
     </message>
+    <message>
+        <source>%1 counts in %2 s</source>
+        <translation>%1 Inkremente in %2 s</translation>
+    </message>
+    <message>
+        <source>Settling to ±%1 counts for %2 s: %3</source>
+        <translation>Einschwingen auf ±%1 Inkremente für %2 s: %3</translation>
+    </message>
+    <message>
+        <source>Peak error %1</source>
+        <translation>Größter Fehler %1</translation>
+    </message>
+    <message>
+        <source>RMS error %1</source>
+        <translation>Effektivwert des Fehlers %1</translation>
+    </message>
 </context>
 <context>
     <name>ResponseTexts</name>
@@ -1437,6 +1453,26 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1, off its goal</source>
         <translation>%1, neben dem Ziel</translation>
+    </message>
+    <message>
+        <source>never constant</source>
+        <translation>nie konstant</translation>
+    </message>
+    <message>
+        <source>Profiled move</source>
+        <translation>Fahrt mit Profil</translation>
+    </message>
+    <message>
+        <source>No step: moves there and back with the velocity and acceleration below, judged by a window and a dwell. Not available with version 1.</source>
+        <translation>Kein Sprung: Fahrten hin und zurück mit der Geschwindigkeit und Beschleunigung darunter, bewertet nach Fenster und Verweilzeit. Bei Version 1 nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 settled</source>
+        <translation>%1 von %2 eingeschwungen</translation>
+    </message>
+    <message>
+        <source>%1 to %2 ms (%3)</source>
+        <translation>%1 bis %2 ms (%3)</translation>
     </message>
 </context>
 <context>
@@ -5294,6 +5330,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Connected to %1 at %2 Bd, %3, lent to a program</source>
         <translation>Verbunden mit %1 bei %2 Bd, %3, an ein Programm verliehen</translation>
     </message>
+    <message>
+        <source>Settings copied from %1: %2.</source>
+        <translation>Einstellungen von %1 kopiert: %2.</translation>
+    </message>
+    <message>
+        <source>The move and the record after it would take more than 6 s. Shorten the move or the record, or move faster.</source>
+        <translation>Die Fahrt und die Aufzeichnung danach würden länger als 6 s dauern. Fahrt oder Aufzeichnung verkürzen, oder schneller fahren.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -6288,6 +6332,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>A program has the modules for itself; the panel shows what they report.</source>
         <translation>Ein Programm hat die Module für sich; das Panel zeigt, was sie melden.</translation>
     </message>
+    <message>
+        <source>&amp;Copy settings to other axes…</source>
+        <translation>Einstellungen auf andere A&amp;chsen kopieren…</translation>
+    </message>
+    <message>
+        <source>Copies gains, limits and other settings to axes of the same type. Shows the differences first.</source>
+        <translation>Kopiert Reglerwerte, Grenzen und andere Einstellungen auf Achsen gleichen Typs. Zeigt zuerst die Unterschiede.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ChainModel</name>
@@ -6485,6 +6537,81 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The simulator&apos;s answer</source>
         <translation>Antwort des Simulators</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::CopyDialog</name>
+    <message>
+        <source>Axis to copy from</source>
+        <translation>Achse, von der kopiert wird</translation>
+    </message>
+    <message>
+        <source>The axis whose settings are copied.</source>
+        <translation>Die Achse, deren Einstellungen kopiert werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Show differences</source>
+        <translation>&amp;Unterschiede zeigen</translation>
+    </message>
+    <message>
+        <source>Copy settings to other axes</source>
+        <translation>Einstellungen auf andere Achsen kopieren</translation>
+    </message>
+    <message>
+        <source>Axes to copy to</source>
+        <translation>Achsen, auf die kopiert wird</translation>
+    </message>
+    <message>
+        <source>Axes with the same type of module and other settings.</source>
+        <translation>Achsen mit gleichem Modultyp und anderen Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Settings to copy</source>
+        <translation>Zu kopierende Einstellungen</translation>
+    </message>
+    <message>
+        <source>Settings in which at least one of these axes differs.</source>
+        <translation>Einstellungen, in denen mindestens eine dieser Achsen abweicht.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>The differences are shown before anything is changed or sent. Numbers are copied in the units of the module: counts or steps.</source>
+        <translation>Die Unterschiede werden gezeigt, bevor etwas geändert oder gesendet wird. Zahlen werden in den Einheiten des Moduls kopiert: Inkremente oder Schritte.</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>&amp;Nach</translation>
+    </message>
+    <message>
+        <source>S&amp;ettings</source>
+        <translation>&amp;Einstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Von</translation>
+    </message>
+    <message>
+        <source>No other axis with this type of module has other settings.</source>
+        <translation>Keine andere Achse mit diesem Modultyp hat andere Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Select the axes to copy to.</source>
+        <translation>Zuerst die Zielachsen wählen.</translation>
+    </message>
+    <message>
+        <source>Select the settings to copy.</source>
+        <translation>Zuerst die Einstellungen wählen.</translation>
+    </message>
+    <message>
+        <source>These settings are the same already.</source>
+        <translation>Diese Einstellungen sind schon gleich.</translation>
+    </message>
+    <message>
+        <source>Shows what would change. Nothing is sent.</source>
+        <translation>Zeigt, was sich ändern würde. Nichts wird gesendet.</translation>
     </message>
 </context>
 <context>
@@ -6829,14 +6956,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>Changes from the machine file</source>
-        <translation>Änderungen aus der Maschinendatei</translation>
-    </message>
-    <message>
-        <source>Differences between the file and the panel</source>
-        <translation>Unterschiede zwischen der Datei und dem Programm</translation>
-    </message>
-    <message>
         <source>Setting</source>
         <translation>Einstellung</translation>
     </message>
@@ -6895,6 +7014,22 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Selected: %1 of %2. Sent to modules: %3.</source>
         <translation>Gewählt: %1 von %2. An Module gesendet: %3.</translation>
+    </message>
+    <message>
+        <source>Differences from the present settings</source>
+        <translation>Unterschiede zu den jetzigen Einstellungen</translation>
+    </message>
+    <message>
+        <source>Settings of %1 for other axes. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced.</source>
+        <translation>Einstellungen von %1 für andere Achsen. Vor „Anwenden“ wird nichts geändert oder gesendet, und kein Motor bewegt sich. Eingegebene, nicht gesendete Werte werden ersetzt.</translation>
+    </message>
+    <message>
+        <source>Copy settings</source>
+        <translation>Einstellungen kopieren</translation>
+    </message>
+    <message>
+        <source>%1: differences</source>
+        <translation>%1: Unterschiede</translation>
     </message>
 </context>
 <context>
@@ -10523,16 +10658,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Strecke des Sprungs</translation>
     </message>
     <message>
-        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
-        <translation>Wie weit die Sollposition springt; unter 0 rückwärts. Kleine Sprünge zeigen, wie der Servo abgestimmt ist, große, was der Verstärker kann.</translation>
-    </message>
-    <message>
         <source>The record</source>
         <translation>Die Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>How long to record after the step. Then the motor is commanded to hold.</source>
-        <translation>Wie lange der Motor nach dem Sprung beobachtet wird. Dann bekommt er einen Haltebefehl.</translation>
     </message>
     <message>
         <source>The settling band</source>
@@ -10567,10 +10694,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Einen Sprung ausführen und aufzeichnen</translation>
     </message>
     <message>
-        <source>A step is already running.</source>
-        <translation>Es läuft bereits ein Sprung.</translation>
-    </message>
-    <message>
         <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
         <translation>Der Motor springt um diese Strecke und hält dort. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann (Umschalt+F9).</translation>
     </message>
@@ -10597,6 +10720,78 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Step with &amp;present gains</source>
         <translation>&amp;Mit denen des Moduls springen</translation>
+    </message>
+    <message>
+        <source>How far the command goes; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
+        <translation>Wie weit die Sollposition geht; negativ: rückwärts. Kleine Sprünge zeigen die Einstellung des Servos, große die Grenzen des Verstärkers.</translation>
+    </message>
+    <message>
+        <source>How long to record after the step, or after the end of a move. Then the motor is commanded to hold.</source>
+        <translation>Wie lange nach dem Sprung oder nach dem Ende einer Fahrt aufgezeichnet wird. Danach hält der Motor.</translation>
+    </message>
+    <message>
+        <source>Velocity of the move</source>
+        <translation>Geschwindigkeit der Fahrt</translation>
+    </message>
+    <message>
+        <source>Acceleration of the move</source>
+        <translation>Beschleunigung der Fahrt</translation>
+    </message>
+    <message>
+        <source>Moves there and back</source>
+        <translation>Fahrten hin und zurück</translation>
+    </message>
+    <message>
+        <source>How often it moves there and back. Each move is recorded.</source>
+        <translation>Wie oft hin und zurück gefahren wird. Jede Fahrt wird aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Settling window</source>
+        <translation>Einschwingfenster</translation>
+    </message>
+    <message>
+        <source>The motor has settled when it stays this close to its goal for the dwell. At least one count. Applies to all moves.</source>
+        <translation>Der Motor ist eingeschwungen, wenn er während der Verweilzeit so nah am Ziel bleibt. Mindestens ein Inkrement. Gilt für alle Fahrten.</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>Verweilzeit</translation>
+    </message>
+    <message>
+        <source>How long it must stay in the window. The settling time ends where the dwell begins.</source>
+        <translation>Wie lange er im Fenster bleiben muss. Die Einschwingzeit endet, wo die Verweilzeit beginnt.</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>There and back</source>
+        <translation>Hin und zurück</translation>
+    </message>
+    <message>
+        <source>A step or move is already running.</source>
+        <translation>Ein Sprung oder eine Fahrt läuft bereits.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>Move and record</source>
+        <translation>Fahren und aufzeichnen</translation>
+    </message>
+    <message>
+        <source>The motor moves there and back, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
+        <translation>Der Motor fährt hin und zurück und hält dann. Sicherstellen, dass sich alles Angetriebene frei bewegen kann (Umschalt+F9).</translation>
+    </message>
+    <message>
+        <source>The velocity of the move. Until you type one, it is that of moves to a position.</source>
+        <translation>Die Geschwindigkeit der Fahrt. Bis eine eingegeben wird, ist es die der Fahrten zu einer Position.</translation>
+    </message>
+    <message>
+        <source>The acceleration of the move. Until you type one, it is that of moves to a position.</source>
+        <translation>Die Beschleunigung der Fahrt. Bis eine eingegeben wird, ist es die der Fahrten zu einer Position.</translation>
     </message>
 </context>
 <context>
@@ -10720,6 +10915,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>position from the start (%1)</source>
         <translation>Position vom Start aus (%1)</translation>
     </message>
+    <message>
+        <source>goal, command</source>
+        <translation>Ziel, Sollposition</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>
@@ -10782,6 +10981,54 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Time until the position stays within the settling band around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
         <translation>Dasselbe um die mittlere Position des letzten Fünftels der Aufzeichnung. Reibung hält einen Motor neben seinem Ziel, wenn es keinen Integralanteil (Ki, IL) gibt.</translation>
+    </message>
+    <message>
+        <source>Move time</source>
+        <translation>Fahrzeit</translation>
+    </message>
+    <message>
+        <source>Settling after the move</source>
+        <translation>Einschwingen nach der Fahrt</translation>
+    </message>
+    <message>
+        <source>Settling, all moves</source>
+        <translation>Einschwingen, alle Fahrten</translation>
+    </message>
+    <message>
+        <source>Peak error</source>
+        <translation>Größter Fehler</translation>
+    </message>
+    <message>
+        <source>RMS error</source>
+        <translation>Effektivwert des Fehlers</translation>
+    </message>
+    <message>
+        <source>Error at constant velocity</source>
+        <translation>Fehler bei konstanter Geschw.</translation>
+    </message>
+    <message>
+        <source>Duration of the commanded profile, calculated from distance, velocity and acceleration.</source>
+        <translation>Dauer des kommandierten Profils, berechnet aus Weg, Geschwindigkeit und Beschleunigung.</translation>
+    </message>
+    <message>
+        <source>Time from the end of the profile until the motor is in the window, where it stays for the dwell.</source>
+        <translation>Zeit vom Ende des Profils, bis der Motor im Fenster ist, wo er die Verweilzeit über bleibt.</translation>
+    </message>
+    <message>
+        <source>The shortest and the longest settling time of the moves there and back, and their number.</source>
+        <translation>Die kürzeste und die längste Einschwingzeit der Fahrten hin und zurück, und deren Anzahl.</translation>
+    </message>
+    <message>
+        <source>The largest position error during the move and after it, without its sign.</source>
+        <translation>Der größte Positionsfehler während der Fahrt und danach, ohne Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Root mean square of the position error during the move.</source>
+        <translation>Effektivwert des Positionsfehlers während der Fahrt.</translation>
+    </message>
+    <message>
+        <source>Mean position error over the second half of the time at constant velocity.</source>
+        <translation>Mittlerer Positionsfehler über die zweite Hälfte der Zeit mit konstanter Geschwindigkeit.</translation>
     </message>
 </context>
 <context>

@@ -1387,6 +1387,22 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>Motor</source>
         <translation>Motor</translation>
     </message>
+    <message>
+        <source>%1 counts in %2 s</source>
+        <translation>%1 cuentas en %2 s</translation>
+    </message>
+    <message>
+        <source>Settling to ±%1 counts for %2 s: %3</source>
+        <translation>Establecimiento a ±%1 cuentas durante %2 s: %3</translation>
+    </message>
+    <message>
+        <source>Peak error %1</source>
+        <translation>Error máximo %1</translation>
+    </message>
+    <message>
+        <source>RMS error %1</source>
+        <translation>Error eficaz %1</translation>
+    </message>
 </context>
 <context>
     <name>ResponseTexts</name>
@@ -1437,6 +1453,26 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>%1, off its goal</source>
         <translation>%1, fuera de su destino</translation>
+    </message>
+    <message>
+        <source>never constant</source>
+        <translation>nunca constante</translation>
+    </message>
+    <message>
+        <source>Profiled move</source>
+        <translation>Movimiento con perfil</translation>
+    </message>
+    <message>
+        <source>No step: moves there and back with the velocity and acceleration below, judged by a window and a dwell. Not available with version 1.</source>
+        <translation>Sin escalón: movimientos de ida y vuelta con la velocidad y la aceleración de abajo, evaluados con una ventana y una permanencia. No disponible con la versión 1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 settled</source>
+        <translation>%1 de %2 establecidos</translation>
+    </message>
+    <message>
+        <source>%1 to %2 ms (%3)</source>
+        <translation>de %1 a %2 ms (%3)</translation>
     </message>
 </context>
 <context>
@@ -5294,6 +5330,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>Connected to %1 at %2 Bd, %3, lent to a program</source>
         <translation>Conectado a %1 a %2 Bd, %3, prestado a un programa</translation>
     </message>
+    <message>
+        <source>Settings copied from %1: %2.</source>
+        <translation>Ajustes copiados de %1: %2.</translation>
+    </message>
+    <message>
+        <source>The move and the record after it would take more than 6 s. Shorten the move or the record, or move faster.</source>
+        <translation>El movimiento y el registro posterior durarían más de 6 s. Acorte el movimiento o el registro, o muévase más rápido.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -6288,6 +6332,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>A program has the modules for itself; the panel shows what they report.</source>
         <translation>Un programa tiene los módulos para sí; el panel muestra lo que comunican.</translation>
     </message>
+    <message>
+        <source>&amp;Copy settings to other axes…</source>
+        <translation>&amp;Copiar ajustes a otros ejes…</translation>
+    </message>
+    <message>
+        <source>Copies gains, limits and other settings to axes of the same type. Shows the differences first.</source>
+        <translation>Copia ganancias, límites y otros ajustes a ejes del mismo tipo. Muestra primero las diferencias.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ChainModel</name>
@@ -6485,6 +6537,81 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>The simulator&apos;s answer</source>
         <translation>Respuesta del simulador</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::CopyDialog</name>
+    <message>
+        <source>Axis to copy from</source>
+        <translation>Eje de origen</translation>
+    </message>
+    <message>
+        <source>The axis whose settings are copied.</source>
+        <translation>El eje cuyos ajustes se copian.</translation>
+    </message>
+    <message>
+        <source>&amp;Show differences</source>
+        <translation>&amp;Mostrar las diferencias</translation>
+    </message>
+    <message>
+        <source>Copy settings to other axes</source>
+        <translation>Copiar ajustes a otros ejes</translation>
+    </message>
+    <message>
+        <source>Axes to copy to</source>
+        <translation>Ejes de destino</translation>
+    </message>
+    <message>
+        <source>Axes with the same type of module and other settings.</source>
+        <translation>Ejes con el mismo tipo de módulo y otros ajustes.</translation>
+    </message>
+    <message>
+        <source>Settings to copy</source>
+        <translation>Ajustes que copiar</translation>
+    </message>
+    <message>
+        <source>Settings in which at least one of these axes differs.</source>
+        <translation>Ajustes en los que al menos uno de estos ejes difiere.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>The differences are shown before anything is changed or sent. Numbers are copied in the units of the module: counts or steps.</source>
+        <translation>Las diferencias se muestran antes de cambiar o enviar nada. Los números se copian en las unidades del módulo: cuentas o pasos.</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>&amp;A</translation>
+    </message>
+    <message>
+        <source>S&amp;ettings</source>
+        <translation>A&amp;justes</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;De</translation>
+    </message>
+    <message>
+        <source>No other axis with this type of module has other settings.</source>
+        <translation>Ningún otro eje con este tipo de módulo tiene otros ajustes.</translation>
+    </message>
+    <message>
+        <source>Select the axes to copy to.</source>
+        <translation>Seleccione los ejes de destino.</translation>
+    </message>
+    <message>
+        <source>Select the settings to copy.</source>
+        <translation>Seleccione los ajustes que copiar.</translation>
+    </message>
+    <message>
+        <source>These settings are the same already.</source>
+        <translation>Estos ajustes ya son iguales.</translation>
+    </message>
+    <message>
+        <source>Shows what would change. Nothing is sent.</source>
+        <translation>Muestra lo que cambiaría. No se envía nada.</translation>
     </message>
 </context>
 <context>
@@ -6829,14 +6956,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>&amp;Cancelar</translation>
     </message>
     <message>
-        <source>Changes from the machine file</source>
-        <translation>Cambios del archivo de máquina</translation>
-    </message>
-    <message>
-        <source>Differences between the file and the panel</source>
-        <translation>Diferencias entre el archivo y el panel</translation>
-    </message>
-    <message>
         <source>Setting</source>
         <translation>Ajuste</translation>
     </message>
@@ -6895,6 +7014,22 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Selected: %1 of %2. Sent to modules: %3.</source>
         <translation>Marcados: %1 de %2. Se envían a módulos: %3.</translation>
+    </message>
+    <message>
+        <source>Differences from the present settings</source>
+        <translation>Diferencias con los ajustes actuales</translation>
+    </message>
+    <message>
+        <source>Settings of %1 for other axes. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced.</source>
+        <translation>Ajustes de %1 para otros ejes. Nada se cambia ni se envía hasta que elija Aplicar, y ningún motor se mueve. Los valores escritos pero no enviados se reemplazan.</translation>
+    </message>
+    <message>
+        <source>Copy settings</source>
+        <translation>Copiar ajustes</translation>
+    </message>
+    <message>
+        <source>%1: differences</source>
+        <translation>%1: diferencias</translation>
     </message>
 </context>
 <context>
@@ -10523,16 +10658,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>La distancia del escalón</translation>
     </message>
     <message>
-        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
-        <translation>Cuánto salta la consigna; negativo: hacia atrás. Los escalones pequeños muestran el ajuste del servo; los grandes, los límites del amplificador.</translation>
-    </message>
-    <message>
         <source>The record</source>
         <translation>La grabación</translation>
-    </message>
-    <message>
-        <source>How long to record after the step. Then the motor is commanded to hold.</source>
-        <translation>Cuánto tiempo se graba tras el escalón. Después se ordena al motor mantener la posición.</translation>
     </message>
     <message>
         <source>The settling band</source>
@@ -10567,10 +10694,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Escalón y grabación</translation>
     </message>
     <message>
-        <source>A step is already running.</source>
-        <translation>Ya hay un escalón en curso.</translation>
-    </message>
-    <message>
         <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
         <translation>El motor salta esta distancia y después mantiene la posición. Asegúrese de que todo lo que acciona puede moverse libremente (Mayús+F9).</translation>
     </message>
@@ -10597,6 +10720,78 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Step with &amp;present gains</source>
         <translation>&amp;Escalón con las actuales</translation>
+    </message>
+    <message>
+        <source>How far the command goes; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
+        <translation>Distancia de la consigna; negativa: hacia atrás. Los escalones pequeños muestran el ajuste del servo, los grandes los límites del amplificador.</translation>
+    </message>
+    <message>
+        <source>How long to record after the step, or after the end of a move. Then the motor is commanded to hold.</source>
+        <translation>Cuánto se registra tras el escalón o tras el fin de un movimiento. Después se ordena al motor mantenerse.</translation>
+    </message>
+    <message>
+        <source>Velocity of the move</source>
+        <translation>Velocidad del movimiento</translation>
+    </message>
+    <message>
+        <source>Acceleration of the move</source>
+        <translation>Aceleración del movimiento</translation>
+    </message>
+    <message>
+        <source>Moves there and back</source>
+        <translation>Movimientos de ida y vuelta</translation>
+    </message>
+    <message>
+        <source>How often it moves there and back. Each move is recorded.</source>
+        <translation>Cuántas veces va y vuelve. Se registra cada movimiento.</translation>
+    </message>
+    <message>
+        <source>Settling window</source>
+        <translation>Ventana de establecimiento</translation>
+    </message>
+    <message>
+        <source>The motor has settled when it stays this close to its goal for the dwell. At least one count. Applies to all moves.</source>
+        <translation>El motor se ha establecido cuando permanece así de cerca de su destino durante la permanencia. Al menos una cuenta. Se aplica a todos los movimientos.</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>Permanencia</translation>
+    </message>
+    <message>
+        <source>How long it must stay in the window. The settling time ends where the dwell begins.</source>
+        <translation>Cuánto debe permanecer en la ventana. El tiempo de establecimiento acaba donde empieza la permanencia.</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>There and back</source>
+        <translation>Ida y vuelta</translation>
+    </message>
+    <message>
+        <source>A step or move is already running.</source>
+        <translation>Ya hay un escalón o un movimiento en curso.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Move and record</source>
+        <translation>Mover y registrar</translation>
+    </message>
+    <message>
+        <source>The motor moves there and back, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
+        <translation>El motor va y vuelve, y luego se mantiene. Asegúrese de que todo lo que mueve puede moverse libremente (Mayús+F9).</translation>
+    </message>
+    <message>
+        <source>The velocity of the move. Until you type one, it is that of moves to a position.</source>
+        <translation>La velocidad del movimiento. Mientras no escriba una, es la de los movimientos a una posición.</translation>
+    </message>
+    <message>
+        <source>The acceleration of the move. Until you type one, it is that of moves to a position.</source>
+        <translation>La aceleración del movimiento. Mientras no escriba una, es la de los movimientos a una posición.</translation>
     </message>
 </context>
 <context>
@@ -10720,6 +10915,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>position from the start (%1)</source>
         <translation>posición desde el inicio (%1)</translation>
     </message>
+    <message>
+        <source>goal, command</source>
+        <translation>destino, consigna</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>
@@ -10782,6 +10981,54 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Time until the position stays within the settling band around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
         <translation>Lo mismo, alrededor de la posición media de la última quinta parte de la grabación. Sin ganancia integral (Ki, IL), el rozamiento retiene un motor fuera de su destino.</translation>
+    </message>
+    <message>
+        <source>Move time</source>
+        <translation>Duración del movimiento</translation>
+    </message>
+    <message>
+        <source>Settling after the move</source>
+        <translation>Establecimiento tras el movimiento</translation>
+    </message>
+    <message>
+        <source>Settling, all moves</source>
+        <translation>Establecimiento, todos</translation>
+    </message>
+    <message>
+        <source>Peak error</source>
+        <translation>Error máximo</translation>
+    </message>
+    <message>
+        <source>RMS error</source>
+        <translation>Error eficaz</translation>
+    </message>
+    <message>
+        <source>Error at constant velocity</source>
+        <translation>Error a velocidad constante</translation>
+    </message>
+    <message>
+        <source>Duration of the commanded profile, calculated from distance, velocity and acceleration.</source>
+        <translation>Duración del perfil ordenado, calculada con la distancia, la velocidad y la aceleración.</translation>
+    </message>
+    <message>
+        <source>Time from the end of the profile until the motor is in the window, where it stays for the dwell.</source>
+        <translation>Tiempo desde el fin del perfil hasta que el motor está en la ventana, donde permanece.</translation>
+    </message>
+    <message>
+        <source>The shortest and the longest settling time of the moves there and back, and their number.</source>
+        <translation>El establecimiento más corto y el más largo de los movimientos de ida y vuelta, y su número.</translation>
+    </message>
+    <message>
+        <source>The largest position error during the move and after it, without its sign.</source>
+        <translation>El mayor error de posición durante el movimiento y después, sin su signo.</translation>
+    </message>
+    <message>
+        <source>Root mean square of the position error during the move.</source>
+        <translation>Valor eficaz del error de posición durante el movimiento.</translation>
+    </message>
+    <message>
+        <source>Mean position error over the second half of the time at constant velocity.</source>
+        <translation>Error de posición medio en la segunda mitad del tiempo a velocidad constante.</translation>
     </message>
 </context>
 <context>

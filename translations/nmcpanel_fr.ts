@@ -1387,6 +1387,22 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>Motor</source>
         <translation>Moteur</translation>
     </message>
+    <message>
+        <source>%1 counts in %2 s</source>
+        <translation>%1 incréments en %2 s</translation>
+    </message>
+    <message>
+        <source>Settling to ±%1 counts for %2 s: %3</source>
+        <translation>Établissement à ±%1 incréments pendant %2 s : %3</translation>
+    </message>
+    <message>
+        <source>Peak error %1</source>
+        <translation>Erreur maximale %1</translation>
+    </message>
+    <message>
+        <source>RMS error %1</source>
+        <translation>Erreur efficace %1</translation>
+    </message>
 </context>
 <context>
     <name>ResponseTexts</name>
@@ -1437,6 +1453,26 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>%1, off its goal</source>
         <translation>%1, hors de la cible</translation>
+    </message>
+    <message>
+        <source>never constant</source>
+        <translation>jamais constante</translation>
+    </message>
+    <message>
+        <source>Profiled move</source>
+        <translation>Mouvement profilé</translation>
+    </message>
+    <message>
+        <source>No step: moves there and back with the velocity and acceleration below, judged by a window and a dwell. Not available with version 1.</source>
+        <translation>Pas d’échelon : des mouvements aller et retour avec la vitesse et l’accélération ci-dessous, jugés par une fenêtre et un temps de maintien. Non disponible avec la version 1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 settled</source>
+        <translation>%1 sur %2 établis</translation>
+    </message>
+    <message>
+        <source>%1 to %2 ms (%3)</source>
+        <translation>%1 à %2 ms (%3)</translation>
     </message>
 </context>
 <context>
@@ -5294,6 +5330,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>Connected to %1 at %2 Bd, %3, lent to a program</source>
         <translation>Connecté à %1 à %2 Bd, %3, prêté à un programme</translation>
     </message>
+    <message>
+        <source>Settings copied from %1: %2.</source>
+        <translation>Réglages copiés de %1 : %2.</translation>
+    </message>
+    <message>
+        <source>The move and the record after it would take more than 6 s. Shorten the move or the record, or move faster.</source>
+        <translation>Le mouvement et l’enregistrement qui le suit dureraient plus de 6 s. Raccourcissez le mouvement ou l’enregistrement, ou augmentez la vitesse.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -6288,6 +6332,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>A program has the modules for itself; the panel shows what they report.</source>
         <translation>Un programme a les modules pour lui seul&#xa0;; le panneau montre ce qu’ils signalent.</translation>
     </message>
+    <message>
+        <source>&amp;Copy settings to other axes…</source>
+        <translation>&amp;Copier les réglages vers d’autres axes…</translation>
+    </message>
+    <message>
+        <source>Copies gains, limits and other settings to axes of the same type. Shows the differences first.</source>
+        <translation>Copie les gains, les limites et d’autres réglages vers des axes du même type. Montre d’abord les différences.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ChainModel</name>
@@ -6485,6 +6537,81 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>The simulator&apos;s answer</source>
         <translation>Réponse du simulateur</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::CopyDialog</name>
+    <message>
+        <source>Axis to copy from</source>
+        <translation>Axe source</translation>
+    </message>
+    <message>
+        <source>The axis whose settings are copied.</source>
+        <translation>L’axe dont les réglages sont copiés.</translation>
+    </message>
+    <message>
+        <source>&amp;Show differences</source>
+        <translation>&amp;Montrer les différences</translation>
+    </message>
+    <message>
+        <source>Copy settings to other axes</source>
+        <translation>Copier les réglages vers d’autres axes</translation>
+    </message>
+    <message>
+        <source>Axes to copy to</source>
+        <translation>Axes de destination</translation>
+    </message>
+    <message>
+        <source>Axes with the same type of module and other settings.</source>
+        <translation>Axes ayant le même type de module et d’autres réglages.</translation>
+    </message>
+    <message>
+        <source>Settings to copy</source>
+        <translation>Réglages à copier</translation>
+    </message>
+    <message>
+        <source>Settings in which at least one of these axes differs.</source>
+        <translation>Réglages dans lesquels au moins un de ces axes diffère.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>The differences are shown before anything is changed or sent. Numbers are copied in the units of the module: counts or steps.</source>
+        <translation>Les différences sont montrées avant toute modification et tout envoi. Les nombres sont copiés dans les unités du module : incréments ou pas.</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>&amp;Vers</translation>
+    </message>
+    <message>
+        <source>S&amp;ettings</source>
+        <translation>&amp;Réglages</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;De</translation>
+    </message>
+    <message>
+        <source>No other axis with this type of module has other settings.</source>
+        <translation>Aucun autre axe ayant ce type de module n’a d’autres réglages.</translation>
+    </message>
+    <message>
+        <source>Select the axes to copy to.</source>
+        <translation>Sélectionnez les axes de destination.</translation>
+    </message>
+    <message>
+        <source>Select the settings to copy.</source>
+        <translation>Sélectionnez les réglages à copier.</translation>
+    </message>
+    <message>
+        <source>These settings are the same already.</source>
+        <translation>Ces réglages sont déjà identiques.</translation>
+    </message>
+    <message>
+        <source>Shows what would change. Nothing is sent.</source>
+        <translation>Montre ce qui changerait. Rien n’est envoyé.</translation>
     </message>
 </context>
 <context>
@@ -6829,14 +6956,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>A&amp;nnuler</translation>
     </message>
     <message>
-        <source>Changes from the machine file</source>
-        <translation>Modifications du fichier machine</translation>
-    </message>
-    <message>
-        <source>Differences between the file and the panel</source>
-        <translation>Différences entre le fichier et le programme</translation>
-    </message>
-    <message>
         <source>Setting</source>
         <translation>Réglage</translation>
     </message>
@@ -6895,6 +7014,22 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Selected: %1 of %2. Sent to modules: %3.</source>
         <translation>Sélectionnés&#xa0;: %1 sur %2. Envoyés aux modules&#xa0;: %3.</translation>
+    </message>
+    <message>
+        <source>Differences from the present settings</source>
+        <translation>Différences avec les réglages actuels</translation>
+    </message>
+    <message>
+        <source>Settings of %1 for other axes. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced.</source>
+        <translation>Réglages de %1 pour d’autres axes. Rien n’est modifié ni envoyé avant Appliquer, et aucun moteur ne bouge. Les valeurs saisies mais non envoyées sont remplacées.</translation>
+    </message>
+    <message>
+        <source>Copy settings</source>
+        <translation>Copier les réglages</translation>
+    </message>
+    <message>
+        <source>%1: differences</source>
+        <translation>%1 : différences</translation>
     </message>
 </context>
 <context>
@@ -10523,16 +10658,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>La distance de l’échelon</translation>
     </message>
     <message>
-        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
-        <translation>De combien saute la consigne&#x202f;; négatif&#xa0;: en arrière. Les petits échelons montrent le réglage du servo, les grands les limites de l’amplificateur.</translation>
-    </message>
-    <message>
         <source>The record</source>
         <translation>L’enregistrement</translation>
-    </message>
-    <message>
-        <source>How long to record after the step. Then the motor is commanded to hold.</source>
-        <translation>Durée d’enregistrement après l’échelon. Le moteur reçoit ensuite l’ordre de maintien.</translation>
     </message>
     <message>
         <source>The settling band</source>
@@ -10567,10 +10694,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Échelon et enregistrement</translation>
     </message>
     <message>
-        <source>A step is already running.</source>
-        <translation>Un échelon est déjà en cours.</translation>
-    </message>
-    <message>
         <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
         <translation>Le moteur saute de cette distance, puis maintient sa position. Assurez-vous que tout ce qu’il entraîne peut bouger librement (Maj+F9).</translation>
     </message>
@@ -10597,6 +10720,78 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Step with &amp;present gains</source>
         <translation>Échelon avec les gains actue&amp;ls</translation>
+    </message>
+    <message>
+        <source>How far the command goes; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
+        <translation>Distance de la consigne ; négative : en arrière. De petits échelons montrent le réglage de l’asservissement, de grands les limites de l’amplificateur.</translation>
+    </message>
+    <message>
+        <source>How long to record after the step, or after the end of a move. Then the motor is commanded to hold.</source>
+        <translation>Durée d’enregistrement après l’échelon ou après la fin d’un mouvement. Ensuite le moteur est maintenu.</translation>
+    </message>
+    <message>
+        <source>Velocity of the move</source>
+        <translation>Vitesse du mouvement</translation>
+    </message>
+    <message>
+        <source>Acceleration of the move</source>
+        <translation>Accélération du mouvement</translation>
+    </message>
+    <message>
+        <source>Moves there and back</source>
+        <translation>Mouvements aller et retour</translation>
+    </message>
+    <message>
+        <source>How often it moves there and back. Each move is recorded.</source>
+        <translation>Nombre d’allers et retours. Chaque mouvement est enregistré.</translation>
+    </message>
+    <message>
+        <source>Settling window</source>
+        <translation>Fenêtre d’établissement</translation>
+    </message>
+    <message>
+        <source>The motor has settled when it stays this close to its goal for the dwell. At least one count. Applies to all moves.</source>
+        <translation>Le moteur est établi lorsqu’il reste aussi près de sa cible pendant le temps de maintien. Au moins un incrément. S’applique à tous les mouvements.</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>Maintien</translation>
+    </message>
+    <message>
+        <source>How long it must stay in the window. The settling time ends where the dwell begins.</source>
+        <translation>Durée pendant laquelle il doit rester dans la fenêtre. Le temps d’établissement finit où le maintien commence.</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>There and back</source>
+        <translation>Aller et retour</translation>
+    </message>
+    <message>
+        <source>A step or move is already running.</source>
+        <translation>Un échelon ou un mouvement est déjà en cours.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Move and record</source>
+        <translation>Déplacer et enregistrer</translation>
+    </message>
+    <message>
+        <source>The motor moves there and back, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
+        <translation>Le moteur va et revient, puis se maintient. Assurez-vous que tout ce qu’il entraîne peut bouger librement (Maj+F9).</translation>
+    </message>
+    <message>
+        <source>The velocity of the move. Until you type one, it is that of moves to a position.</source>
+        <translation>La vitesse du mouvement. Tant que vous n’en saisissez pas, c’est celle des mouvements vers une position.</translation>
+    </message>
+    <message>
+        <source>The acceleration of the move. Until you type one, it is that of moves to a position.</source>
+        <translation>L’accélération du mouvement. Tant que vous n’en saisissez pas, c’est celle des mouvements vers une position.</translation>
     </message>
 </context>
 <context>
@@ -10720,6 +10915,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>position from the start (%1)</source>
         <translation>position depuis le départ (%1)</translation>
     </message>
+    <message>
+        <source>goal, command</source>
+        <translation>cible, consigne</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>
@@ -10782,6 +10981,54 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Time until the position stays within the settling band around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
         <translation>De même, autour de la position moyenne du dernier cinquième de l’enregistrement. Sans gain intégral (Ki, IL), le frottement retient le moteur à l’écart de sa cible.</translation>
+    </message>
+    <message>
+        <source>Move time</source>
+        <translation>Durée du mouvement</translation>
+    </message>
+    <message>
+        <source>Settling after the move</source>
+        <translation>Établissement après le mouvement</translation>
+    </message>
+    <message>
+        <source>Settling, all moves</source>
+        <translation>Établissement, tous</translation>
+    </message>
+    <message>
+        <source>Peak error</source>
+        <translation>Erreur maximale</translation>
+    </message>
+    <message>
+        <source>RMS error</source>
+        <translation>Erreur efficace</translation>
+    </message>
+    <message>
+        <source>Error at constant velocity</source>
+        <translation>Erreur à vitesse constante</translation>
+    </message>
+    <message>
+        <source>Duration of the commanded profile, calculated from distance, velocity and acceleration.</source>
+        <translation>Durée du profil commandé, calculée à partir de la distance, de la vitesse et de l’accélération.</translation>
+    </message>
+    <message>
+        <source>Time from the end of the profile until the motor is in the window, where it stays for the dwell.</source>
+        <translation>Temps de la fin du profil jusqu’à ce que le moteur soit dans la fenêtre, où il reste pendant le maintien.</translation>
+    </message>
+    <message>
+        <source>The shortest and the longest settling time of the moves there and back, and their number.</source>
+        <translation>Les temps d’établissement le plus court et le plus long des allers et retours, et leur nombre.</translation>
+    </message>
+    <message>
+        <source>The largest position error during the move and after it, without its sign.</source>
+        <translation>La plus grande erreur de position pendant le mouvement et après, sans son signe.</translation>
+    </message>
+    <message>
+        <source>Root mean square of the position error during the move.</source>
+        <translation>Valeur efficace de l’erreur de position pendant le mouvement.</translation>
+    </message>
+    <message>
+        <source>Mean position error over the second half of the time at constant velocity.</source>
+        <translation>Erreur de position moyenne sur la seconde moitié du temps à vitesse constante.</translation>
     </message>
 </context>
 <context>

@@ -1385,6 +1385,22 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>Motor</source>
         <translation>モーター</translation>
     </message>
+    <message>
+        <source>%1 counts in %2 s</source>
+        <translation>%1 カウント、%2 s</translation>
+    </message>
+    <message>
+        <source>Settling to ±%1 counts for %2 s: %3</source>
+        <translation>±%1 カウントに %2 s 間整定: %3</translation>
+    </message>
+    <message>
+        <source>Peak error %1</source>
+        <translation>最大偏差 %1</translation>
+    </message>
+    <message>
+        <source>RMS error %1</source>
+        <translation>偏差の実効値 %1</translation>
+    </message>
 </context>
 <context>
     <name>ResponseTexts</name>
@@ -1435,6 +1451,26 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>%1, off its goal</source>
         <translation>%1、目標位置からずれ</translation>
+    </message>
+    <message>
+        <source>never constant</source>
+        <translation>一定になりません</translation>
+    </message>
+    <message>
+        <source>Profiled move</source>
+        <translation>プロファイル移動</translation>
+    </message>
+    <message>
+        <source>No step: moves there and back with the velocity and acceleration below, judged by a window and a dwell. Not available with version 1.</source>
+        <translation>ステップではなく、下の速度と加速度で往復移動し、整定幅と保持時間で評価します。バージョン 1 では使用できません。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 settled</source>
+        <translation>%2 回中 %1 回整定</translation>
+    </message>
+    <message>
+        <source>%1 to %2 ms (%3)</source>
+        <translation>%1～%2 ms (%3)</translation>
     </message>
 </context>
 <context>
@@ -5277,6 +5313,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>Connected to %1 at %2 Bd, %3, lent to a program</source>
         <translation>%1 に接続中(%2 Bd、%3、プログラムに貸出中)</translation>
     </message>
+    <message>
+        <source>Settings copied from %1: %2.</source>
+        <translation>%1 からコピーした設定: %2。</translation>
+    </message>
+    <message>
+        <source>The move and the record after it would take more than 6 s. Shorten the move or the record, or move faster.</source>
+        <translation>移動とその後の記録が 6 s を超えます。移動または記録を短くするか、速度を上げてください。</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -6271,6 +6315,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>A program has the modules for itself; the panel shows what they report.</source>
         <translation>プログラムがモジュールを占有し、パネルはその報告を表示します。</translation>
     </message>
+    <message>
+        <source>&amp;Copy settings to other axes…</source>
+        <translation>設定をほかの軸にコピー(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Copies gains, limits and other settings to axes of the same type. Shows the differences first.</source>
+        <translation>ゲイン、リミットなどの設定を同じ種類の軸にコピーします。先に相違点を表示します。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ChainModel</name>
@@ -6468,6 +6520,81 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>The simulator&apos;s answer</source>
         <translation>シミュレーターの応答</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::CopyDialog</name>
+    <message>
+        <source>Axis to copy from</source>
+        <translation>コピー元の軸</translation>
+    </message>
+    <message>
+        <source>The axis whose settings are copied.</source>
+        <translation>設定のコピー元になる軸です。</translation>
+    </message>
+    <message>
+        <source>&amp;Show differences</source>
+        <translation>相違点を表示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Copy settings to other axes</source>
+        <translation>設定をほかの軸にコピー</translation>
+    </message>
+    <message>
+        <source>Axes to copy to</source>
+        <translation>コピー先の軸</translation>
+    </message>
+    <message>
+        <source>Axes with the same type of module and other settings.</source>
+        <translation>モジュールの種類が同じで設定が異なる軸です。</translation>
+    </message>
+    <message>
+        <source>Settings to copy</source>
+        <translation>コピーする設定</translation>
+    </message>
+    <message>
+        <source>Settings in which at least one of these axes differs.</source>
+        <translation>これらの軸の少なくとも 1 つで異なる設定です。</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The differences are shown before anything is changed or sent. Numbers are copied in the units of the module: counts or steps.</source>
+        <translation>変更や送信の前に相違点を表示します。数値はモジュールの単位 (カウントまたはステップ) でコピーします。</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>コピー先(&amp;T)</translation>
+    </message>
+    <message>
+        <source>S&amp;ettings</source>
+        <translation>設定(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>コピー元(&amp;F)</translation>
+    </message>
+    <message>
+        <source>No other axis with this type of module has other settings.</source>
+        <translation>この種類のモジュールで設定が異なる軸はほかにありません。</translation>
+    </message>
+    <message>
+        <source>Select the axes to copy to.</source>
+        <translation>コピー先の軸を選択してください。</translation>
+    </message>
+    <message>
+        <source>Select the settings to copy.</source>
+        <translation>コピーする設定を選択してください。</translation>
+    </message>
+    <message>
+        <source>These settings are the same already.</source>
+        <translation>これらの設定はすでに同じです。</translation>
+    </message>
+    <message>
+        <source>Shows what would change. Nothing is sent.</source>
+        <translation>変更される内容を表示します。何も送信しません。</translation>
     </message>
 </context>
 <context>
@@ -6812,14 +6939,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
-        <source>Changes from the machine file</source>
-        <translation>マシンファイルによる変更</translation>
-    </message>
-    <message>
-        <source>Differences between the file and the panel</source>
-        <translation>ファイルとパネルの違い</translation>
-    </message>
-    <message>
         <source>Setting</source>
         <translation>設定</translation>
     </message>
@@ -6878,6 +6997,22 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Selected: %1 of %2. Sent to modules: %3.</source>
         <translation>選択：%2件中%1件。モジュールに送信：%3件。</translation>
+    </message>
+    <message>
+        <source>Differences from the present settings</source>
+        <translation>現在の設定との相違点</translation>
+    </message>
+    <message>
+        <source>Settings of %1 for other axes. Nothing is changed or sent until you choose Apply, and no motor moves. Values typed but not sent are replaced.</source>
+        <translation>ほかの軸のための %1 の設定です。「適用」を選ぶまで何も変更も送信もされず、モーターも動きません。入力済みで未送信の値は置き換えられます。</translation>
+    </message>
+    <message>
+        <source>Copy settings</source>
+        <translation>設定のコピー</translation>
+    </message>
+    <message>
+        <source>%1: differences</source>
+        <translation>%1: 相違点</translation>
     </message>
 </context>
 <context>
@@ -10504,16 +10639,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ステップ応答の距離の値</translation>
     </message>
     <message>
-        <source>How far the command jumps; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
-        <translation>指令を急変させる距離です。負の値は逆方向です。小さなステップではサーボの調整具合が、大きなステップではアンプの限界が分かります。</translation>
-    </message>
-    <message>
         <source>The record</source>
         <translation>記録時間の値</translation>
-    </message>
-    <message>
-        <source>How long to record after the step. Then the motor is commanded to hold.</source>
-        <translation>ステップの後に記録する時間です。その後、モーターに保持を指令します。</translation>
     </message>
     <message>
         <source>The settling band</source>
@@ -10548,10 +10675,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ステップ：実行して記録</translation>
     </message>
     <message>
-        <source>A step is already running.</source>
-        <translation>ステップはすでに実行中です。</translation>
-    </message>
-    <message>
         <source>The motor jumps by this distance, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
         <translation>モーターがこの距離だけ急に動き、保持します。駆動されるものがすべて自由に動けることを確認してください（Shift+F9）。</translation>
     </message>
@@ -10578,6 +10701,78 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Step with &amp;present gains</source>
         <translation>現在のゲインでステップ(&amp;P)</translation>
+    </message>
+    <message>
+        <source>How far the command goes; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
+        <translation>指令の移動量です。負: 逆方向。小さいステップはサーボの調整を、大きいステップはアンプの限界を示します。</translation>
+    </message>
+    <message>
+        <source>How long to record after the step, or after the end of a move. Then the motor is commanded to hold.</source>
+        <translation>ステップ後または移動終了後に記録する時間です。その後モーターは保持されます。</translation>
+    </message>
+    <message>
+        <source>Velocity of the move</source>
+        <translation>移動の速度</translation>
+    </message>
+    <message>
+        <source>Acceleration of the move</source>
+        <translation>移動の加速度</translation>
+    </message>
+    <message>
+        <source>Moves there and back</source>
+        <translation>往復移動</translation>
+    </message>
+    <message>
+        <source>How often it moves there and back. Each move is recorded.</source>
+        <translation>往復の回数です。各移動を記録します。</translation>
+    </message>
+    <message>
+        <source>Settling window</source>
+        <translation>整定幅</translation>
+    </message>
+    <message>
+        <source>The motor has settled when it stays this close to its goal for the dwell. At least one count. Applies to all moves.</source>
+        <translation>保持時間の間、目標からこの範囲にとどまると整定とみなします。最小 1 カウント。すべての移動に適用されます。</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>保持時間</translation>
+    </message>
+    <message>
+        <source>How long it must stay in the window. The settling time ends where the dwell begins.</source>
+        <translation>整定幅の中にとどまるべき時間です。整定時間は保持時間の始まりで終わります。</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>整定幅</translation>
+    </message>
+    <message>
+        <source>There and back</source>
+        <translation>往復</translation>
+    </message>
+    <message>
+        <source>A step or move is already running.</source>
+        <translation>ステップまたは移動がすでに実行中です。</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Move and record</source>
+        <translation>移動して記録</translation>
+    </message>
+    <message>
+        <source>The motor moves there and back, then holds. Make sure that everything it drives can move freely (Shift+F9).</source>
+        <translation>モーターは往復してから保持します。駆動されるすべてのものが自由に動けることを確認してください (Shift+F9)。</translation>
+    </message>
+    <message>
+        <source>The velocity of the move. Until you type one, it is that of moves to a position.</source>
+        <translation>移動の速度です。入力するまでは、位置への移動の速度です。</translation>
+    </message>
+    <message>
+        <source>The acceleration of the move. Until you type one, it is that of moves to a position.</source>
+        <translation>移動の加速度です。入力するまでは、位置への移動の加速度です。</translation>
     </message>
 </context>
 <context>
@@ -10701,6 +10896,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>position from the start (%1)</source>
         <translation>開始点からの位置 (%1)</translation>
     </message>
+    <message>
+        <source>goal, command</source>
+        <translation>目標、指令</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>
@@ -10763,6 +10962,54 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Time until the position stays within the settling band around the mean position of the last fifth of the record. Without integral gain (Ki, IL), friction holds a motor off its goal.</source>
         <translation>同じく、記録の最後の5分の1の平均位置を中心とした値です。積分ゲイン（Ki、IL）がないと、摩擦によりモーターが目標位置からずれて止まります。</translation>
+    </message>
+    <message>
+        <source>Move time</source>
+        <translation>移動時間</translation>
+    </message>
+    <message>
+        <source>Settling after the move</source>
+        <translation>移動後の整定</translation>
+    </message>
+    <message>
+        <source>Settling, all moves</source>
+        <translation>整定、全移動</translation>
+    </message>
+    <message>
+        <source>Peak error</source>
+        <translation>最大偏差</translation>
+    </message>
+    <message>
+        <source>RMS error</source>
+        <translation>偏差の実効値</translation>
+    </message>
+    <message>
+        <source>Error at constant velocity</source>
+        <translation>一定速度での偏差</translation>
+    </message>
+    <message>
+        <source>Duration of the commanded profile, calculated from distance, velocity and acceleration.</source>
+        <translation>距離、速度、加速度から計算した指令プロファイルの時間です。</translation>
+    </message>
+    <message>
+        <source>Time from the end of the profile until the motor is in the window, where it stays for the dwell.</source>
+        <translation>プロファイルの終わりから、モーターが整定幅に入り保持時間とどまるまでの時間です。</translation>
+    </message>
+    <message>
+        <source>The shortest and the longest settling time of the moves there and back, and their number.</source>
+        <translation>往復移動の最短と最長の整定時間、およびその回数です。</translation>
+    </message>
+    <message>
+        <source>The largest position error during the move and after it, without its sign.</source>
+        <translation>移動中および移動後の最大の位置偏差 (符号なし) です。</translation>
+    </message>
+    <message>
+        <source>Root mean square of the position error during the move.</source>
+        <translation>移動中の位置偏差の二乗平均平方根です。</translation>
+    </message>
+    <message>
+        <source>Mean position error over the second half of the time at constant velocity.</source>
+        <translation>一定速度の時間の後半における位置偏差の平均です。</translation>
     </message>
 </context>
 <context>

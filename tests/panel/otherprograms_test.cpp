@@ -384,7 +384,7 @@ TEST_F(OtherPrograms, SurviveNonsense) {
         return static_cast<qsizetype>(random() % static_cast<unsigned>(size));
     };
     const QByteArray right = R"({"jsonrpc":"2.0","id":1,"method":"move","params":{"axis":1,"to":100}})";
-    for (int round = 0; round < 20; ++round) {
+    for (int round = 0; round < 200; ++round) {
         OtherProgram client(panel, path());
         for (int i = 0; i < 50; ++i) {
             QByteArray line = right;

@@ -123,12 +123,14 @@ QuantityField* ResponseForm::newPaceField(const QString& objectName, const QStri
 }
 
 void ResponseForm::buildMoveFields(FormGrid* grid) {
-    m_velocity = newPaceField(u"responseVelocityField"_s, tr("Velocity of the move"),
-                              tr("The velocity of the move; initially that of the Motion page."),
-                              QuantityField::Kind::Velocity, 0.05);
-    m_acceleration = newPaceField(u"responseAccelerationField"_s, tr("Acceleration of the move"),
-                                  tr("The acceleration of the move; initially that of the Motion page."),
-                                  QuantityField::Kind::Acceleration, 0.0005);
+    m_velocity =
+        newPaceField(u"responseVelocityField"_s, tr("Velocity of the move"),
+                     tr("The velocity of the move. Until you type one, it is that of moves to a position."),
+                     QuantityField::Kind::Velocity, 0.05);
+    m_acceleration = newPaceField(
+        u"responseAccelerationField"_s, tr("Acceleration of the move"),
+        tr("The acceleration of the move. Until you type one, it is that of moves to a position."),
+        QuantityField::Kind::Acceleration, 0.0005);
     m_rounds = form::newNumber({.name = u"responseRoundsField"_s,
                                 .accessible = tr("Moves there and back"),
                                 .min = 1,
@@ -310,13 +312,14 @@ void ResponseForm::step(const std::vector<std::int32_t>& series) {
     if (!wanted || !whyNotNow(series).isEmpty())
         return;
     if (unsentGains().isEmpty())
-        ask(m_module->info.index, *wanted);
+        ask(m_module->info.index, *wanted, series.empty());
     else
         askWhichGains(*wanted, series);
 }
 
-void ResponseForm::ask(ModuleIndex module, const intent::StepSeries& wanted) {
-    emit m_requests.intent(module, wanted.counts.size() == 1 ? Intent(wanted.each) : wanted);
+void ResponseForm::ask(ModuleIndex module, const intent::StepSeries& wanted, bool own) {
+    const bool alone = own && wanted.counts.size() == 1;
+    emit m_requests.intent(module, alone ? Intent(wanted.each) : wanted);
 }
 
 /// The gains in the fields that differ from those of the module; empty if there are none.
@@ -335,10 +338,11 @@ QString ResponseForm::unsentGains() const {
 }
 
 void ResponseForm::askWhichGains(const intent::StepSeries& wanted, const std::vector<std::int32_t>& series) {
-    const auto ask = [self = QPointer(this), index = m_module->info.index](const intent::StepSeries& steps) {
-        return [self, index, steps] {
+    const auto ask = [self = QPointer(this), index = m_module->info.index,
+                      own = series.empty()](const intent::StepSeries& steps) {
+        return [self, index, steps, own] {
             if (self)
-                self->ask(index, steps);
+                self->ask(index, steps, own);
         };
     };
     const auto text = [self = QPointer(this), index = m_module->info.index, before = unsentGains(), series] {

@@ -65,7 +65,9 @@ private:
     void buildButton(FormGrid* grid);
     void refresh();
     void askWhichGains(const intent::StepSeries& wanted, const std::vector<std::int32_t>& series);
-    void ask(ModuleIndex module, const intent::StepSeries& wanted);
+    /// `own`: what the fields say; otherwise a series, even one of a single step, from which a motor is
+    /// found.
+    void ask(ModuleIndex module, const intent::StepSeries& wanted, bool own);
     [[nodiscard]] std::optional<Refusal> refusal(const std::vector<std::int32_t>& series = {}) const;
     /// A single step is a series of one.
     [[nodiscard]] std::optional<intent::StepSeries> entered(

@@ -2,6 +2,7 @@
 #include "model/machinefile/axiscopy.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace nmc {
 
