@@ -93,7 +93,7 @@ TEST(MoveMetrics, ErrorsAreThoseOfTheirTimes) {
 
 TEST(MoveMetrics, TheErrorAtConstantVelocityIsThatOfItsSecondHalf) {
     // At constant velocity from 0.1024 s to 0.256 s, so its second half begins at 0.1792 s.
-    const auto error = [](double s) { return s > 0.18 && s < 0.255 ? -12.0 : 100.0; };
+    const auto error = [](double s) { return s > 0.179 && s < 0.2565 ? -12.0 : 100.0; };
     const MoveMetrics metrics = measured(points(error), {});
     ASSERT_TRUE(metrics.slew);
     EXPECT_NEAR(metrics.slew->value, -12, 2);

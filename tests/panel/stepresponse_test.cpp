@@ -95,7 +95,7 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
     EXPECT_GT(statusesOf(0, first.run.taken), 10 * statusesOf(1, first.run.taken));
     ASSERT_TRUE(first.run.pwm);
     // (200 x 100 + 2000 x 100 - 20 x 200) / 256 is 843, far above the limit.
-    EXPECT_EQ(result(6, 0), u"limited to 255"_s);
+    EXPECT_EQ(result(12, 0), u"limited to 255"_s);
     EXPECT_TRUE(result(1, 0).contains(u"±"_s) && result(1, 0).endsWith(u"ms"_s))
         << result(1, 0).toStdString();
 
