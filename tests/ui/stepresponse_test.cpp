@@ -70,7 +70,7 @@ protected:
     }
     QTableWidget* table() { return find<QTableWidget>(u"responseRunTable"_s); }
     QString listed(int row, int column) { return table()->item(row, column)->text(); }
-    /// Of the rows that are shown; others are for moves only, or for steps only.
+    /// The visible rows of the results: some rows are only for moves, others only for steps.
     std::vector<int> resultRows() {
         auto* results = find<QTableWidget>(u"responseResults"_s);
         std::vector<int> rows;

@@ -43,6 +43,7 @@ ResponseForm::ResponseForm(Requests& requests, QWidget* parent)
     buildMoveFields(grid);
     buildButton(grid);
     showMethod();
+    refresh();
 }
 
 void ResponseForm::buildFields(FormGrid* grid) {
@@ -187,10 +188,8 @@ void ResponseForm::showMethod() {
         widget->setVisible(!moves());
     for (QWidget* widget : m_forMoves)
         widget->setVisible(moves());
-    const bool far = moves();
-    m_distance->setNativeRange(far ? static_cast<double>(servo::kPositionRange.min) : -kLongestStep,
-                               far ? static_cast<double>(servo::kPositionRange.max) : kLongestStep);
-    refresh();
+    m_distance->setNativeRange(moves() ? static_cast<double>(servo::kPositionRange.min) : -kLongestStep,
+                               moves() ? static_cast<double>(servo::kPositionRange.max) : kLongestStep);
 }
 
 void ResponseForm::takeJudgement() {
@@ -253,11 +252,11 @@ std::optional<intent::StepSeries> ResponseForm::entered(const std::vector<std::i
     if (!distance || !record)
         return std::nullopt;
     intent::StepSeries wanted{{*distance, form::chosen<ResponseMethod>(m_method), *record}, series};
-    if (!series.empty() && moves())
-        wanted.each.method = ResponseMethod::Profile;
-    if (series.empty() && !moves())
-        wanted.counts = {*distance};
-    if (!wanted.counts.empty()) {
+    if (!series.empty() || !moves()) {
+        if (series.empty())
+            wanted.counts = {*distance};
+        else if (moves())
+            wanted.each.method = ResponseMethod::Profile;  // a motor is identified from steps
         wanted.each.counts = wanted.counts.front();
         return wanted;
     }

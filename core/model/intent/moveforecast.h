@@ -16,7 +16,7 @@ struct MoveForecast {
 /// `distance` in counts, of either sign; velocity and acceleration native and above 0, `perSecond` as in
 /// AxisScale. Pure.
 [[nodiscard]] MoveForecast forecast(double distance, double velocity, double acceleration, double perSecond);
-/// Of a PIC-SERVO at servo rate SR.
+/// The same for a PIC-SERVO; `servoRate` is its SR, which multiplies the length of a tick.
 [[nodiscard]] MoveForecast forecast(double distance, const ServoPace& pace, int servoRate);
 
 }  // namespace nmc

@@ -81,20 +81,7 @@ namespace {
     if (move.triangular)
         return tl::unexpected(Unmeasured::NoConstantVelocity);
     const double to = move.seconds - move.accelerating;
-    const double from = (move.accelerating + to) / 2;
-    double sum = 0.0, low = 0.0, high = 0.0;
-    std::size_t count = 0;
-    for (const ResponsePoint& point : points) {
-        if (point.seconds < from || point.seconds > to)
-            continue;
-        low = count == 0 ? point.error : std::min(low, point.error);
-        high = count == 0 ? point.error : std::max(high, point.error);
-        sum += point.error;
-        ++count;
-    }
-    if (count < kFewestForMean)
-        return tl::unexpected(Unmeasured::TooFewSamples);
-    return Measured{sum / static_cast<double>(count), std::max(doubt, (high - low) / 2)};
+    return meanOf(points, &ResponsePoint::error, (move.accelerating + to) / 2, to, doubt);
 }
 
 }  // namespace

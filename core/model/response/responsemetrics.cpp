@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -107,19 +108,11 @@ void markGaps(std::vector<StepReading>& readings) {
 
 [[nodiscard]] ResponseMetrics::Result<Measured> steadyErrorOf(std::span<const ResponsePoint> points,
                                                               double goal, double lastPart) {
-    double sum = 0.0, lowest = 0.0, highest = 0.0;
-    std::size_t count = 0;
-    for (const ResponsePoint& point : points) {
-        if (point.seconds < lastPart)
-            continue;
-        lowest = count == 0 ? point.position : std::min(lowest, point.position);
-        highest = count == 0 ? point.position : std::max(highest, point.position);
-        sum += point.position;
-        ++count;
-    }
-    if (count < kFewestForMean)
-        return tl::unexpected(Unmeasured::TooFewSamples);
-    return Measured{goal - sum / static_cast<double>(count), std::max(kHalfCount, (highest - lowest) / 2)};
+    auto mean = meanOf(points, &ResponsePoint::position, lastPart, std::numeric_limits<double>::infinity(),
+                       kHalfCount);
+    if (mean)
+        mean->value = goal - mean->value;
+    return mean;
 }
 
 [[nodiscard]] ResponseMetrics::Result<Measured> settlingAtRestOf(const std::vector<StepReading>& readings,
@@ -139,6 +132,23 @@ void markGaps(std::vector<StepReading>& readings) {
 }
 
 }  // namespace
+
+ResponseMetrics::Result<Measured> meanOf(std::span<const ResponsePoint> points, double ResponsePoint::*value,
+                                         double from, double to, double leastDoubt) {
+    double sum = 0.0, lowest = 0.0, highest = 0.0;
+    std::size_t count = 0;
+    for (const ResponsePoint& point : points) {
+        if (point.seconds < from || point.seconds > to)
+            continue;
+        lowest = count == 0 ? point.*value : std::min(lowest, point.*value);
+        highest = count == 0 ? point.*value : std::max(highest, point.*value);
+        sum += point.*value;
+        ++count;
+    }
+    if (count < kFewestForMean)
+        return tl::unexpected(Unmeasured::TooFewSamples);
+    return Measured{sum / static_cast<double>(count), std::max(leastDoubt, (highest - lowest) / 2)};
+}
 
 ResponseMetrics measureResponse(std::span<const ResponsePoint> points, double from, double goal, double band,
                                 double timeDoubt) {

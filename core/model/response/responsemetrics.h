@@ -59,6 +59,12 @@ struct ResponseMetrics {
     double interval = 0.0;         ///< s, mean interval between samples
 };
 
+/// The mean of one value of the points from one time to another, in seconds. Its doubt is half the range of
+/// these values, at least `leastDoubt`.
+[[nodiscard]] ResponseMetrics::Result<Measured> meanOf(std::span<const ResponsePoint> points,
+                                                       double ResponsePoint::*value, double from, double to,
+                                                       double leastDoubt);
+
 /// `points` must be in order of time; those before the step are ignored. `from` and `goal` must differ.
 /// `band`: counts on either side of the goal. `timeDoubt`: s, possible error of the time between two points.
 [[nodiscard]] ResponseMetrics measureResponse(std::span<const ResponsePoint> points, double from, double goal,
