@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frequency responses and their figures, compared with closed forms.
 #include "model/frequency/frequencyresponse.h"
+#include "model/frequency/othergains.h"
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,79 @@ TEST(FrequencyFigures, TellTheGainMargin) {
     EXPECT_NEAR(*figures.gainMargin, 4.0, 0.1);
     // |L| = 1 where w (1 + w^2) = 0.5: w = 0.4239; 90 - 2 atan w.
     EXPECT_NEAR(*figures.phaseMargin, 90 - 2 * std::atan(0.4239) * 180 / std::numbers::pi, 1.0);
+}
+
+constexpr servo::SetGain kGains{100, 0, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}};
+
+[[nodiscard]] std::vector<FrequencyPoint> withDoubt(std::vector<FrequencyPoint> points, double doubt) {
+    for (FrequencyPoint& point : points)
+        point.doubt = doubt;
+    return points;
+}
+
+/// L = w0 / s with Kp alone: w0 is proportional to Kp, and so is the corner of T.
+TEST(LoopWithOtherGains, HasTwiceTheCornerWithTwiceTheGain) {
+    const auto loop = [](double corner) {
+        return [corner](Complex s) { return 2 * std::numbers::pi * corner / s; };
+    };
+    servo::SetGain twice = kGains;
+    twice.kp = 200;
+    const auto told = withOtherGains(withDoubt(responseOf(loop(5.0), 100.0), 0.01), kGains, twice);
+    const auto truth = responseOf(loop(10.0), 100.0);
+    ASSERT_EQ(told.size(), truth.size());
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        EXPECT_NEAR(std::abs(told[i].closed - truth[i].closed), 0.0, 1e-12);
+        // T = 1 / (1 + jx), T' = 2 / (2 + jx): |dT'/dT| = 2 |1 + jx|^2 / |2 + jx|^2, x the frequency over 5
+        // Hz.
+        const double x = told[i].hertz / 5;
+        EXPECT_NEAR(told[i].doubt, 0.01 * 2 * (1 + x * x) / (4 + x * x), 1e-9);
+    }
+    EXPECT_FALSE(isUnstable(figuresOf(told)));
+}
+
+/// The derivative is a difference over one servo tick, and the integral a sum: at a quarter of the servo rate
+/// 1/z is -j, so C is Kp + Kd (1 + j) + Ki/256 / (1 + j).
+TEST(LoopWithOtherGains, IsThatOfTheSampledFilter) {
+    servo::SetGain all = kGains;
+    all.kd = 30;
+    all.ki = 512;
+    all.il = 1'000;
+    for (const std::uint8_t sr : {std::uint8_t{1}, std::uint8_t{4}}) {
+        all.sr = sr;
+        const Complex filter = filterAt(all, 0.25 / (sr * kTick));
+        EXPECT_NEAR(filter.real(), 100 + 30 + 1, 1e-9);
+        EXPECT_NEAR(filter.imag(), 30 - 1, 1e-9);
+    }
+    all.il = 0;
+    EXPECT_NEAR(filterAt(all, 0.25 / (4 * kTick)).imag(), 30, 1e-9) << "without IL there is no integral";
+}
+
+/// k / (s (s + 1)^2) is critical at k = 2.
+TEST(LoopWithOtherGains, ThatItWouldOscillateIsTold) {
+    const auto points = responseOf([](Complex s) { return 0.5 / (s * (s + 1.0) * (s + 1.0)); }, 2.0);
+    servo::SetGain higher = kGains;
+    higher.kp = 380;
+    EXPECT_FALSE(isUnstable(figuresOf(withOtherGains(points, kGains, higher))));
+    higher.kp = 420;
+    EXPECT_TRUE(isUnstable(figuresOf(withOtherGains(points, kGains, higher))));
+}
+
+TEST(LoopWithOtherGains, IsNotToldWhereSomethingElseDiffersOrALimitWasMet) {
+    servo::SetGain other = kGains;
+    other.el = 100;
+    EXPECT_EQ(changeOf(kGains, other), LoopChange::None);
+    other.kd = 1;
+    EXPECT_EQ(changeOf(kGains, other), LoopChange::Filter);
+    other.db = std::uint8_t{3};
+    EXPECT_EQ(changeOf(kGains, other), LoopChange::Deadband);
+    other.sr = 2;
+    EXPECT_EQ(changeOf(kGains, other), LoopChange::Rate);
+    std::vector<FrequencyPoint> points;
+    for (const bool limited : {true, false, false, true, false})
+        points.push_back({1.0 + static_cast<double>(points.size()), 0.5, 0.0, 0.0, limited});
+    const auto told = withOtherGains(points, kGains, kGains);
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_EQ(told.front().hertz, 2.0);
 }
 
 TEST(FrequencyFigures, SayNothingOfWhatWasNotMeasured) {
@@ -117,6 +191,25 @@ TEST_F(MeasuredSine, FindsMagnitudeAndPhase) {
     }
 }
 
+/// At 1 Hz, the command jumps by at most 2 pi 1000 * 6 ms = 38 counts, so Kd 1000 asks for 147 PWM counts.
+/// The position is 0.7 times as large and 0.9 rad late: |1 - T| is 0.79, so Kp 10 asks for 31 in 1/256.
+TEST_F(MeasuredSine, OutputLimitsAreNoticed) {
+    swing(1.0, std::polar(0.7, -0.9), 5.0);
+    const FrequencyPoint point{1.0, std::polar(0.7, -0.9), 0.0};
+    servo::SetGain gains{10, 1'000, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}};
+    EXPECT_FALSE(meetsLimits(record, point, gains, 1'000));
+    gains.ol = 100;
+    EXPECT_TRUE(meetsLimits(record, point, gains, 1'000));
+    gains.ol = 255;
+    gains.ki = 10;
+    gains.il = 1'000;  // 39 PWM counts: friction may have kept the integral there
+    EXPECT_TRUE(meetsLimits(record, point, gains, 1'000));
+    gains.il = 32'000;  // 1250, of which the sine moves 0.04 / 0.0032 * 790 / 256 = 37
+    EXPECT_FALSE(meetsLimits(record, point, gains, 1'000));
+    record.answers.pop_back();
+    EXPECT_TRUE(meetsLimits(record, point, gains, 1'000)) << "not known";
+}
+
 TEST_F(MeasuredSine, IsNothingWithoutPositions) {
     EXPECT_FALSE(measureFrequency(record, 1.0, kTick));
     swing(1.0, 1.0, 5.0);
@@ -143,6 +236,9 @@ TEST(FrequencyFile, HasARowForEachFrequency) {
     EXPECT_NE(text.find("\n1,-6.02"), std::string::npos);
     EXPECT_NE(text.find(",0,0.25,0,0\n"), std::string::npos);
     EXPECT_NE(text.find(",-90,0.25,"), std::string::npos);
+    EXPECT_NE(frequencyCsv(origin, "Module 1", points, 5'000)
+                  .find("# module: Module 1\n# speed while measuring: 5000 counts/s\nfrequency_hz,"),
+              std::string::npos);
 }
 
 [[nodiscard]] ResponseRecord edge(std::int32_t from, std::int32_t goal, double late, std::uint16_t kp = 100) {

@@ -15,6 +15,8 @@ struct FrequencyPoint {
     /// Counts rms: the part of the position that is neither a sine of that frequency nor the staircase of the
     /// command.
     double missed = 0.0;
+    /// OL or IL cut off part of what the filter would have put out, or may have: T is that of the amplitude.
+    bool limited = false;
 
     /// L = T / (1 - T), the open-loop response.
     [[nodiscard]] std::complex<double> open() const { return closed / (1.0 - closed); }

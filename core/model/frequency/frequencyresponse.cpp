@@ -9,6 +9,7 @@
 
 #include "base/angle.h"
 #include "base/time.h"
+#include "model/frequency/othergains.h"
 
 namespace nmc {
 
@@ -128,10 +129,7 @@ std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, do
 }
 
 double doubtOfWholePwm(const FrequencyPoint& point, const servo::SetGain& gains, double amplitude) {
-    const double tick = toSeconds(kServoTick) * std::max<int>(gains.sr, 1);
-    const Complex change = 1.0 - std::polar(1.0, -2 * std::numbers::pi * point.hertz * tick);
-    const Complex filter = 1.0 * gains.kp + 1.0 * gains.kd * change + gains.ki / 256.0 / change;
-    const double lost = 2 / std::numbers::pi / (std::abs(filter) / 256 * amplitude);
+    const double lost = 2 / std::numbers::pi / (std::abs(filterAt(gains, point.hertz)) / 256 * amplitude);
     return std::abs(point.closed) * (lost < 1 ? std::min(1.0, lost / (1 - lost)) : 1.0) / 2;
 }
 
@@ -201,6 +199,10 @@ FrequencyFigures figuresOf(std::span<const FrequencyPoint> points) {
             figures.gainMargin = std::pow(10, -between(decibelsBefore, decibelsAfter, *part) / 20);
     }
     return figures;
+}
+
+bool isUnstable(const FrequencyFigures& figures) {
+    return figures.phaseMargin.value_or(1.0) <= 0.0 || figures.gainMargin.value_or(2.0) <= 1.0;
 }
 
 }  // namespace nmc

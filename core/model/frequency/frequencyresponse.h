@@ -40,6 +40,8 @@ struct FrequencyFigures {
     double resonance = 0.0;             ///< dB, the highest |T|
 };
 [[nodiscard]] FrequencyFigures figuresOf(std::span<const FrequencyPoint> points);
+/// True if a margin that was found is negative. A loop that is not is stable as far as its points reach.
+[[nodiscard]] bool isUnstable(const FrequencyFigures& figures);
 
 [[nodiscard]] double decibels(std::complex<double> value);
 /// The range of T within two standard deviations of a point. Where the range includes 0, the phase is unknown

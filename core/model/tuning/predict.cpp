@@ -10,6 +10,7 @@
 #include <random>
 
 #include "base/angle.h"
+#include "model/frequency/othergains.h"
 
 namespace nmc {
 
@@ -57,16 +58,13 @@ struct TickOfMotor {
     return ((1 + motor.second) * s * s + damping + 1.0) / (s * s + damping + 1.0);
 }
 
-[[nodiscard]] Complex openLoop(const TickOfMotor& motor, const servo::SetGain& gains, Complex z) {
-    const Complex change = 1.0 - 1.0 / z;
-    Complex filter = 1.0 * gains.kp + 1.0 * gains.kd * change;
-    if (gains.ki > 0 && gains.il > 0)
-        filter += gains.ki / 256.0 / change;
+[[nodiscard]] Complex openLoop(const TickOfMotor& motor, const servo::SetGain& gains, double hertz) {
+    const Complex z = std::polar(1.0, 2 * std::numbers::pi * hertz * servoTickOf(gains));
     const Complex torque = (1.0 - motor.keepsTorque) / (z - motor.keepsTorque);
     const Complex speed = (motor.speedOfTorque * torque + motor.speed) / (z - motor.keepsSpeed);
     const Complex position =
         (motor.travelOfSpeed * speed + motor.travelOfTorque * torque + motor.travel) / (z - 1.0);
-    return filter / 256.0 * position;
+    return filterAt(gains, hertz) / 256.0 * position;
 }
 
 /// The state is position, velocity, torque, running sum over 256, previous error; its transition over a tick
@@ -114,9 +112,7 @@ LoopStart standing(const MotorConstants& motor, const servo::SetGain& gains, dou
 }
 
 Complex openLoopAt(const MotorConstants& motor, const servo::SetGain& gains, double hertz) {
-    const double tick = servoTickOf(gains);
-    return openLoop(tickOf(motor, tick), gains, std::polar(1.0, 2 * std::numbers::pi * hertz * tick)) *
-           swingOf(motor, hertz);
+    return openLoop(tickOf(motor, servoTickOf(gains)), gains, hertz) * swingOf(motor, hertz);
 }
 
 LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) {
@@ -125,10 +121,7 @@ LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) 
     const double tick = servoTickOf(gains);
     const TickOfMotor of = tickOf(motor, tick);
     LoopMargins margins{180.0, std::numeric_limits<double>::infinity(), 0.0, isStable(of, gains)};
-    const auto at = [&](double hertz) {
-        return openLoop(of, gains, std::polar(1.0, 2 * std::numbers::pi * hertz * tick)) *
-               swingOf(motor, hertz);
-    };
+    const auto at = [&](double hertz) { return openLoop(of, gains, hertz) * swingOf(motor, hertz); };
     double before = kLowest;
     Complex loopBefore = at(before);
     for (double hertz = kLowest * kStep; hertz < 0.5 / tick; hertz *= kStep) {
@@ -153,7 +146,7 @@ LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) 
         loopBefore = loop;
     }
     // At half the servo rate the loop is a real number.
-    const double last = (openLoop(of, gains, -1.0) * swingOf(motor, 0.5 / tick)).real();
+    const double last = (openLoop(of, gains, 0.5 / tick) * swingOf(motor, 0.5 / tick)).real();
     if (last < 0)
         margins.gain = std::min(margins.gain, -1 / last);
     return margins;
