@@ -14,8 +14,10 @@ SineRun::SineRun(const Sine& sine, const ModuleCommand& centre)
 
 ModuleCommand SineRun::commandAt(TimePoint now) {
     m_began = m_began.value_or(now);
-    const double turns = m_sine.frequency * toSeconds(now - *m_began);
-    const double off = m_sine.amplitude * std::sin(2 * std::numbers::pi * turns);
+    // However late the last command is, it goes no farther than planned.
+    const double seconds = toSeconds(std::min(now - *m_began, m_sine.lasts));
+    const double off = m_sine.velocity * seconds +
+                       m_sine.amplitude * std::sin(2 * std::numbers::pi * m_sine.frequency * seconds);
     m_command.here = Counts(m_centre + static_cast<std::int32_t>(std::lround(off)));
     return ServoCommand(m_command);
 }

@@ -32,11 +32,13 @@ struct Order {
     ModuleCommand command;
 };
 
-/// A sine of the command position about one position, by Stop Here, to see how a servo follows it (DS-V 5.2).
+/// A sine of the command position about one position, which may itself move, by Stop Here, to see how a servo
+/// follows it (DS-V 5.2).
 struct Sine {
     double amplitude = 0.0;  ///< counts
     double frequency = 0.0;  ///< Hz
     Duration lasts{};
+    double velocity = 0.0;  ///< counts/s, of the position about which it swings
 };
 
 /// A command position that was sent, or a position that was reported.
@@ -68,9 +70,9 @@ enum class TrialEnd : std::uint8_t { Kept, TimeOver, Swings, Saturates, TooFar, 
 struct Operation {
     OperationId id;
     std::vector<Order> orders;
-    /// The only order is a Stop Here, and the centre of this sine: sent repeatedly, up to 200 times a second,
-    /// with polls in between. Any other request ends it, as Cancelled; a chip that switches off or stops by
-    /// itself, as Forbidden.
+    /// The only order is a Stop Here, and the first centre of this sine: sent repeatedly, up to 200 times a
+    /// second, with polls in between. Any other request ends it, as Cancelled; a chip that switches off or
+    /// stops by itself, as Forbidden.
     std::optional<Sine> sine{};
     /// The orders are Add Path Points without points, one to each of its axes: the engine sends the points,
     /// starts the path and keeps the buffers filled alongside its other work (pathtask.h). A stop of any of

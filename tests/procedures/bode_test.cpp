@@ -7,8 +7,11 @@
 #include <numbers>
 
 #include "model/frequency/frequencyresponse.h"
+#include "model/frequency/othergains.h"
 #include "model/tuning/predict.h"
+#include "sim/random.h"
 #include "tests/procedures/procedurebench.h"
+#include "tests/support/campaign.h"
 #include "tests/support/tunedservo.h"
 
 namespace nmc::test {
@@ -128,6 +131,154 @@ TEST(BodeOfNothing, IsNotGiven) {
     EXPECT_TRUE(bench.truth().servoOn);
 }
 
+constexpr double kHighest = 25.0;  ///< Hz
+
+/// As wide as the sine may swing without OL cutting off what the derivative makes of its steps, 6.5 ms apart.
+[[nodiscard]] int amplitudeFor(const servo::SetGain& gains) {
+    const double step = 2 * std::numbers::pi * kHighest * 0.0065;
+    return static_cast<int>(0.8 * 255 * 256 / (gains.kp + gains.kd * step));
+}
+
+[[nodiscard]] bool isNear(double a, double b) {
+    return a <= 2 * b && b <= 2 * a;
+}
+
+/// Random gains, half of them with an integral, that leave a phase margin of 45 degrees, and the sine enough
+/// room between whole PWM values and OL. `near`: not more than twice those, and not less than half.
+[[nodiscard]] servo::SetGain someGains(sim::Random& random, const Plant& plant,
+                                       const std::optional<servo::SetGain>& near) {
+    const MotorConstants motor = testing_support::physics(motorOf(plant));
+    for (;;) {
+        Plant wanted = plant;
+        wanted.hertz = 10 + 20 * random.unit();
+        wanted.damping = 0.5 + 0.7 * random.unit();
+        servo::SetGain gains = gainsOf(wanted);
+        if (random.unit() < 0.5) {
+            gains.ki = static_cast<std::uint16_t>(std::lround(gains.kp * random.unit()));
+            gains.il = 32'000;
+        }
+        const LoopMargins margins = marginsOf(motor, gains);
+        const bool isClose = !near || (isNear(gains.kp, near->kp) && isNear(gains.kd, near->kd));
+        if (isClose && margins.stable && margins.phaseDegrees >= 45 &&
+            amplitudeFor(gains) * gains.kp >= 3'000)
+            return gains;
+    }
+}
+
+/// What is calculated for other gains from one measurement, and what another one with them then finds.
+class OtherGains : public testing::Test {
+protected:
+    /// `nearby`: the second gains are between half and twice the first.
+    void comparePairs(bool nearby) {
+        const std::uint64_t pairs = campaignSize("NMC_GAIN_PAIRS", 12);
+        for (std::uint64_t pair = 0; pair < pairs && !HasFatalFailure(); ++pair)
+            comparePair(pair, nearby);
+        std::printf("%d pairs of gains, %d points: off by up to %.2f dB and %.2f degrees\n",
+                    static_cast<int>(pairs), points, decibelsOff, degreesOff);
+    }
+    int points = 0;
+    int within = 0;  ///< what the calculation says that it does not know, or 1 dB and 5 degrees
+    double decibelsOff = 0.0, degreesOff = 0.0;
+
+private:
+    void comparePair(std::uint64_t pair, bool nearby) {
+        const auto sr = static_cast<std::uint8_t>(1 + pair % 2);
+        const Plant plant{"Any", pair % 3 == 0 ? 6e-5 : 1.7e-5, 2'000, 0, 0, sr, 0, 115'200};
+        sim::ChainOptions options;
+        options.motor = motorOf(plant);
+        ProcedureBench bench(servos(1), options);
+        ASSERT_TRUE(bench.connect() && bench.perform(intent::AskAnew{}));
+        std::array<ProcedureReport, 2> found;
+        for (ProcedureReport& report : found) {
+            const servo::SetGain gains = someGains(m_random, plant, nearby ? found[0].gains : std::nullopt);
+            ASSERT_TRUE(bench.perform(intent::ApplyGains{gains}) && bench.perform(intent::Enable{}) &&
+                        bench.perform(intent::StopHere{}));
+            report = bench.run(intent::FrequencyResponse{std::min(amplitudeFor(gains), 200), 3.0, kHighest});
+            ASSERT_EQ(report.stage, ProcedureStage::Done);
+            ASSERT_EQ(report.gains, gains);
+        }
+        const auto told = withOtherGains(found[0].frequencies, *found[0].gains, *found[1].gains);
+        ASSERT_GE(told.size(), 10U);
+        for (std::size_t i = 0; i < told.size(); ++i)
+            compare(told[i], found[1].frequencies.at(i));
+    }
+    void compare(const FrequencyPoint& told, const FrequencyPoint& after) {
+        ASSERT_EQ(told.hertz, after.hertz);
+        const double loud = std::abs(decibels(told.closed / after.closed));
+        const double late = std::abs(std::arg(told.closed / after.closed)) * 180 / std::numbers::pi;
+        FrequencyPoint both = told;
+        both.doubt = std::hypot(told.doubt, after.doubt);
+        const FrequencySpread spread = spreadOf(both);
+        within += loud <= std::max(1.0, decibels(told.closed) - spread.lowest) &&
+                          late <= std::max(5.0, spread.degrees)
+                      ? 1
+                      : 0;
+        ++points;
+        decibelsOff = std::max(decibelsOff, loud);
+        degreesOff = std::max(degreesOff, late);
+    }
+    sim::Random m_random{34};
+};
+
+TEST_F(OtherGains, UpToTwiceAndHalfDoWhatIsMeasuredAfterwards) {
+    comparePairs(true);
+    EXPECT_LE(decibelsOff, 1.0);
+    EXPECT_LE(degreesOff, 5.0);
+}
+
+/// With a far lower gain, what the measurement leaves open is larger in proportion.
+TEST_F(OtherGains, OfAnySizeDoSoWithinWhatIsSaidOfThem) {
+    comparePairs(false);
+    EXPECT_GE(within, 0.95 * points);
+    EXPECT_LE(decibelsOff, 2.0);
+    EXPECT_LE(degreesOff, 10.0);
+}
+
+/// The friction of an ordinary motor, and an amplitude that is too small for it at rest.
+class BodeOnARamp : public BodeOf {
+protected:
+    static constexpr double kTo = 25.0;  ///< Hz
+    void measureAt(double speed) {
+        sim::ChainOptions options;
+        options.motor = motorOf(GetParam());
+        options.motor.coulombNm = sim::MotorParameters{}.coulombNm;
+        gains = gainsOf(GetParam());
+        motor = testing_support::physics(options.motor);
+        ProcedureBench bench(servos(1), options, GetParam().baud);
+        ASSERT_TRUE(bench.connect() && bench.perform(intent::AskAnew{}) &&
+                    bench.perform(intent::ApplyGains{gains}) && bench.perform(intent::Enable{}) &&
+                    bench.perform(intent::StopHere{}));
+        const double from = bench.truth().commandPosition;
+        report = bench.run(intent::FrequencyResponse{GetParam().amplitude, 3.0, kTo, speed}, 120.0);
+        ASSERT_EQ(report.stage, ProcedureStage::Done);
+        EXPECT_TRUE(bench.truth().servoOn);
+        EXPECT_EQ(bench.truth().commandPosition, from);
+        bench.bus.expectNoViolations();
+        decibelsOff = degreesOff = 0.0;
+        for (const FrequencyPoint& point : report.frequencies) {
+            const auto [tooHigh, ahead] = off(point);
+            decibelsOff = std::max(decibelsOff, std::abs(tooHigh));
+            degreesOff = std::max(degreesOff, std::abs(ahead));
+        }
+        std::printf("%s at %.0f counts/s: off by %.2f dB and %.2f degrees\n", GetParam().name, report.speed,
+                    decibelsOff, degreesOff);
+    }
+    double decibelsOff = 0.0, degreesOff = 0.0;
+};
+
+TEST_P(BodeOnARamp, IsThatOfTheLoopWithoutFriction) {
+    ASSERT_NO_FATAL_FAILURE(measureAt(0.0));
+    const double atRest = decibelsOff;
+    const double speed = 1.3 * 2 * std::numbers::pi * kTo * GetParam().amplitude;
+    for (const double way : {1.0, -1.0}) {
+        ASSERT_NO_FATAL_FAILURE(measureAt(way * speed / ticksPerSecond(gains.sr)));
+        ASSERT_GE(report.frequencies.size(), 10U);
+        EXPECT_LE(decibelsOff, 1.0);
+        EXPECT_LE(degreesOff, 5.0);
+        EXPECT_GT(atRest, 2 * decibelsOff) << "at rest, friction shows";
+    }
+}
+
 constexpr std::uint32_t kFast = 115'200, kSlow = 19'200;
 INSTANTIATE_TEST_SUITE_P(All, BodeOf,
                          testing::Values(Plant{"Usual", 1.7e-5, 2'000, 20, 0.7, 1, 36, kFast},
@@ -146,6 +297,15 @@ INSTANTIATE_TEST_SUITE_P(All, BodeOf,
                                          Plant{"HalfRateSlowLine", 1.7e-5, 2'000, 15, 0.8, 2, 60, kSlow},
                                          Plant{"CoarseEncoderSlowLine", 1.7e-5, 400, 10, 1.0, 1, 25, kSlow},
                                          Plant{"HeaviestLoadSlowLine", 1.7e-4, 8'000, 10, 0.4, 1, 50, kSlow}),
+                         [](const auto& plant) { return std::string(plant.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(All, BodeOnARamp,
+                         testing::Values(Plant{"Usual", 1.7e-5, 2'000, 20, 0.7, 1, 20, kFast},
+                                         Plant{"Springy", 1.7e-5, 2'000, 20, 0.4, 1, 20, kFast},
+                                         Plant{"Stiff", 1.7e-5, 2'000, 35, 0.7, 1, 12, kFast},
+                                         Plant{"HalfRate", 1.7e-5, 2'000, 15, 0.8, 2, 30, kFast},
+                                         Plant{"FineEncoder", 1.7e-5, 8'000, 20, 0.7, 1, 80, kFast},
+                                         Plant{"HeavyLoad", 6e-5, 2'000, 15, 0.7, 1, 8, kFast}),
                          [](const auto& plant) { return std::string(plant.param.name); });
 
 /// Amplitudes that take only a few of the whole PWM values: what is reported about them is still true.

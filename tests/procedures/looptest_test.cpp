@@ -243,6 +243,99 @@ TEST_F(LoopTests, ASineStaysWithinItsAmplitudeAndEndsAtItsCentre) {
     EXPECT_EQ(bench.truth().commandPosition, from);
 }
 
+/// At 1 Hz a sine lasts five seconds: 2 counts per tick are 3906 counts/s, or 19 531 counts. Each sine after
+/// it leads back or away again, and the last way leads to the start.
+TEST_F(LoopTests, SinesOnARampKeepMovingAndEndWhereTheyBegan) {
+    ASSERT_TRUE(hold());
+    const double from = bench.truth().commandPosition;
+    watchCommands();
+    const ProcedureReport report = bench.run(intent::FrequencyResponse{20, 1.0, 4.0, 2.0});
+    ASSERT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_NEAR(report.speed, 3'906.25, 0.01);
+    EXPECT_NEAR(highest, from + 19'531, 21);
+    EXPECT_GE(lowest, from - 21);
+    EXPECT_EQ(bench.truth().commandPosition, from);
+    EXPECT_TRUE(bench.truth().servoOn);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(LoopTests, ARampThatDoesNotFitIsRefusedBeforeAnythingMoves) {
+    ASSERT_TRUE(hold());
+    const std::size_t sent = bench.bus.sends("AA 01 57");
+    const intent::FrequencyResponse ramp{20, 1.0, 4.0, 2.0};
+    ASSERT_EQ(refusal(ramp), std::nullopt);
+    ModuleState& module = bench.module();
+    module.home.declare(module.latestTime);
+    module.travel.lowest = -30;
+    module.travel.highest = 19'600;
+    EXPECT_EQ(refusal(ramp), std::nullopt);
+    module.travel.highest = 19'500;
+    EXPECT_EQ(refusal(ramp), Refusal::BeyondTravel);
+    EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 4.0, -2.0}), Refusal::BeyondTravel);
+    EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.5, 4.0, 2.0}), std::nullopt)
+        << "3.3 s are enough for it";
+    module.travel.highest = 100'000;
+    module.travel.fastest = 1.9;
+    EXPECT_EQ(refusal(ramp), Refusal::TooFast);
+    module.travel = {};
+    // 20 counts at 4 Hz move by up to 503 counts/s, which are 0.257 counts per tick.
+    EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 4.0, 0.26}), std::nullopt);
+    EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 4.0, -0.25}), Refusal::TestTooSlow);
+    EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 4.0, 51.0}), Refusal::TestOutOfRange);
+    EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 4.0, std::nan("")}), Refusal::TestOutOfRange);
+    // A tenth of a second behind, 9766 counts/s are 977 counts.
+    servo::SetGain narrow = kGains;
+    narrow.el = 1'000;
+    module.gains = narrow;
+    EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 4.0, 5.0}), Refusal::StepWouldTrip);
+    EXPECT_EQ(bench.bus.sends("AA 01 57"), sent);
+}
+
+TEST_F(LoopTests, ARampIsRefusedWhileTheAxisMoves) {
+    ASSERT_TRUE(hold());
+    ASSERT_TRUE(bench.perform(intent::Move{
+        servomotion::Trapezoid{Counts(20'000), CountsPerTick(2 << 16), CountsPerTickSquared(1'311)}}));
+    ASSERT_TRUE(bench.module().moving());
+    EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 4.0, 2.0}), Refusal::Moving);
+}
+
+TEST_F(LoopTests, ARampIsCancelledWhereItIs) {
+    ASSERT_TRUE(hold());
+    bench.begin(intent::FrequencyResponse{20, 1.0, 4.0, 2.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.bus.runFor(2s);
+    bench.procedure->cancel();
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
+    const double command = bench.truth().commandPosition;
+    EXPECT_NEAR(command, 2 * 3'906, 500);
+    bench.bus.runFor(1s);
+    EXPECT_EQ(bench.truth().commandPosition, command);
+    EXPECT_TRUE(bench.truth().servoOn);
+}
+
+/// With half of its drive, the motor cannot keep up.
+TEST_F(LoopTests, AMotorThatFallsBehindItsRampIsHeld) {
+    servo::SetGain weak = kGains;
+    weak.ol = 10;
+    ASSERT_TRUE(hold() && bench.perform(intent::ApplyGains{weak}));
+    const ProcedureReport report = bench.run(intent::FrequencyResponse{20, 1.0, 4.0, 10.0});
+    EXPECT_EQ(report.stage, ProcedureStage::Failed);
+    EXPECT_EQ(report.failure, ProcedureFailure::TravelLimit);
+    EXPECT_TRUE(report.frequencies.empty());
+}
+
+/// Where its loop resonates, the motor swings farther than its command.
+TEST_F(LoopTests, AMotorThatReversesOnItsRampIsHeld) {
+    servo::SetGain springy = kGains;
+    springy.kd = 500;
+    ASSERT_TRUE(hold() && bench.perform(intent::ApplyGains{springy}));
+    const double resonance = marginsOf(linearMotor(), springy).crossover;
+    const double enough = 2 * std::numbers::pi * resonance * 10 / ticksPerSecond(1);
+    const ProcedureReport report = bench.run(intent::FrequencyResponse{10, 5.0, resonance, 1.02 * enough});
+    EXPECT_EQ(report.failure, ProcedureFailure::Reversed);
+    EXPECT_TRUE(bench.truth().servoOn);
+}
+
 TEST_F(LoopTests, ASineIsCancelledAtOnce) {
     ASSERT_NO_FATAL_FAILURE(beginSines());
     bench.procedure->cancel();

@@ -44,6 +44,7 @@ QString testAdvice(ProcedureFailure failure) {
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
+        case ProcedureFailure::Reversed:
             return {};  // the reason says it, or it does not occur here
     }
     return {};
@@ -108,6 +109,7 @@ Words responseFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
+        case ProcedureFailure::Reversed:
             return {};  // does not occur here
     }
     return {};
@@ -156,6 +158,7 @@ Words tryFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
+        case ProcedureFailure::Reversed:
             return {};  // does not occur here
     }
     return {};

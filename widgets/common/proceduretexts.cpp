@@ -75,6 +75,7 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
+        case ProcedureFailure::Reversed:
             return {};  // does not occur here
         case ProcedureFailure::NotAtHome:
             return {
@@ -126,6 +127,7 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::UnderRun:
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
+        case ProcedureFailure::Reversed:
             return {};  // does not occur here
     }
     return {};
@@ -285,6 +287,9 @@ QString procedureFailure(ProcedureFailure failure) {
         case ProcedureFailure::NotFollowing:
             return Texts::tr(
                 "The motor did not follow the sine wave, and was commanded to hold. Check for a jam, a hard stop, a slipping coupling or missing motor power, or use another amplitude.");
+        case ProcedureFailure::Reversed:
+            return Texts::tr(
+                "The motor swung so far that it reversed, and was commanded to hold. Raise the speed, or lower the amplitude.");
     }
     return {};
 }

@@ -259,6 +259,9 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The path cannot be followed from here.");
         case Refusal::TestOutOfRange:
             return Texts::tr("A value of this test is out of range.");
+        case Refusal::TestTooSlow:
+            return Texts::tr(
+                "At this speed the motor would reverse. Raise the speed, or lower the amplitude or the highest frequency.");
         case Refusal::NotAStepper:
             return Texts::tr("This module is not a PIC-STEP.");
         case Refusal::ParametersUnknown:

@@ -116,12 +116,14 @@ struct SquareWave {
     std::int32_t excursion = 0;  ///< counts beyond either side; exceeding it ends the test
     ResponseMethod method = ResponseMethod::StopHere;
 };
-/// Moves the command position in sines about the one held, one frequency after the other (looptestplan.h). A
-/// procedure.
+/// Moves the command position in sines about the one held, one frequency after the other (looptestplan.h).
+/// With a speed, the sines ride on a motion away from there and back, so fast that the motor never reverses,
+/// and dry friction does not matter. A procedure.
 struct FrequencyResponse {
     std::int32_t amplitude = 0;  ///< counts
     double from = 0.0;           ///< Hz
     double to = 0.0;             ///< Hz; not reached if the line is too slow
+    double speed = 0.0;          ///< counts per servo tick; negative: backwards first
 };
 /// Tries gains for a while, after which the previous ones are restored unless the new ones are kept
 /// (gainsplan.h). A procedure.
@@ -234,6 +236,7 @@ enum class Refusal : std::uint8_t {
     MoveTooLong,     ///< a profiled move and the record after it exceed kLongestMove
     PathNotPossible,  ///< pathplan.h has the reason
     TestOutOfRange,   ///< times, frequencies or travel of a loop test
+    TestTooSlow,      ///< the motor would reverse although it is to keep moving
     // PIC-STEP
     NotAStepper,
     ParametersUnknown,  ///< no motion and no holding before they are set

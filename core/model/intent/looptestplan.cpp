@@ -2,7 +2,9 @@
 #include "model/intent/looptestplan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "bus/standstill.h"
 #include "model/intent/moveforecast.h"
@@ -101,16 +103,40 @@ std::optional<Refusal> whyNot(const intent::SquareWave& wanted, const ModuleStat
     return inRange ? std::nullopt : std::optional(Refusal::TestOutOfRange);
 }
 
-/// Where the motor lags the command by half a turn, the error is twice the amplitude.
+double sineLasts(double hertz) {
+    constexpr double kPeriods = 5.0;
+    constexpr double kShortest = 1.0;
+    return std::max(kPeriods / hertz, kShortest);
+}
+
+double rampOf(const intent::FrequencyResponse& wanted, const servo::SetGain& gains) {
+    return wanted.speed * ticksPerSecond(gains.sr);
+}
+
+/// Where the motor lags the command by half a turn, the error is twice the amplitude. The first sine takes
+/// the motor farthest away.
 std::optional<Refusal> whyNot(const intent::FrequencyResponse& wanted, const ModuleState& module) {
     const std::int64_t amplitude = wanted.amplitude;
-    if (const auto refusal = whyNotTest(module, module.gains, 2 * std::abs(amplitude), -amplitude, amplitude))
+    const bool inRange = amplitude >= 1 && amplitude <= kWidestSine && wanted.from >= kSlowestSine &&
+                         wanted.to > wanted.from && wanted.to <= kFastestSine &&
+                         std::abs(wanted.speed) <= kFastestRamp;
+    if (!inRange)
+        return Refusal::TestOutOfRange;
+    const double ramp = module.gains ? rampOf(wanted, *module.gains) : 0.0;
+    const auto away = static_cast<std::int64_t>(ramp * sineLasts(wanted.from));
+    if (const auto refusal =
+            whyNotTest(module, module.gains, 2 * amplitude, std::min<std::int64_t>(away, 0) - amplitude,
+                       std::max<std::int64_t>(away, 0) + amplitude))
         return refusal;
     if (module.info.identity.version < servo::kStopHereVersion)
         return Refusal::VersionLacksIt;
-    const bool inRange = amplitude >= 1 && amplitude <= kWidestSine && wanted.from >= kSlowestSine &&
-                         wanted.to > wanted.from && wanted.to <= kFastestSine;
-    return inRange ? std::nullopt : std::optional(Refusal::TestOutOfRange);
+    if (ramp == 0.0)
+        return std::nullopt;
+    if (std::abs(ramp) < 2 * std::numbers::pi * wanted.to * static_cast<double>(amplitude))
+        return Refusal::TestTooSlow;
+    const auto lag = static_cast<std::int64_t>(std::abs(ramp) * kLongestLag);
+    return wouldTrip(2 * amplitude + lag, module.gains->el) ? std::optional(Refusal::StepWouldTrip)
+                                                            : std::nullopt;
 }
 
 }  // namespace nmc

@@ -29,6 +29,9 @@ inline constexpr std::int32_t kFirstSine = 20;
 /// Frequency in Hz.
 inline constexpr double kSlowestSine = 0.5;
 inline constexpr double kFastestSine = 40.0;
+/// Counts per servo tick. A motor that follows a ramp lags it by less than kLongestLag, in seconds.
+inline constexpr double kFastestRamp = 50.0;
+inline constexpr double kLongestLag = 0.1;
 /// Period in seconds.
 inline constexpr double kShortestPeriod = 0.1;
 inline constexpr double kLongestPeriod = 5.0;
@@ -37,6 +40,11 @@ inline constexpr unsigned kMaxPeriods = 200;
 /// True if a jump of the command position by `counts` would trip the servo, or come close to it: the margin
 /// is a tenth of the jump, plus the servo's swing at standstill.
 [[nodiscard]] bool wouldTrip(std::int64_t counts, std::int64_t errorLimit);
+
+/// The duration of a sine in s; its first period lets the motor settle in.
+[[nodiscard]] double sineLasts(double hertz);
+/// FrequencyResponse::speed in counts/s.
+[[nodiscard]] double rampOf(const intent::FrequencyResponse& wanted, const servo::SetGain& gains);
 
 [[nodiscard]] std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNot(const intent::StepSeries& wanted, const ModuleState& module);

@@ -107,7 +107,10 @@ struct CourseOf {
     /// The course extends to the farther side; whyNot() checks both.
     std::optional<Course> operator()(const intent::SquareWave& wave) const { return about(wave.counts / 2); }
     std::optional<Course> operator()(const intent::FrequencyResponse& sines) const {
-        return about(sines.amplitude);
+        auto course = about(sines.amplitude);
+        if (course)
+            course->velocity = std::abs(sines.speed);
+        return course;
     }
     // StartLoaded, Direct, StepSeries and CheckDirection are handled in travelProblem(), and the points of a
     // path in planPath().

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
+#include <utility>
 
 #include "model/frequency/frequencyresponse.h"
+#include "model/frequency/othergains.h"
 #include "model/intent/looptestplan.h"
 
 namespace nmc {
@@ -13,9 +16,6 @@ namespace nmc {
 namespace {
 
 constexpr double kPerDecade = 12.0;
-/// Duration at each frequency; the longer of the two applies. The first period lets the motor settle in.
-constexpr double kPeriods = 5.0;
-constexpr double kShortestSine = 1.0;  ///< s
 /// Consecutive failed measurements, after which the line is at fault.
 constexpr int kMisses = 3;
 /// Amplitudes to either side; this is the highest resonance that is still measured.
@@ -45,22 +45,41 @@ FrequencyRun::FrequencyRun(const intent::FrequencyResponse& wanted, const Module
 FrequencyRun::Next FrequencyRun::begin(const ModuleState& module) {
     if (whyNot(m_wanted, module))
         return fail(ProcedureFailure::Refused);
-    m_tick = toSeconds(kServoTick) * std::max<int>(module.gains->sr, 1);
+    m_report.gains = *module.gains;
+    m_ramp = rampOf(m_wanted, *module.gains);
+    m_report.speed = std::abs(m_ramp);
+    m_centre = from();
     return swingNext(module);
 }
 
+/// With a ramp, each sine leads back the way of the one before, which was no shorter: none leads farther away
+/// than the first.
 FrequencyRun::Next FrequencyRun::swingNext(const ModuleState& module) {
     const double hertz = m_frequencies[m_report.round++];
-    bus::Sine sine;
-    sine.amplitude = m_wanted.amplitude;
-    sine.frequency = hertz;
-    sine.lasts = fromSeconds(std::max(kPeriods / hertz, kShortestSine));
-    return swing(jump(module, from(), ResponseMethod::StopHere).front(), sine);
+    return ride(module, {1.0 * m_wanted.amplitude, hertz, fromSeconds(sineLasts(hertz)),
+                         std::exchange(m_ramp, -m_ramp)});
+}
+
+FrequencyRun::Next FrequencyRun::ride(const ModuleState& module, const bus::Sine& sine) {
+    const auto centre = static_cast<std::int32_t>(std::lround(m_centre));
+    m_centre += sine.velocity * toSeconds(sine.lasts);
+    return swing(jump(module, centre, ResponseMethod::StopHere).front(), sine);
+}
+
+/// Ends at the position where it began.
+FrequencyRun::Next FrequencyRun::goBack(const ModuleState& module) {
+    const double away = from() - m_centre;
+    if (std::abs(away) < 0.5)
+        return conclude(module, from());
+    m_goesBack = true;
+    return ride(module, {0.0, 0.0, fromSeconds(std::abs(away / m_ramp)), std::copysign(m_ramp, away)});
 }
 
 FrequencyRun::Next FrequencyRun::goOn(const ModuleState& module, TimePoint /*now*/) {
+    if (m_goesBack)
+        return goBack(module);
     const double hertz = m_frequencies[m_report.round - 1];
-    auto point = measureFrequency(swung(), hertz, m_tick);
+    auto point = measureFrequency(swung(), hertz, 1 / ticksPerSecond(m_report.gains->sr));
     if (!point) {  // the line, or this machine, was silent for a moment
         if (++m_missed > kMisses)
             return fail(ProcedureFailure::LinkSuspect);
@@ -68,13 +87,17 @@ FrequencyRun::Next FrequencyRun::goOn(const ModuleState& module, TimePoint /*now
         return swingNext(module);
     }
     m_missed = 0;
-    point->doubt = std::hypot(point->doubt, doubtOfWholePwm(*point, *module.gains, m_wanted.amplitude));
+    point->doubt = std::hypot(point->doubt, doubtOfWholePwm(*point, *m_report.gains, m_wanted.amplitude));
+    point->limited = meetsLimits(swung(), *point, *m_report.gains, m_wanted.amplitude);
     if (!follows(*point))
         return fail(ProcedureFailure::NotFollowing);
+    if (m_ramp != 0.0 &&
+        std::abs(point->closed) * m_wanted.amplitude * 2 * std::numbers::pi * hertz > std::abs(m_ramp))
+        return fail(ProcedureFailure::Reversed);
     m_report.frequencies.push_back(*point);
     const bool last = m_report.round == m_frequencies.size();
     if (last || m_frequencies[m_report.round] * kCommandsPerPeriod > commandsPerSecond(swung().commands))
-        return conclude(module, from());
+        return goBack(module);
     return swingNext(module);
 }
 
@@ -88,9 +111,12 @@ bool FrequencyRun::follows(const FrequencyPoint& point) const {
     return !(stands && swung) && !unsure && point.missed <= std::max(kRough, kNoSine * swing(point));
 }
 
+/// A motor on a ramp is compared with its command.
 bool FrequencyRun::goneTooFar(const ModuleState& module) const {
-    return std::abs(std::int64_t{countsBetween(stood(), *module.latest->position)}) >
-           kTooFar * m_wanted.amplitude + kStillCounts;
+    const std::int32_t around = m_ramp == 0.0 ? stood() : module.goal().value_or(stood());
+    return std::abs(std::int64_t{countsBetween(around, *module.latest->position)}) >
+           kTooFar * m_wanted.amplitude + kStillCounts +
+               static_cast<std::int64_t>(std::abs(m_ramp) * kLongestLag);
 }
 
 }  // namespace nmc

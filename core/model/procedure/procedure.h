@@ -90,6 +90,7 @@ enum class ProcedureFailure : std::uint8_t {
     UnderRun,      ///< the path buffer ran empty before the end
     OffPath,       ///< the command position was not where the points lead
     NotFollowing,  ///< the position stays, or does not follow the sine of the command
+    Reversed,      ///< the motor turned back although it was to keep moving
 };
 
 /// The state of a procedure as shown in the window.
@@ -105,6 +106,8 @@ struct ProcedureReport {
     std::optional<ResponseTaken> step{};        ///< StepResponse and StepSeries: the last complete step;
                                                 ///< SquareWave: the last edge
     std::vector<FrequencyPoint> frequencies{};  ///< FrequencyResponse: the points measured so far
+    std::optional<servo::SetGain> gains{};      ///< FrequencyResponse: those with which it is measured
+    double speed = 0.0;                         ///< FrequencyResponse: counts/s, while it is measured
     std::optional<DirectionFound> direction{};  ///< DirectionCheck: present once it is known
     bool kept = false;                          ///< TryGains: the gains stay in force
     std::optional<bus::PathProgress> path{};    ///< FollowPath: present once it has started
