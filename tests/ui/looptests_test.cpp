@@ -43,8 +43,10 @@ protected:
         return std::get<Kind>(intents.takeFirst().at(1).value<Intent>());
     }
     void report(ProcedureKind kind, ProcedureStage stage, std::vector<FrequencyPoint> points = {},
-                unsigned rounds = 0) {
+                unsigned rounds = 0, double speed = 0.0) {
         ProcedureReport r;
+        r.gains = someGains();
+        r.speed = speed;
         r.kind = kind;
         r.stage = stage;
         r.frequencies = std::move(points);
@@ -85,6 +87,12 @@ TEST_F(LoopTestsInTheWindow, AskForWhatStandsInTheFields) {
     EXPECT_EQ(sines.amplitude, 20);
     EXPECT_EQ(sines.from, 1.0);
     EXPECT_EQ(sines.to, 40.0);
+    EXPECT_EQ(sines.speed, 0.0);
+    type(u"frequencySpeedField"_s, u"-3"_s);
+    click(u"frequencyStartButton"_s);
+    EXPECT_EQ(wanted<intent::FrequencyResponse>().speed, -3.0);
+    type(u"frequencySpeedField"_s, u"1"_s);
+    EXPECT_TRUE(reason(u"frequencyStartButton"_s).contains(u"would reverse"_s));
 }
 
 TEST_F(LoopTestsInTheWindow, SayWhyTheyAreNotPossible) {
@@ -126,6 +134,54 @@ TEST_F(LoopTestsInTheWindow, TheFiguresOfAFirstOrderLoopAreThere) {
     EXPECT_TRUE(figures.contains(u"Phase margin 90°"_s)) << figures.toStdString();
     EXPECT_FALSE(figures.contains(u"too low"_s));
     EXPECT_TRUE(button(u"frequencyExportButton"_s)->isEnabled());
+}
+
+/// With Kp alone, L = w0 / s, and twice the gain is twice the bandwidth.
+TEST_F(LoopTestsInTheWindow, EditedGainsShowWhatTheLoopWouldDo) {
+    openWith();
+    EXPECT_TRUE(label(u"frequencyWouldDo"_s).isEmpty());
+    ProcedureReport r;
+    r.kind = ProcedureKind::FrequencyResponse;
+    r.stage = ProcedureStage::Done;
+    r.frequencies = firstOrder(35);
+    r.gains = someGains();
+    r.gains->kd = 0;
+    r.gains->ki = 0;
+    window->loopTests().frequency().showReport(r);
+    emit window->requests().stageGains(*r.gains);
+    EXPECT_TRUE(label(u"frequencyWouldDo"_s).startsWith(u"Edit the gains"_s))
+        << label(u"frequencyWouldDo"_s).toStdString();
+    const QImage one = find(u"bodePlot"_s)->grab().toImage();
+    type(u"kpField"_s, QString::number(2 * r.gains->kp));
+    const QString would = label(u"frequencyWouldDo"_s);
+    EXPECT_TRUE(would.contains(u"Bandwidth (-3 dB) 9.9"_s) || would.contains(u"Bandwidth (-3 dB) 10"_s))
+        << would.toStdString();
+    EXPECT_NE(find(u"bodePlot"_s)->grab().toImage(), one);
+    type(u"srField"_s, u"7"_s);
+    EXPECT_TRUE(label(u"frequencyWouldDo"_s).contains(u"SR"_s));
+    EXPECT_EQ(find(u"bodePlot"_s)->grab().toImage(), one);
+}
+
+TEST_F(LoopTestsInTheWindow, ResponsesAtRestAndInMotionStayWhileTheGainsAreTheSame) {
+    openWith();
+    const auto picture = [this] { return find(u"bodePlot"_s)->grab().toImage(); };
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20));
+    const QImage atRest = picture();
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20), 0, 5'000);
+    const QImage both = picture();
+    EXPECT_NE(both, atRest) << "they are named";
+    EXPECT_EQ(window->loopTests().frequency().speed(), 5'000);
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20));
+    EXPECT_NE(picture(), atRest);
+    ProcedureReport other;
+    other.kind = ProcedureKind::FrequencyResponse;
+    other.stage = ProcedureStage::Done;
+    other.frequencies = firstOrder(20);
+    other.gains = someGains();
+    other.gains->kp += 1;
+    window->loopTests().frequency().showReport(other);
+    window->loopTests().frequency().showReport(other);
+    EXPECT_EQ(window->loopTests().frequency().speed(), 0.0);
 }
 
 TEST_F(LoopTestsInTheWindow, AFileOfFrequenciesSaysWhatItIs) {

@@ -19,15 +19,29 @@ using namespace Qt::StringLiterals;
 namespace {
 constexpr double kLowestDecibels = -40, kHighestDecibels = 20;
 constexpr double kFarthestBehind = -270, kAhead = 0;
-constexpr std::array<int, 2> kCurveColours{0, 2};  ///< T, L
+QPen penOf(const QColor& colour, bool open) {
+    QPen pen(colour, kTraceWidth);
+    if (open)
+        pen.setDashPattern({4, 2.5});
+    return pen;
+}
+}  // namespace
 
+struct BodePlot::Line {
+    QPen pen;
+    bool dotted = false;
+    QPolygonF points{};                           ///< Hz and value
+    std::vector<std::array<double, 2>> spread{};  ///< from, to
+};
+
+namespace {
 /// The range from `low` to `high`, extended to include all values, in whole steps of `grain`.
-std::pair<double, double> rangeOf(const std::array<std::vector<double>, 2>& curves, double low, double high,
-                                  double grain) {
-    for (const auto& curve : curves)
-        for (const double value : curve) {
-            low = std::min(low, value);
-            high = std::max(high, value);
+template <typename Lines>
+std::pair<double, double> rangeOf(const Lines& lines, double low, double high, double grain) {
+    for (const auto& line : lines)
+        for (const QPointF& point : line.points) {
+            low = std::min(low, point.y());
+            high = std::max(high, point.y());
         }
     return {std::floor(low / grain) * grain, std::ceil(high / grain) * grain};
 }
@@ -41,8 +55,7 @@ struct BodePlot::Pane {
     double grain;  ///< between two lines
     double level;  ///< value of the emphasised line
     bool tellsFrequencies;
-    std::array<std::vector<double>, 2> curves;
-    std::vector<std::array<double, 2>> spread;  ///< of the first curve: from, to
+    std::vector<Line> lines;
 
     [[nodiscard]] double x(double hertz) const {
         return area.left() + std::log(hertz / from) / std::log(to / from) * area.width();
@@ -59,10 +72,10 @@ BodePlot::BodePlot(QWidget* parent) : QWidget(parent) {
     setFont(look::tabular(look::scaled(font(), 0.9)));
 }
 
-void BodePlot::showPoints(const std::vector<FrequencyPoint>& points, double honest) {
-    if (points == m_points && honest == m_honest)
+void BodePlot::showCurves(std::vector<Curve> curves, double honest) {
+    if (curves == m_curves && honest == m_honest)
         return;
-    m_points = points;
+    m_curves = std::move(curves);
     m_honest = honest;
     update();
 }
@@ -76,7 +89,7 @@ void BodePlot::paintEvent(QPaintEvent* /*event*/) {
 void BodePlot::paintTo(QPainter& painter, const QRectF& area) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(font());
-    if (m_points.empty()) {
+    if (m_curves.empty()) {
         painter.setPen(look::mutedText(palette()));
         painter.drawText(
             area, Qt::AlignCenter | Qt::TextWordWrap,
@@ -84,35 +97,58 @@ void BodePlot::paintTo(QPainter& painter, const QRectF& area) const {
         return;
     }
     const QFontMetricsF metrics(font());
-    std::vector<std::complex<double>> closed, open;
-    for (const FrequencyPoint& point : m_points) {
-        closed.push_back(point.closed);
-        open.push_back(point.open());
-    }
-    std::array<std::vector<double>, 2> magnitudes;
-    const std::array<std::vector<double>, 2> turned{phases(closed), phases(open)};
-    std::vector<std::array<double, 2>> loud, late;
-    for (std::size_t i = 0; i < m_points.size(); ++i) {
-        magnitudes[0].push_back(decibels(closed[i]));
-        magnitudes[1].push_back(decibels(open[i]));
-        const FrequencySpread spread = spreadOf(m_points[i]);
-        loud.push_back({spread.lowest, spread.highest});
-        late.push_back({turned[0][i] - spread.degrees, turned[0][i] + spread.degrees});
+    std::vector<Line> loud, late;
+    double from = 1.0;
+    double to = kFastestSine;
+    for (const Curve& curve : m_curves) {
+        addLines(curve, loud, late);
+        from = std::min(from, curve.points.front().hertz);
+        to = std::max(to, curve.points.back().hertz);
     }
     const double left = metrics.horizontalAdvance(u"-270"_s) + metrics.height();
     const double below = metrics.height() * 2.6;
     const double gap = metrics.height() * 1.6;
     const double high = (area.height() - below - 2 * gap) / 2;
     const double wide = area.width() - left - metrics.height();
-    const double from = std::min(1.0, m_points.front().hertz);
-    const double to = std::max(kFastestSine, m_points.back().hertz);
-    const auto [lowest, highest] = rangeOf(magnitudes, kLowestDecibels, kHighestDecibels, 20);
-    const auto [behind, ahead] = rangeOf(turned, kFarthestBehind, kAhead, 90);
+    const auto [lowest, highest] = rangeOf(loud, kLowestDecibels, kHighestDecibels, 20);
+    const auto [behind, ahead] = rangeOf(late, kFarthestBehind, kAhead, 90);
     paintPane(painter, {QRectF(area.left() + left, area.top() + gap, wide, high), tr("Magnitude, dB"), from,
-                        to, lowest, highest, 20, 0, false, magnitudes, loud});
+                        to, lowest, highest, 20, 0, false, std::move(loud)});
     paintPane(painter, {QRectF(area.left() + left, area.top() + 2 * gap + high, wide, high),
-                        tr("Phase, degrees"), from, to, behind, ahead, 90, -180, true, turned, late});
-    paintLegend(painter, QRectF(area.left() + left, area.top(), wide, gap));
+                        tr("Phase, degrees"), from, to, behind, ahead, 90, -180, true, std::move(late)});
+    const QColor text = palette().color(QPalette::Text);
+    paintLegend(painter, QRectF(area.left() + left, area.top(), wide, gap),
+                {{tr("T, closed loop"), penOf(text, false)}, {tr("L, open loop"), penOf(text, true)}});
+    std::vector<std::pair<QString, QPen>> names;
+    for (const Curve& curve : m_curves)
+        if (m_curves.size() > 1)
+            names.emplace_back(curve.name, penOf(look::traceColour(curve.colour, palette()), false));
+    paintLegend(painter, QRectF(area.left() + left, area.top() + gap + high, wide, gap), names);
+}
+
+void BodePlot::addLines(const Curve& curve, std::vector<Line>& loud, std::vector<Line>& late) const {
+    for (const bool open : {false, true}) {
+        if (!open && !curve.closes)
+            continue;
+        std::vector<std::complex<double>> values;
+        for (const FrequencyPoint& point : curve.points)
+            values.push_back(open ? point.open() : point.closed);
+        const std::vector<double> turned = phases(values);
+        Line magnitude{penOf(look::traceColour(curve.colour, palette()), open), curve.measured && !open};
+        Line phase = magnitude;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const FrequencyPoint& point = curve.points[i];
+            magnitude.points << QPointF(point.hertz, decibels(values[i]));
+            phase.points << QPointF(point.hertz, turned[i]);
+            if (open)
+                continue;
+            const FrequencySpread spread = spreadOf(point);
+            magnitude.spread.push_back({spread.lowest, spread.highest});
+            phase.spread.push_back({turned[i] - spread.degrees, turned[i] + spread.degrees});
+        }
+        loud.push_back(std::move(magnitude));
+        late.push_back(std::move(phase));
+    }
 }
 
 void BodePlot::paintPane(QPainter& painter, const Pane& pane) const {
@@ -147,31 +183,28 @@ void BodePlot::paintPane(QPainter& painter, const Pane& pane) const {
         painter.setPen(QPen(muted, 1, Qt::DashLine));
         painter.drawLine(QLineF(pane.x(m_honest), pane.area.top(), pane.x(m_honest), pane.area.bottom()));
     }
-    for (std::size_t which = 0; which < pane.curves.size(); ++which) {
-        QPen pen(look::traceColour(kCurveColours.at(which), palette()), kTraceWidth);
-        if (which == 1)
-            pen.setDashPattern({4, 2.5});
-        painter.setPen(pen);
-        QPolygonF line;
-        for (std::size_t i = 0; i < m_points.size(); ++i)
-            line << QPointF(pane.x(m_points[i].hertz), pane.y(pane.curves.at(which)[i]));
-        painter.drawPolyline(line);
-        if (which != 0)
-            continue;
-        painter.setBrush(pen.color());
-        for (const QPointF& point : line)
-            painter.drawEllipse(point, 2, 2);
-        painter.setBrush(Qt::NoBrush);
+    for (const Line& line : pane.lines) {
+        painter.setPen(line.pen);
+        QPolygonF drawn;
+        for (const QPointF& point : line.points)
+            drawn << QPointF(pane.x(point.x()), pane.y(point.y()));
+        painter.drawPolyline(drawn);
+        if (line.dotted) {
+            painter.setBrush(line.pen.color());
+            for (const QPointF& point : drawn)
+                painter.drawEllipse(point, 2, 2);
+            painter.setBrush(Qt::NoBrush);
+        }
         paintSpread(painter, pane, line);
     }
 }
 
-void BodePlot::paintSpread(QPainter& painter, const Pane& pane, const QPolygonF& points) {
+void BodePlot::paintSpread(QPainter& painter, const Pane& pane, const Line& line) {
     constexpr double kFoot = 3;
-    for (std::size_t i = 0; i < pane.spread.size(); ++i) {
-        const double x = points[static_cast<qsizetype>(i)].x();
-        const double low = pane.y(std::max(pane.spread[i][0], pane.bottom));
-        const double high = pane.y(std::min(pane.spread[i][1], pane.top));
+    for (std::size_t i = 0; i < line.spread.size(); ++i) {
+        const double x = pane.x(line.points[static_cast<qsizetype>(i)].x());
+        const double low = pane.y(std::max(line.spread[i][0], pane.bottom));
+        const double high = pane.y(std::min(line.spread[i][1], pane.top));
         if (low - high < 2 * kFoot)  // within the dot
             continue;
         painter.drawLine(QLineF(x, low, x, high));
@@ -180,18 +213,16 @@ void BodePlot::paintSpread(QPainter& painter, const Pane& pane, const QPolygonF&
     }
 }
 
-void BodePlot::paintLegend(QPainter& painter, const QRectF& area) const {
+/// From right to left.
+void BodePlot::paintLegend(QPainter& painter, const QRectF& area,
+                           const std::vector<std::pair<QString, QPen>>& entries) const {
     const QFontMetricsF metrics(font());
     double x = area.right();
-    const QStringList names{tr("T, closed loop"), tr("L, open loop")};
-    for (qsizetype i = names.size() - 1; i >= 0; --i) {
-        x -= metrics.horizontalAdvance(names[i]);
+    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
+        x -= metrics.horizontalAdvance(entry->first);
         painter.setPen(palette().color(QPalette::Text));
-        painter.drawText(QPointF(x, area.bottom() - metrics.descent()), names[i]);
-        QPen pen(look::traceColour(kCurveColours.at(static_cast<std::size_t>(i)), palette()), kTraceWidth);
-        if (i == 1)
-            pen.setDashPattern({4, 2.5});
-        painter.setPen(pen);
+        painter.drawText(QPointF(x, area.bottom() - metrics.descent()), entry->first);
+        painter.setPen(entry->second);
         const double y = area.bottom() - metrics.height() / 2;
         x -= metrics.height() * 0.5;
         painter.drawLine(QLineF(x - metrics.height() * 1.5, y, x, y));

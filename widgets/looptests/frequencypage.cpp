@@ -6,12 +6,12 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "model/intent/gainsplan.h"
 #include "model/intent/looptestplan.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/sharedwords.h"
-#include "widgets/looptests/bodeplot.h"
 #include "widgets/looptests/looptestwords.h"
 #include "widgets/looptests/testform.h"
 
@@ -26,7 +26,8 @@ FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent) : QWidget(pare
         {u"frequency"_s, tr("Measure"),
          tr("The motor swings around its position, slowly at first, then faster. Make sure that everything it drives can move freely.")},
         requests, this);
-    m_amplitude = m_form->addDistance(u"frequencyAmplitudeField"_s, tr("Amplitude"), tr("The amplitude"));
+    m_amplitude = m_form->addQuantity(QuantityField::Kind::Distance, u"frequencyAmplitudeField"_s,
+                                      tr("Amplitude"), tr("The amplitude"));
     m_amplitude->setNativeRange(1, kWidestSine);
     m_amplitude->setMeaning(tr(
         "How far the command swings to either side. The motor is stopped if it swings four times as far."));
@@ -39,9 +40,16 @@ FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent) : QWidget(pare
     m_to->setMeaning(tr(
         "The test ends earlier if the baud rate is too low: at about 40 Hz at 115 200 Bd, and at about 8 Hz at 19 200 Bd."));
     m_to->showValue(kFastestSine);
+    m_speed = m_form->addQuantity(QuantityField::Kind::Velocity, u"frequencySpeedField"_s,
+                                  tr("Speed while measuring"), tr("The speed while measuring"));
+    m_speed->setNativeRange(-kFastestRamp, kFastestRamp);
+    m_speed->setMeaning(tr(
+        "0: at rest. Otherwise the sines ride on a motion to and fro, forward first, or backwards first if it is negative; the motor never reverses within a sine, so dry friction does not show. It moves away by up to this speed times five periods of the lowest frequency."));
+    m_speed->showNative(0.0);
     m_form->setWanted([this]() -> Intent {
+        const double speed = *m_speed->native();
         return intent::FrequencyResponse{static_cast<std::int32_t>(*m_amplitude->native()), *m_from->value(),
-                                         *m_to->value()};
+                                         *m_to->value(), m_speed->scale().reversed() ? -speed : speed};
     });
     m_figures = form::newParagraph(u"frequencyFigures"_s, tr("Results of the frequency response"), this, 6);
     m_save = form::newPush(
@@ -49,7 +57,9 @@ FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent) : QWidget(pare
         this);
     m_plot = new BodePlot(this);
     auto* left = form::newColumn(this, {m_form, m_figures, form::newLine(this, {m_save, nullptr}), nullptr});
-    form::fill(this, form::newLine(this, {left, {m_plot, 1}}), 0.5);
+    m_would = form::newParagraph(u"frequencyWouldDo"_s, tr("What the gains in the fields would do"), this, 3);
+    auto* right = form::newColumn(this, {{m_plot, 1}, m_would});
+    form::fill(this, form::newLine(this, {left, {right, 1}}), 0.5);
     connect(m_save, &QPushButton::clicked, this, &FrequencyPage::chooseFile);
     refresh();
 }
@@ -57,6 +67,9 @@ FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent) : QWidget(pare
 void FrequencyPage::showModule(const PanelView& view) {
     m_form->showModule(view);
     m_shown = view.module.info.index;
+    m_staged.reset();
+    if (view.settings.gains)
+        m_staged = gainsFor(view.module, *view.settings.gains);
     refresh();
 }
 
@@ -74,27 +87,66 @@ void FrequencyPage::forgetModules() {
 void FrequencyPage::showReport(const ProcedureReport& report) {
     if (report.frequencies.empty())
         return;
-    m_found[report.module] = {report.frequencies,
-                              report.stage == ProcedureStage::Done && report.round < report.rounds,
-                              QDateTime::currentDateTime()};
+    std::vector<Found>& kept = m_found[report.module];
+    std::erase_if(kept, [&report](const Found& found) {
+        const bool sameKind = (found.report.speed != 0.0) == (report.speed != 0.0);
+        return sameKind || found.report.gains != report.gains;
+    });
+    kept.push_back({report, QDateTime::currentDateTime()});
     refresh();
 }
 
-const std::vector<FrequencyPoint>& FrequencyPage::points() const {
-    static const std::vector<FrequencyPoint> kNone;
+const FrequencyPage::Found* FrequencyPage::last() const {
     const auto found = m_shown ? m_found.find(*m_shown) : m_found.end();
-    return found != m_found.end() ? found->second.points : kNone;
+    return found != m_found.end() ? &found->second.back() : nullptr;
+}
+
+std::vector<FrequencyPoint> FrequencyPage::points() const {
+    return last() != nullptr ? last()->report.frequencies : std::vector<FrequencyPoint>();
+}
+
+double FrequencyPage::speed() const {
+    return last() != nullptr ? last()->report.speed : 0.0;
+}
+
+std::vector<BodePlot::Curve> FrequencyPage::curves() {
+    constexpr int kAtRest = 0, kMoving = 3, kPredicted = 1;
+    std::vector<BodePlot::Curve> curves;
+    QString would;
+    if (last() != nullptr) {
+        for (const Found& found : m_found.at(*m_shown)) {
+            const bool moves = found.report.speed != 0.0;
+            curves.push_back({moves ? tr("in motion") : tr("at rest"), found.report.frequencies,
+                              moves ? kMoving : kAtRest});
+        }
+        const ProcedureReport& report = last()->report;
+        if (!m_staged || !report.gains) {
+            would = tr("Fill in all gains to see what this loop would do with them.");
+        } else {
+            const LoopChange change = changeOf(*report.gains, *m_staged);
+            std::vector<FrequencyPoint> other;
+            if (change == LoopChange::Filter)
+                other = withOtherGains(report.frequencies, *report.gains, *m_staged);
+            would = texts::wouldDo(report.frequencies, other, change);
+            if (!other.empty())
+                curves.push_back({tr("with the gains in the fields"), other, kPredicted, false,
+                                  !isUnstable(figuresOf(other))});
+        }
+    }
+    look::setText(m_would, would);
+    return curves;
 }
 
 void FrequencyPage::refresh() {
-    const auto found = m_shown ? m_found.find(*m_shown) : m_found.end();
-    const bool early = found != m_found.end() && found->second.endedEarly;
-    m_plot->showPoints(points(), early ? points().back().hertz : 0.0);
-    QStringList lines = texts::frequencyFigures(points());
+    const std::vector<FrequencyPoint> points = this->points();
+    const bool early = last() != nullptr && last()->report.stage == ProcedureStage::Done &&
+                       last()->report.round < last()->report.rounds;
+    m_plot->showCurves(curves(), early ? points.back().hertz : 0.0);
+    QStringList lines = texts::frequencyFigures(points);
     if (early)
         lines << tr("The baud rate is too low for higher frequencies.");
     look::setText(m_figures, lines.join(u'\n'));
-    look::setPossible(m_save, points().empty() ? tr("No measurement yet.") : QString(),
+    look::setPossible(m_save, points.empty() ? tr("No measurement yet.") : QString(),
                       tr("Saves frequency, magnitude and phase of the open and the closed loop."));
 }
 
@@ -107,8 +159,8 @@ void FrequencyPage::chooseFile() {
     dialog->setDefaultSuffix(u"csv"_s);
     dialog->selectFile(u"frequency-response"_s);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        if (const auto found = m_shown ? m_found.find(*m_shown) : m_found.end(); found != m_found.end())
-            emit m_requests.saveFrequencies(path, found->second.measured);
+        if (last() != nullptr)
+            emit m_requests.saveFrequencies(path, last()->measured);
     });
     dialog->show();
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "widgets/common/filedialog.h"
+#include "widgets/looptests/bodeplot.h"
 #include "widgets/panels/panelview.h"
 
 class QLabel;
@@ -14,14 +15,14 @@ class QPushButton;
 
 namespace nmc {
 
-class BodePlot;
 class NumberField;
 class QuantityField;
 class Requests;
 class TestForm;
 
-/// The frequency response of the selected servo: how its loop follows sines of the command. The last response
-/// of each module is kept until the next.
+/// The frequency response of the selected servo: how its loop follows sines of the command, and how it would
+/// with the gains in the fields. The last response of each module is kept until the next; of those at rest
+/// and in motion, both are, as long as the gains are the same.
 class FrequencyPage : public QWidget {
     Q_OBJECT
 
@@ -35,11 +36,21 @@ public:
     /// Shows the points measured so far, from the first one on.
     void showReport(const ProcedureReport& report);
 
-    /// The points of the module that is shown; empty while there are none.
-    [[nodiscard]] const std::vector<FrequencyPoint>& points() const;
+    /// The last response of the module that is shown; empty while there is none.
+    [[nodiscard]] std::vector<FrequencyPoint> points() const;
+    /// Counts/s, while it was measured.
+    [[nodiscard]] double speed() const;
 
 private:
+    struct Found {
+        ProcedureReport report;
+        QDateTime measured;
+    };
+    /// The last response; null while there is none.
+    [[nodiscard]] const Found* last() const;
     void refresh();
+    /// Returns the curves to draw, and shows in words what the gains in the fields would do.
+    [[nodiscard]] std::vector<BodePlot::Curve> curves();
     void chooseFile();
 
     Requests& m_requests;
@@ -47,15 +58,13 @@ private:
     QuantityField* m_amplitude;
     NumberField* m_from;
     NumberField* m_to;
+    QuantityField* m_speed;
     BodePlot* m_plot;
     QLabel* m_figures;
+    QLabel* m_would;
     QPushButton* m_save;
-    struct Found {
-        std::vector<FrequencyPoint> points;
-        bool endedEarly = false;
-        QDateTime measured{};
-    };
-    std::map<ModuleIndex, Found> m_found;
+    std::map<ModuleIndex, std::vector<Found>> m_found;  ///< the last one last
+    std::optional<servo::SetGain> m_staged;             ///< in the fields of the module that is shown
     std::optional<ModuleIndex> m_shown;
 };
 

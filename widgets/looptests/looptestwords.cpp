@@ -32,4 +32,30 @@ QStringList frequencyFigures(std::span<const FrequencyPoint> points) {
     return lines;
 }
 
+QString wouldDo(std::span<const FrequencyPoint> measured, std::span<const FrequencyPoint> predicted,
+                LoopChange change) {
+    switch (change) {
+        case LoopChange::None:
+            return LoopTestTexts::tr("Edit the gains to see what this loop would do with them.");
+        case LoopChange::Rate:
+            return LoopTestTexts::tr(
+                "Not known for the gains in the fields: their SR is another one than while measuring.");
+        case LoopChange::Deadband:
+            return LoopTestTexts::tr(
+                "Not known for the gains in the fields: their DB is another one than while measuring.");
+        case LoopChange::Filter:
+            break;
+    }
+    if (predicted.empty())
+        return LoopTestTexts::tr(
+            "Not known for the gains in the fields: OL or IL cut off the filter's output while measuring. Use a smaller amplitude.");
+    QStringList parts = isUnstable(figuresOf(predicted))
+                            ? QStringList{LoopTestTexts::tr("unstable, the motor would oscillate")}
+                            : frequencyFigures(predicted).mid(1);
+    if (predicted.size() < measured.size())
+        parts << LoopTestTexts::tr("from %1 to %2 Hz: elsewhere, OL or IL cut off the filter's output")
+                     .arg(readout(predicted.front().hertz, 3), readout(predicted.back().hertz, 3));
+    return LoopTestTexts::tr("With the gains in the fields: %1").arg(parts.join(u" · "));
+}
+
 }  // namespace nmc::texts

@@ -51,7 +51,8 @@ SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent) : QWidget(pa
         {u"squareWave"_s, tr("Start test"),
          tr("The motor jumps back and forth around its position. Make sure that everything it drives can move freely.")},
         requests, this);
-    m_counts = m_form->addDistance(u"squareWaveDistanceField"_s, tr("Distance"), tr("The distance"));
+    m_counts = m_form->addQuantity(QuantityField::Kind::Distance, u"squareWaveDistanceField"_s,
+                                   tr("Distance"), tr("The distance"));
     m_counts->setNativeRange(1, kLongestStep);
     m_counts->setMeaning(tr("From side to side: half to either side of the present position."));
     m_counts->showNative(kFirstStep);
@@ -62,7 +63,8 @@ SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent) : QWidget(pa
     m_rounds = m_form->addNumber(u"squareWaveRoundsField"_s, tr("Periods"), tr("Periods to run"), {}, 0);
     m_rounds->setRange(1, kMaxPeriods);
     m_rounds->showValue(kFirstRounds);
-    m_excursion = m_form->addDistance(u"squareWaveExcursionField"_s, tr("Excursion"), tr("Excursion"));
+    m_excursion = m_form->addQuantity(QuantityField::Kind::Distance, u"squareWaveExcursionField"_s,
+                                      tr("Excursion"), tr("Excursion"));
     m_excursion->setNativeRange(1, kLongestStep);
     m_excursion->setMeaning(
         tr("How far the motor may move past either side. Beyond that, the test stops and the motor holds."));

@@ -60,9 +60,10 @@ NumberField* TestForm::addNumber(const QString& objectName, const QString& label
     return field;
 }
 
-QuantityField* TestForm::addDistance(const QString& objectName, const QString& label, const QString& name) {
-    auto* field = form::newQuantity(
-        {.kind = QuantityField::Kind::Distance, .name = objectName, .accessible = name, .digits = 6}, this);
+QuantityField* TestForm::addQuantity(QuantityField::Kind kind, const QString& objectName,
+                                     const QString& label, const QString& name) {
+    auto* field =
+        form::newQuantity({.kind = kind, .name = objectName, .accessible = name, .digits = 6}, this);
     field->otherView()->hide();
     addRow(label, field, field->unitLabel());
     m_fields.push_back(field);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "widgets/common/quantityfield.h"
 #include "widgets/panels/panelview.h"
 
 class QGridLayout;
@@ -15,7 +16,6 @@ namespace nmc {
 
 class HoldFirstButton;
 class NumberField;
-class QuantityField;
 class Requests;
 
 /// Form of a test of the loop: its settings, the buttons that start and end it, and its progress, its
@@ -34,7 +34,8 @@ public:
     /// Adds a row. `name`: as in NumberField::setWords().
     NumberField* addNumber(const QString& objectName, const QString& label, const QString& name,
                            const QString& unit, int decimals);
-    QuantityField* addDistance(const QString& objectName, const QString& label, const QString& name);
+    QuantityField* addQuantity(QuantityField::Kind kind, const QString& objectName, const QString& label,
+                               const QString& name);
     void addRow(const QString& label, QWidget* field, QWidget* unit);
     /// `wanted` returns the intent for the values in the fields; it is called only while none of them has a
     /// problem.

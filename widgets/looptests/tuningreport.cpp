@@ -120,7 +120,7 @@ QString reportHtml(const TuningReport& report) {
         page += u"<h3>%1</h3><p>%2</p>"_s.arg(Report::tr("Motor").toHtmlEscaped(), lines(report.motor));
     if (!report.frequencies.empty()) {
         BodePlot plot;
-        plot.showPoints(report.frequencies, 0.0);
+        plot.showCurves({{{}, report.frequencies}}, 0.0);
         page += htmlSection(Common::tr("Frequency response"),
                             picture(plot, kBodePicture, Common::tr("Frequency response")),
                             texts::frequencyFigures(report.frequencies));

@@ -51,7 +51,9 @@ void MainWindow::saveFrequencies(const QString& path, const QDateTime& measured)
     emit m_requests->save(
         path, [origin = recordingHeader({}, QString::fromStdString(link.port), link.simulated, {}, measured),
                name = texts::moduleName(module->info.index).toStdString(),
-               points = m_loopTests->frequency().points()] { return frequencyCsv(origin, name, points); });
+               points = m_loopTests->frequency().points(), speed = m_loopTests->frequency().speed()] {
+            return frequencyCsv(origin, name, points, speed);
+        });
 }
 
 void MainWindow::chooseReportFile() {
