@@ -36,6 +36,7 @@ public:
     struct Source {
         const ModuleHistory* samples = nullptr;
         ScopeSignal signal = ScopeSignal::Position;
+        bool operator==(const Source&) const = default;
     };
     [[nodiscard]] Source source(const History& history, const ModuleSignal& of) const;
 

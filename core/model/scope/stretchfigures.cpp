@@ -13,32 +13,6 @@ constexpr int kFewestPeriods = 2;
 constexpr double kRegular = 0.2;     ///< permitted relative deviation of a period from the average
 constexpr double kHysteresis = 0.5;  ///< relative to the RMS; a sine peaks at 1.4, so noise is not counted
 
-struct Line {
-    double seconds = 0, value = 0;  ///< centre of the line
-    double slope = 0;
-    [[nodiscard]] double at(double when) const { return value + slope * (when - seconds); }
-};
-
-/// The least-squares line; nothing if all points have the same time.
-std::optional<Line> lineThrough(const std::vector<SignalPoint>& points) {
-    const auto count = static_cast<double>(points.size());
-    Line line;
-    for (const SignalPoint& point : points) {
-        line.seconds += point.seconds / count;
-        line.value += point.value / count;
-    }
-    double along = 0, across = 0;
-    for (const SignalPoint& point : points) {
-        const double from = point.seconds - line.seconds;
-        along += from * from;
-        across += from * (point.value - line.value);
-    }
-    if (along == 0)
-        return std::nullopt;
-    line.slope = across / along;
-    return line;
-}
-
 void takeMeans(const std::vector<SignalPoint>& points, StretchFigures& figures) {
     double time = 0, sum = 0, squares = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -102,7 +76,8 @@ private:
     std::vector<double> m_periods;
 };
 
-std::optional<double> frequency(const std::vector<SignalPoint>& points, const Line& line, double resolution) {
+std::optional<double> frequency(const std::vector<SignalPoint>& points, const SignalLine& line,
+                                double resolution) {
     double squares = 0;
     for (const SignalPoint& point : points)
         squares += std::pow(point.value - line.at(point.seconds), 2);
@@ -130,6 +105,25 @@ std::optional<double> frequency(const std::vector<SignalPoint>& points, const Li
 }
 
 }  // namespace
+
+std::optional<SignalLine> lineThrough(const std::vector<SignalPoint>& points) {
+    const auto count = static_cast<double>(points.size());
+    SignalLine line;
+    for (const SignalPoint& point : points) {
+        line.seconds += point.seconds / count;
+        line.value += point.value / count;
+    }
+    double along = 0, across = 0;
+    for (const SignalPoint& point : points) {
+        const double from = point.seconds - line.seconds;
+        along += from * from;
+        across += from * (point.value - line.value);
+    }
+    if (along == 0)
+        return std::nullopt;
+    line.slope = across / along;
+    return line;
+}
 
 std::optional<StretchFigures> figuresOf(const std::vector<SignalPoint>& points, double resolution) {
     if (points.empty())

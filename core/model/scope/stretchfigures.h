@@ -13,6 +13,15 @@ struct SignalPoint {
     bool joined = false;  ///< nothing is missing between the previous point and this one
 };
 
+/// A straight line through a signal.
+struct SignalLine {
+    double seconds = 0, value = 0;  ///< its centre
+    double slope = 0;               ///< per second
+    [[nodiscard]] double at(double when) const { return value + slope * (when - seconds); }
+};
+/// The least-squares line; nothing if all points have the same time.
+[[nodiscard]] std::optional<SignalLine> lineThrough(const std::vector<SignalPoint>& points);
+
 /// Characteristic figures of a signal over a stretch of time, in the unit of its points. Pure.
 struct StretchFigures {
     // Time averages over the straight lines between connected points.
