@@ -1144,6 +1144,34 @@
         <source>Gain margin not reached</source>
         <translation>Amplitudenreserve nicht erreicht</translation>
     </message>
+    <message>
+        <source>Edit the gains to see what this loop would do with them.</source>
+        <translation>Reglerwerte ändern, um zu sehen, was dieser Regelkreis damit täte.</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: OL or IL cut off the filter&apos;s output while measuring. Use a smaller amplitude.</source>
+        <translation>Für die Reglerwerte in den Feldern nicht bekannt: OL oder IL hat bei der Messung die Ausgabe des Reglers begrenzt. Eine kleinere Amplitude nehmen.</translation>
+    </message>
+    <message>
+        <source>unstable, the motor would oscillate</source>
+        <translation>instabil, der Motor würde schwingen</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
+        <translation>von %1 bis %2 Hz: sonst hat OL oder IL die Ausgabe des Reglers begrenzt</translation>
+    </message>
+    <message>
+        <source>With the gains in the fields: %1</source>
+        <translation>Mit den Reglerwerten in den Feldern: %1</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: SR differs from that of the measurement.</source>
+        <translation>Für die Reglerwerte in den Feldern nicht bekannt: SR ist anders als bei der Messung.</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: DB differs from that of the measurement.</source>
+        <translation>Für die Reglerwerte in den Feldern nicht bekannt: DB ist anders als bei der Messung.</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -5338,6 +5366,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The move and the record after it would take more than 6 s. Shorten the move or the record, or move faster.</source>
         <translation>Die Fahrt und die Aufzeichnung danach würden länger als 6 s dauern. Fahrt oder Aufzeichnung verkürzen, oder schneller fahren.</translation>
     </message>
+    <message>
+        <source>The motor swung so far that it reversed, and was commanded to hold. Raise the speed, or lower the amplitude.</source>
+        <translation>Der Motor schwang so weit, dass er die Richtung wechselte, und bekam einen Haltebefehl. Die Geschwindigkeit erhöhen oder die Amplitude verringern.</translation>
+    </message>
+    <message>
+        <source>At this speed the motor would reverse. Raise the speed, or lower the amplitude or the highest frequency.</source>
+        <translation>Bei dieser Geschwindigkeit würde der Motor die Richtung wechseln. Die Geschwindigkeit erhöhen oder die Amplitude oder die höchste Frequenz verringern.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -6244,10 +6280,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Phase, Grad</translation>
     </message>
     <message>
-        <source>Frequency, Hz</source>
-        <translation>Frequenz, Hz</translation>
-    </message>
-    <message>
         <source>T, closed loop</source>
         <translation>T, geschlossen</translation>
     </message>
@@ -6258,6 +6290,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>T: closed loop, from command to position. L: open loop; its phase above -180° where it crosses 0 dB is the phase margin. Right of the grey line the baud rate is too low to measure. Bars: two standard deviations of T.</source>
         <translation>T: geschlossener Regelkreis, von der Sollposition zur Position. L: offener Regelkreis; seine Phase über -180°, wo L durch 0 dB geht, ist die Phasenreserve. Rechts der grauen Linie ist die Baudrate zum Messen zu niedrig. Balken: zwei Standardabweichungen von T.</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
     </message>
 </context>
 <context>
@@ -6829,6 +6865,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Between the cursors: %1</source>
         <translation>Zwischen den Cursorn: %1</translation>
+    </message>
+    <message>
+        <source>Spectrum…</source>
+        <translation>Spektrum…</translation>
+    </message>
+    <message>
+        <source>Shows at which frequencies a signal oscillates between the cursors.</source>
+        <translation>Zeigt, bei welchen Frequenzen ein Signal zwischen den Cursorn schwingt.</translation>
     </message>
 </context>
 <context>
@@ -7572,6 +7616,38 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Export the frequency response</source>
         <translation>Frequenzgang exportieren</translation>
+    </message>
+    <message>
+        <source>Speed while measuring</source>
+        <translation>Geschwindigkeit beim Messen</translation>
+    </message>
+    <message>
+        <source>The speed while measuring</source>
+        <translation>Die Geschwindigkeit beim Messen</translation>
+    </message>
+    <message>
+        <source>0: at rest. Otherwise the sines ride on a motion to and fro, forward first, or backwards first if it is negative; the motor never reverses within a sine, so dry friction does not show. It moves away by up to this speed times five periods of the lowest frequency.</source>
+        <translation>0: im Stillstand. Sonst liegen die Sinusschwingungen auf einer Hin- und Herbewegung, erst vorwärts, bei negativem Wert erst rückwärts; innerhalb einer Schwingung wechselt der Motor nie die Richtung, sodass trockene Reibung nicht stört. Er entfernt sich bis zu dieser Geschwindigkeit mal fünf Perioden der niedrigsten Frequenz.</translation>
+    </message>
+    <message>
+        <source>What the gains in the fields would do</source>
+        <translation>Was die Reglerwerte in den Feldern täten</translation>
+    </message>
+    <message>
+        <source>in motion</source>
+        <translation>in Bewegung</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>im Stillstand</translation>
+    </message>
+    <message>
+        <source>Fill in all gains to see what this loop would do with them.</source>
+        <translation>Alle Reglerwerte ausfüllen, um zu sehen, was dieser Regelkreis damit täte.</translation>
+    </message>
+    <message>
+        <source>with the gains in the fields</source>
+        <translation>mit den Reglerwerten in den Feldern</translation>
     </message>
 </context>
 <context>
@@ -11906,6 +11982,56 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Follows the module list, and includes modules that the panel did not find.</source>
         <translation>Folgt der Modulliste. Enthält auch Module, die das Programm nicht findet.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SpectrumDialog</name>
+    <message>
+        <source>Peak</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>Spectrum between the cursors</source>
+        <translation>Spektrum zwischen den Cursorn</translation>
+    </message>
+    <message>
+        <source>&amp;Signal</source>
+        <translation>&amp;Signal</translation>
+    </message>
+    <message>
+        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
+        <translation>Diese Messwerte sind nicht mehr einzeln vorhanden. Die Cursor zu neueren ziehen.</translation>
+    </message>
+    <message>
+        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
+        <translation>Zwischen den Cursorn liegen %1 Messwerte, höchstens %2 sind möglich. Die Cursor näher zusammenziehen.</translation>
+    </message>
+    <message>
+        <source>Too few samples are between the cursors. Move them farther apart.</source>
+        <translation>Zwischen den Cursorn liegen zu wenige Messwerte. Die Cursor weiter auseinanderziehen.</translation>
+    </message>
+    <message>
+        <source>Peak: %1 Hz, amplitude %2 %3</source>
+        <translation>Spitze: %1 Hz, Amplitude %2 %3</translation>
+    </message>
+    <message>
+        <source>No oscillation stands out from the noise.</source>
+        <translation>Keine Schwingung hebt sich vom Rauschen ab.</translation>
+    </message>
+    <message>
+        <source>From %1 Hz, two periods between the cursors, to %2 Hz, nearly half the rate of the samples.</source>
+        <translation>Von %1 Hz, zwei Perioden zwischen den Cursorn, bis %2 Hz, fast der halben Rate der Messwerte.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SpectrumPlot</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>The sines in the signal, by frequency in Hz. The circle marks the highest that stands out from the noise. Double-click to show everything. Scroll to zoom the frequency, or the amplitudes with Ctrl; drag to pan; drag with Shift to select frequencies.</source>
+        <translation>Die Sinusschwingungen im Signal, nach Frequenz in Hz. Der Kreis markiert die höchste, die sich vom Rauschen abhebt. Ein Doppelklick zeigt alles. Das Mausrad zoomt die Frequenz, mit Strg die Amplituden; Ziehen verschiebt; Ziehen mit Umschalt wählt Frequenzen.</translation>
     </message>
 </context>
 <context>

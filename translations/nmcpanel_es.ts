@@ -1144,6 +1144,34 @@
         <source>Gain margin not reached</source>
         <translation>Margen de ganancia no alcanzado</translation>
     </message>
+    <message>
+        <source>Edit the gains to see what this loop would do with them.</source>
+        <translation>Edite las ganancias para ver qué haría este lazo con ellas.</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: OL or IL cut off the filter&apos;s output while measuring. Use a smaller amplitude.</source>
+        <translation>Desconocido para las ganancias de los campos: OL o IL limitó la salida del filtro durante la medición. Use una amplitud menor.</translation>
+    </message>
+    <message>
+        <source>unstable, the motor would oscillate</source>
+        <translation>inestable, el motor oscilaría</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
+        <translation>de %1 a %2 Hz: fuera de ahí, OL o IL limitó la salida del filtro</translation>
+    </message>
+    <message>
+        <source>With the gains in the fields: %1</source>
+        <translation>Con las ganancias de los campos: %1</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: SR differs from that of the measurement.</source>
+        <translation>Desconocido para las ganancias de los campos: SR difiere del de la medición.</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: DB differs from that of the measurement.</source>
+        <translation>Desconocido para las ganancias de los campos: DB difiere del de la medición.</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -5338,6 +5366,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>The move and the record after it would take more than 6 s. Shorten the move or the record, or move faster.</source>
         <translation>El movimiento y el registro posterior durarían más de 6 s. Acorte el movimiento o el registro, o muévase más rápido.</translation>
     </message>
+    <message>
+        <source>The motor swung so far that it reversed, and was commanded to hold. Raise the speed, or lower the amplitude.</source>
+        <translation>El motor osciló tanto que invirtió el sentido, y se le ordenó mantener la posición. Aumente la velocidad o reduzca la amplitud.</translation>
+    </message>
+    <message>
+        <source>At this speed the motor would reverse. Raise the speed, or lower the amplitude or the highest frequency.</source>
+        <translation>A esta velocidad, el motor invertiría el sentido. Aumente la velocidad, o reduzca la amplitud o la frecuencia más alta.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -6244,10 +6280,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Fase, grados</translation>
     </message>
     <message>
-        <source>Frequency, Hz</source>
-        <translation>Frecuencia, Hz</translation>
-    </message>
-    <message>
         <source>T, closed loop</source>
         <translation>T, lazo cerrado</translation>
     </message>
@@ -6258,6 +6290,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>T: closed loop, from command to position. L: open loop; its phase above -180° where it crosses 0 dB is the phase margin. Right of the grey line the baud rate is too low to measure. Bars: two standard deviations of T.</source>
         <translation>T: lazo cerrado, de la consigna a la posición. L: lazo abierto; su fase por encima de -180° donde cruza 0 dB es el margen de fase. A la derecha de la línea gris, la velocidad en baudios es demasiado baja para medir. Barras: dos desviaciones típicas de T.</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Frecuencia, Hz</translation>
     </message>
 </context>
 <context>
@@ -6829,6 +6865,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Between the cursors: %1</source>
         <translation>Entre los cursores: %1</translation>
+    </message>
+    <message>
+        <source>Spectrum…</source>
+        <translation>Espectro…</translation>
+    </message>
+    <message>
+        <source>Shows at which frequencies a signal oscillates between the cursors.</source>
+        <translation>Muestra a qué frecuencias oscila una señal entre los cursores.</translation>
     </message>
 </context>
 <context>
@@ -7572,6 +7616,38 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Export the frequency response</source>
         <translation>Exportar la respuesta en frecuencia</translation>
+    </message>
+    <message>
+        <source>Speed while measuring</source>
+        <translation>Velocidad durante la medición</translation>
+    </message>
+    <message>
+        <source>The speed while measuring</source>
+        <translation>La velocidad durante la medición</translation>
+    </message>
+    <message>
+        <source>0: at rest. Otherwise the sines ride on a motion to and fro, forward first, or backwards first if it is negative; the motor never reverses within a sine, so dry friction does not show. It moves away by up to this speed times five periods of the lowest frequency.</source>
+        <translation>0: en reposo. Si no, las ondas senoidales se superponen a un movimiento de ida y vuelta, primero hacia delante, o primero hacia atrás si es negativa; el motor nunca invierte el sentido dentro de una onda, así que el rozamiento seco no se nota. Se aleja como máximo esta velocidad por cinco periodos de la frecuencia más baja.</translation>
+    </message>
+    <message>
+        <source>What the gains in the fields would do</source>
+        <translation>Lo que harían las ganancias de los campos</translation>
+    </message>
+    <message>
+        <source>in motion</source>
+        <translation>en movimiento</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>en reposo</translation>
+    </message>
+    <message>
+        <source>Fill in all gains to see what this loop would do with them.</source>
+        <translation>Rellene todas las ganancias para ver qué haría este lazo con ellas.</translation>
+    </message>
+    <message>
+        <source>with the gains in the fields</source>
+        <translation>con las ganancias de los campos</translation>
     </message>
 </context>
 <context>
@@ -11906,6 +11982,56 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Follows the module list, and includes modules that the panel did not find.</source>
         <translation>Sigue la lista de módulos e incluye los que el panel no encontró.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SpectrumDialog</name>
+    <message>
+        <source>Peak</source>
+        <translation>Pico</translation>
+    </message>
+    <message>
+        <source>Spectrum between the cursors</source>
+        <translation>Espectro entre los cursores</translation>
+    </message>
+    <message>
+        <source>&amp;Signal</source>
+        <translation>&amp;Señal</translation>
+    </message>
+    <message>
+        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
+        <translation>Estas muestras ya no se conservan individualmente. Mueva los cursores a otras más recientes.</translation>
+    </message>
+    <message>
+        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
+        <translation>Hay %1 muestras entre los cursores, y %2 son el máximo. Acerque los cursores.</translation>
+    </message>
+    <message>
+        <source>Too few samples are between the cursors. Move them farther apart.</source>
+        <translation>Hay muy pocas muestras entre los cursores. Sepárelos más.</translation>
+    </message>
+    <message>
+        <source>Peak: %1 Hz, amplitude %2 %3</source>
+        <translation>Pico: %1 Hz, amplitud %2 %3</translation>
+    </message>
+    <message>
+        <source>No oscillation stands out from the noise.</source>
+        <translation>Ninguna oscilación destaca sobre el ruido.</translation>
+    </message>
+    <message>
+        <source>From %1 Hz, two periods between the cursors, to %2 Hz, nearly half the rate of the samples.</source>
+        <translation>De %1 Hz, dos periodos entre los cursores, a %2 Hz, casi la mitad de la frecuencia de las muestras.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SpectrumPlot</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Espectro</translation>
+    </message>
+    <message>
+        <source>The sines in the signal, by frequency in Hz. The circle marks the highest that stands out from the noise. Double-click to show everything. Scroll to zoom the frequency, or the amplitudes with Ctrl; drag to pan; drag with Shift to select frequencies.</source>
+        <translation>Las ondas senoidales de la señal, por frecuencia en Hz. El círculo marca la más alta que destaca sobre el ruido. Doble clic para mostrar todo. Rueda para ampliar la frecuencia, o las amplitudes con Ctrl; arrastre para desplazar; arrastre con Mayús para seleccionar frecuencias.</translation>
     </message>
 </context>
 <context>

@@ -1144,6 +1144,34 @@
         <source>Gain margin not reached</source>
         <translation>Marge de gain non atteinte</translation>
     </message>
+    <message>
+        <source>Edit the gains to see what this loop would do with them.</source>
+        <translation>Modifiez les gains pour voir ce que cette boucle ferait avec eux.</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: OL or IL cut off the filter&apos;s output while measuring. Use a smaller amplitude.</source>
+        <translation>Inconnu pour les gains des champs&#xa0;: OL ou IL a limité la sortie du filtre pendant la mesure. Utilisez une amplitude plus petite.</translation>
+    </message>
+    <message>
+        <source>unstable, the motor would oscillate</source>
+        <translation>instable, le moteur oscillerait</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
+        <translation>de %1 à %2 Hz&#xa0;: ailleurs, OL ou IL a limité la sortie du filtre</translation>
+    </message>
+    <message>
+        <source>With the gains in the fields: %1</source>
+        <translation>Avec les gains des champs&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: SR differs from that of the measurement.</source>
+        <translation>Inconnu pour les gains des champs&#xa0;: SR diffère de celui de la mesure.</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: DB differs from that of the measurement.</source>
+        <translation>Inconnu pour les gains des champs&#xa0;: DB diffère de celui de la mesure.</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -1393,7 +1421,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Settling to ±%1 counts for %2 s: %3</source>
-        <translation>Établissement à ±%1 incréments pendant %2 s : %3</translation>
+        <translation>Établissement à ±%1 incréments pendant %2 s&#xa0;: %3</translation>
     </message>
     <message>
         <source>Peak error %1</source>
@@ -1464,7 +1492,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>No step: moves there and back with the velocity and acceleration below, judged by a window and a dwell. Not available with version 1.</source>
-        <translation>Pas d’échelon : des mouvements aller et retour avec la vitesse et l’accélération ci-dessous, jugés par une fenêtre et un temps de maintien. Non disponible avec la version 1.</translation>
+        <translation>Pas d’échelon&#xa0;: des mouvements aller et retour avec la vitesse et l’accélération ci-dessous, jugés par une fenêtre et un temps de maintien. Non disponible avec la version 1.</translation>
     </message>
     <message>
         <source>%1 of %2 settled</source>
@@ -5332,11 +5360,19 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Settings copied from %1: %2.</source>
-        <translation>Réglages copiés de %1 : %2.</translation>
+        <translation>Réglages copiés de %1&#xa0;: %2.</translation>
     </message>
     <message>
         <source>The move and the record after it would take more than 6 s. Shorten the move or the record, or move faster.</source>
         <translation>Le mouvement et l’enregistrement qui le suit dureraient plus de 6 s. Raccourcissez le mouvement ou l’enregistrement, ou augmentez la vitesse.</translation>
+    </message>
+    <message>
+        <source>The motor swung so far that it reversed, and was commanded to hold. Raise the speed, or lower the amplitude.</source>
+        <translation>Le moteur a oscillé au point de changer de sens et a reçu l’ordre de maintien. Augmentez la vitesse ou réduisez l’amplitude.</translation>
+    </message>
+    <message>
+        <source>At this speed the motor would reverse. Raise the speed, or lower the amplitude or the highest frequency.</source>
+        <translation>À cette vitesse, le moteur changerait de sens. Augmentez la vitesse, ou réduisez l’amplitude ou la fréquence la plus élevée.</translation>
     </message>
 </context>
 <context>
@@ -6244,10 +6280,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Phase, degrés</translation>
     </message>
     <message>
-        <source>Frequency, Hz</source>
-        <translation>Fréquence, Hz</translation>
-    </message>
-    <message>
         <source>T, closed loop</source>
         <translation>T, boucle fermée</translation>
     </message>
@@ -6258,6 +6290,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>T: closed loop, from command to position. L: open loop; its phase above -180° where it crosses 0 dB is the phase margin. Right of the grey line the baud rate is too low to measure. Bars: two standard deviations of T.</source>
         <translation>T&#xa0;: boucle fermée, de la consigne à la position. L&#xa0;: boucle ouverte&#x202f;; sa phase au-dessus de -180° là où elle coupe 0&#xa0;dB est la marge de phase. À droite de la ligne grise, le débit est trop faible pour mesurer. Barres&#xa0;: deux écarts-types de T.</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>Fréquence, Hz</translation>
     </message>
 </context>
 <context>
@@ -6579,7 +6615,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>The differences are shown before anything is changed or sent. Numbers are copied in the units of the module: counts or steps.</source>
-        <translation>Les différences sont montrées avant toute modification et tout envoi. Les nombres sont copiés dans les unités du module : incréments ou pas.</translation>
+        <translation>Les différences sont montrées avant toute modification et tout envoi. Les nombres sont copiés dans les unités du module&#xa0;: incréments ou pas.</translation>
     </message>
     <message>
         <source>&amp;To</source>
@@ -6830,6 +6866,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Between the cursors: %1</source>
         <translation>Entre les curseurs&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>Spectrum…</source>
+        <translation>Spectre…</translation>
+    </message>
+    <message>
+        <source>Shows at which frequencies a signal oscillates between the cursors.</source>
+        <translation>Affiche les fréquences auxquelles un signal oscille entre les curseurs.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::CursorTable</name>
@@ -7029,7 +7073,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>%1: differences</source>
-        <translation>%1 : différences</translation>
+        <translation>%1&#xa0;: différences</translation>
     </message>
 </context>
 <context>
@@ -7572,6 +7616,38 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Export the frequency response</source>
         <translation>Exporter la réponse en fréquence</translation>
+    </message>
+    <message>
+        <source>Speed while measuring</source>
+        <translation>Vitesse pendant la mesure</translation>
+    </message>
+    <message>
+        <source>The speed while measuring</source>
+        <translation>La vitesse pendant la mesure</translation>
+    </message>
+    <message>
+        <source>0: at rest. Otherwise the sines ride on a motion to and fro, forward first, or backwards first if it is negative; the motor never reverses within a sine, so dry friction does not show. It moves away by up to this speed times five periods of the lowest frequency.</source>
+        <translation>0&#xa0;: à l’arrêt. Sinon, les sinusoïdes se superposent à un mouvement de va-et-vient, d’abord en avant, ou d’abord en arrière si la valeur est négative&#xa0;; le moteur ne change jamais de sens pendant une sinusoïde, si bien que le frottement sec n’apparaît pas. Il s’éloigne au plus de cette vitesse multipliée par cinq périodes de la fréquence la plus basse.</translation>
+    </message>
+    <message>
+        <source>What the gains in the fields would do</source>
+        <translation>Ce que feraient les gains des champs</translation>
+    </message>
+    <message>
+        <source>in motion</source>
+        <translation>en mouvement</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>à l’arrêt</translation>
+    </message>
+    <message>
+        <source>Fill in all gains to see what this loop would do with them.</source>
+        <translation>Remplissez tous les gains pour voir ce que cette boucle ferait avec eux.</translation>
+    </message>
+    <message>
+        <source>with the gains in the fields</source>
+        <translation>avec les gains des champs</translation>
     </message>
 </context>
 <context>
@@ -10723,7 +10799,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>How far the command goes; negative: reverse. Small steps show the tuning of the servo, large ones the limits of the amplifier.</source>
-        <translation>Distance de la consigne ; négative : en arrière. De petits échelons montrent le réglage de l’asservissement, de grands les limites de l’amplificateur.</translation>
+        <translation>Distance de la consigne&#xa0;; négative&#xa0;: en arrière. De petits échelons montrent le réglage de l’asservissement, de grands les limites de l’amplificateur.</translation>
     </message>
     <message>
         <source>How long to record after the step, or after the end of a move. Then the motor is commanded to hold.</source>
@@ -11906,6 +11982,56 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Follows the module list, and includes modules that the panel did not find.</source>
         <translation>Suit la liste des modules, et comprend aussi les modules que le programme n’a pas trouvés.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SpectrumDialog</name>
+    <message>
+        <source>Peak</source>
+        <translation>Pic</translation>
+    </message>
+    <message>
+        <source>Spectrum between the cursors</source>
+        <translation>Spectre entre les curseurs</translation>
+    </message>
+    <message>
+        <source>&amp;Signal</source>
+        <translation>&amp;Signal</translation>
+    </message>
+    <message>
+        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
+        <translation>Ces échantillons ne sont plus conservés individuellement. Déplacez les curseurs vers de plus récents.</translation>
+    </message>
+    <message>
+        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
+        <translation>Il y a %1 échantillons entre les curseurs, et %2 au plus sont possibles. Rapprochez les curseurs.</translation>
+    </message>
+    <message>
+        <source>Too few samples are between the cursors. Move them farther apart.</source>
+        <translation>Il y a trop peu d’échantillons entre les curseurs. Éloignez-les.</translation>
+    </message>
+    <message>
+        <source>Peak: %1 Hz, amplitude %2 %3</source>
+        <translation>Pic&#xa0;: %1 Hz, amplitude %2 %3</translation>
+    </message>
+    <message>
+        <source>No oscillation stands out from the noise.</source>
+        <translation>Aucune oscillation ne se détache du bruit.</translation>
+    </message>
+    <message>
+        <source>From %1 Hz, two periods between the cursors, to %2 Hz, nearly half the rate of the samples.</source>
+        <translation>De %1 Hz, deux périodes entre les curseurs, à %2 Hz, presque la moitié de la fréquence des échantillons.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SpectrumPlot</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spectre</translation>
+    </message>
+    <message>
+        <source>The sines in the signal, by frequency in Hz. The circle marks the highest that stands out from the noise. Double-click to show everything. Scroll to zoom the frequency, or the amplitudes with Ctrl; drag to pan; drag with Shift to select frequencies.</source>
+        <translation>Les sinusoïdes du signal, par fréquence en Hz. Le cercle marque la plus haute qui se détache du bruit. Double-cliquez pour tout afficher. La molette zoome la fréquence, ou les amplitudes avec Ctrl&#xa0;; faites glisser pour déplacer la vue&#xa0;; faites glisser avec Maj pour sélectionner des fréquences.</translation>
     </message>
 </context>
 <context>

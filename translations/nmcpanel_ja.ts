@@ -1143,6 +1143,34 @@
         <source>Gain margin not reached</source>
         <translation>ゲイン余裕：測定範囲外</translation>
     </message>
+    <message>
+        <source>Edit the gains to see what this loop would do with them.</source>
+        <translation>ゲインを編集すると、そのゲインでのこのループの応答を確認できます。</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: OL or IL cut off the filter&apos;s output while measuring. Use a smaller amplitude.</source>
+        <translation>入力欄のゲインでは不明です：測定中にOLまたはILがフィルター出力を制限しました。振幅を小さくしてください。</translation>
+    </message>
+    <message>
+        <source>unstable, the motor would oscillate</source>
+        <translation>不安定、モーターが発振します</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
+        <translation>%1～%2 Hz：それ以外ではOLまたはILがフィルター出力を制限しました</translation>
+    </message>
+    <message>
+        <source>With the gains in the fields: %1</source>
+        <translation>入力欄のゲインでは：%1</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: SR differs from that of the measurement.</source>
+        <translation>入力欄のゲインでは不明です：SRが測定時と異なります。</translation>
+    </message>
+    <message>
+        <source>Not known for the gains in the fields: DB differs from that of the measurement.</source>
+        <translation>入力欄のゲインでは不明です：DBが測定時と異なります。</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -5321,6 +5349,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>The move and the record after it would take more than 6 s. Shorten the move or the record, or move faster.</source>
         <translation>移動とその後の記録が 6 s を超えます。移動または記録を短くするか、速度を上げてください。</translation>
     </message>
+    <message>
+        <source>The motor swung so far that it reversed, and was commanded to hold. Raise the speed, or lower the amplitude.</source>
+        <translation>モーターの振れが大きく反転したため、保持を指令しました。速度を上げるか、振幅を小さくしてください。</translation>
+    </message>
+    <message>
+        <source>At this speed the motor would reverse. Raise the speed, or lower the amplitude or the highest frequency.</source>
+        <translation>この速度ではモーターが反転します。速度を上げるか、振幅または最高周波数を下げてください。</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -6227,10 +6263,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>位相、度</translation>
     </message>
     <message>
-        <source>Frequency, Hz</source>
-        <translation>周波数、Hz</translation>
-    </message>
-    <message>
         <source>T, closed loop</source>
         <translation>T、閉ループ</translation>
     </message>
@@ -6241,6 +6273,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>T: closed loop, from command to position. L: open loop; its phase above -180° where it crosses 0 dB is the phase margin. Right of the grey line the baud rate is too low to measure. Bars: two standard deviations of T.</source>
         <translation>T：閉ループ、指令から位置まで。L：開ループ。0 dBを横切る点での-180°からの位相が位相余裕です。灰色の線より右は、ボーレートが低すぎて測定できません。バー：Tの標準偏差の2倍。</translation>
+    </message>
+    <message>
+        <source>Frequency, Hz</source>
+        <translation>周波数、Hz</translation>
     </message>
 </context>
 <context>
@@ -6812,6 +6848,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Between the cursors: %1</source>
         <translation>カーソル間：%1</translation>
+    </message>
+    <message>
+        <source>Spectrum…</source>
+        <translation>スペクトル…</translation>
+    </message>
+    <message>
+        <source>Shows at which frequencies a signal oscillates between the cursors.</source>
+        <translation>カーソル間で信号が振動している周波数を表示します。</translation>
     </message>
 </context>
 <context>
@@ -7555,6 +7599,38 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Export the frequency response</source>
         <translation>周波数応答のエクスポート</translation>
+    </message>
+    <message>
+        <source>Speed while measuring</source>
+        <translation>測定中の速度</translation>
+    </message>
+    <message>
+        <source>The speed while measuring</source>
+        <translation>測定中の速度の値</translation>
+    </message>
+    <message>
+        <source>0: at rest. Otherwise the sines ride on a motion to and fro, forward first, or backwards first if it is negative; the motor never reverses within a sine, so dry friction does not show. It moves away by up to this speed times five periods of the lowest frequency.</source>
+        <translation>0：停止状態。それ以外では、正弦波が往復運動に重なります（最初は前進、負の値では最初に後退）。正弦波の途中でモーターが反転しないため、乾性摩擦が現れません。最低周波数の5周期分×この速度まで移動します。</translation>
+    </message>
+    <message>
+        <source>What the gains in the fields would do</source>
+        <translation>入力欄のゲインでの応答</translation>
+    </message>
+    <message>
+        <source>in motion</source>
+        <translation>運動中</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>停止中</translation>
+    </message>
+    <message>
+        <source>Fill in all gains to see what this loop would do with them.</source>
+        <translation>すべてのゲインを入力すると、そのゲインでのこのループの応答を確認できます。</translation>
+    </message>
+    <message>
+        <source>with the gains in the fields</source>
+        <translation>入力欄のゲインで</translation>
     </message>
 </context>
 <context>
@@ -11886,6 +11962,56 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Follows the module list, and includes modules that the panel did not find.</source>
         <translation>モジュール一覧に従います。パネルが検出しなかったモジュールも含みます。</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SpectrumDialog</name>
+    <message>
+        <source>Peak</source>
+        <translation>ピーク</translation>
+    </message>
+    <message>
+        <source>Spectrum between the cursors</source>
+        <translation>カーソル間のスペクトル</translation>
+    </message>
+    <message>
+        <source>&amp;Signal</source>
+        <translation>信号(&amp;S)</translation>
+    </message>
+    <message>
+        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
+        <translation>これらのサンプルは個別には保存されていません。カーソルを新しいサンプルに移動してください。</translation>
+    </message>
+    <message>
+        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
+        <translation>カーソル間に%1個のサンプルがあり、上限は%2個です。カーソルを近づけてください。</translation>
+    </message>
+    <message>
+        <source>Too few samples are between the cursors. Move them farther apart.</source>
+        <translation>カーソル間のサンプルが少なすぎます。カーソルの間隔を広げてください。</translation>
+    </message>
+    <message>
+        <source>Peak: %1 Hz, amplitude %2 %3</source>
+        <translation>ピーク：%1 Hz、振幅%2 %3</translation>
+    </message>
+    <message>
+        <source>No oscillation stands out from the noise.</source>
+        <translation>ノイズから際立つ振動はありません。</translation>
+    </message>
+    <message>
+        <source>From %1 Hz, two periods between the cursors, to %2 Hz, nearly half the rate of the samples.</source>
+        <translation>%1 Hz（カーソル間に2周期）から%2 Hz（サンプルレートのほぼ半分）まで。</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::SpectrumPlot</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>スペクトル</translation>
+    </message>
+    <message>
+        <source>The sines in the signal, by frequency in Hz. The circle marks the highest that stands out from the noise. Double-click to show everything. Scroll to zoom the frequency, or the amplitudes with Ctrl; drag to pan; drag with Shift to select frequencies.</source>
+        <translation>信号に含まれる正弦波を周波数（Hz）ごとに表示します。丸印はノイズから際立つ最も高いものです。ダブルクリックで全体を表示します。スクロールで周波数を、Ctrlを押しながらで振幅を拡大縮小し、ドラッグで表示を移動し、Shiftを押しながらドラッグして周波数を選択します。</translation>
     </message>
 </context>
 <context>

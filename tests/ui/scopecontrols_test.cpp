@@ -3,6 +3,8 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
+#include <QLabel>
+#include <QRegularExpression>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QTreeWidget>
@@ -219,6 +221,93 @@ TEST_F(ScopeControls, TheTableTellsWhatASignalComesToBetweenTheCursors) {
     EXPECT_NEAR(row(2)[1].toDouble(), 100 / std::sqrt(2.0), 0.3);
     EXPECT_EQ(row(2)[2], u"200"_s);
     EXPECT_EQ(row(2)[4], u"2 Hz"_s);
+}
+
+/// The second module swings by 100 counts at 5 Hz about a drift.
+class SpectrumOfTheScope : public ScopeControls {
+protected:
+    SpectrumOfTheScope() {
+        for (int i = 0; i <= 2000; ++i) {
+            swinging.add(i / 100.0, i / 10);
+            const double phase = 2 * 3.14159265358979 * 5 * i / 100.0;
+            swinging.addTo(1, i / 100.0,
+                           static_cast<std::int32_t>(std::lround(7.0 * i + 100 * std::sin(phase))));
+        }
+        ScopeSetup setup;
+        setup.strips[0] = {{ModuleIndex(0), ScopeSignal::Position}, {ModuleIndex(1), ScopeSignal::Position}};
+        setup.strips[1] = {{ModuleIndex(1), ScopeSignal::Velocity}};
+        find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
+        click(u"scopePauseButton"_s);
+        click(u"scopeCursorsButton"_s);
+        putCursors(12, 16);
+        click(u"scopeSpectrumButton"_s);
+        frames();
+    }
+    void putCursors(double first, double second) {
+        emit strips().cursorMoved(0, first);
+        emit strips().cursorMoved(1, second);
+    }
+    /// A spectrum is calculated at every thirteenth frame.
+    void frames() {
+        for (int i = 0; i < 20; ++i) {
+            window->showHistory(swinging.history(), HandMadeHistory::at(20));
+            QApplication::processEvents();
+        }
+    }
+    void choose(int signal) {
+        auto* box = find<QComboBox>(u"spectrumSignalBox"_s);
+        box->setCurrentIndex(signal);
+        emit box->activated(signal);
+        frames();
+    }
+    QString peak() { return find<QLabel>(u"spectrumPeak"_s)->text(); }
+    QString range() { return find<QLabel>(u"spectrumRange"_s)->text(); }
+
+    HandMadeHistory swinging{2};
+};
+
+TEST_F(SpectrumOfTheScope, TellsFrequencyAndAmplitudeOfTheSignalThatIsChosen) {
+    auto* box = find<QComboBox>(u"spectrumSignalBox"_s);
+    ASSERT_EQ(box->count(), 3);
+    EXPECT_TRUE(box->itemText(1).contains(u"position"_s)) << box->itemText(1).toStdString();
+    choose(1);
+    EXPECT_TRUE(peak().startsWith(u"Peak: 5 Hz, amplitude 100"_s)) << peak().toStdString();
+    EXPECT_EQ(range(),
+              u"From 0.5 Hz, two periods between the cursors, to 49.5 Hz, nearly half the rate of the "
+              "samples."_s);
+}
+
+/// 100 counts at 5 Hz are 2 pi 5 times as much a second: 3142.
+TEST_F(SpectrumOfTheScope, OfTheVelocityIsThatOfThePositionsRateOfChange) {
+    choose(2);
+    EXPECT_TRUE(QRegularExpression(u"^Peak: 5 Hz, amplitude 3\\W?14\\d counts/s$"_s,
+                                   QRegularExpression::UseUnicodePropertiesOption)
+                    .match(peak())
+                    .hasMatch())
+        << peak().toStdString();
+}
+
+TEST_F(SpectrumOfTheScope, FollowsTheCursors) {
+    choose(1);
+    putCursors(12, 14);
+    frames();
+    EXPECT_TRUE(range().startsWith(u"From 1 Hz"_s)) << range().toStdString();
+    EXPECT_TRUE(peak().startsWith(u"Peak: 5 Hz, amplitude 100"_s)) << peak().toStdString();
+    putCursors(12, 12.05);
+    frames();
+    EXPECT_EQ(range(), u"Too few samples are between the cursors. Move them farther apart."_s);
+    EXPECT_TRUE(peak().isEmpty()) << "no figure of another stretch stays";
+    click(u"scopeCursorsButton"_s);
+    EXPECT_FALSE(window->findChild<QWidget*>(u"spectrumDialog"_s)->isVisible());
+}
+
+/// The first module only drifts.
+TEST_F(SpectrumOfTheScope, SaysThatNothingOscillates) {
+    swinging = HandMadeHistory(2);
+    for (int i = 0; i <= 2000; ++i)
+        swinging.add(i / 100.0, 3 * i);
+    choose(0);
+    EXPECT_EQ(peak(), u"No oscillation stands out from the noise."_s);
 }
 
 TEST_F(ScopeControls, TheTableFoldsAndStaysFolded) {

@@ -39,10 +39,10 @@ QString wouldDo(std::span<const FrequencyPoint> measured, std::span<const Freque
             return LoopTestTexts::tr("Edit the gains to see what this loop would do with them.");
         case LoopChange::Rate:
             return LoopTestTexts::tr(
-                "Not known for the gains in the fields: their SR is another one than while measuring.");
+                "Not known for the gains in the fields: SR differs from that of the measurement.");
         case LoopChange::Deadband:
             return LoopTestTexts::tr(
-                "Not known for the gains in the fields: their DB is another one than while measuring.");
+                "Not known for the gains in the fields: DB differs from that of the measurement.");
         case LoopChange::Filter:
             break;
     }

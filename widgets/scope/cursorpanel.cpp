@@ -2,11 +2,12 @@
 #include "widgets/scope/cursorpanel.h"
 
 #include <QToolButton>
-#include <QVBoxLayout>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/scope/cursortable.h"
+#include "widgets/scope/spectrumdialog.h"
 
 namespace nmc {
 
@@ -20,11 +21,13 @@ CursorPanel::CursorPanel(QWidget* parent)
     m_fold->setAutoRaise(true);
     m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     connect(m_fold, &QToolButton::clicked, this, &CursorPanel::unfoldRequested);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(m_fold);
-    layout->addWidget(m_table);
+    auto* spectrum = new QToolButton(this);
+    spectrum->setText(tr("Spectrum…"));
+    spectrum->setToolTip(tr("Shows at which frequencies a signal oscillates between the cursors."));
+    spectrum->setAutoRaise(true);
+    look::name(spectrum, u"scopeSpectrumButton"_s, spectrum->text());
+    connect(spectrum, &QToolButton::clicked, this, &CursorPanel::openSpectrum);
+    form::fill(this, form::newColumn(this, {form::newLine(this, {m_fold, nullptr, spectrum}), m_table}, 0));
     setBeside(false);
     setUnfolded(true);
 }
@@ -47,7 +50,26 @@ bool CursorPanel::showReadings(const ScopeStrips& strips, const History& history
                              : QString();
     if (m_fold->text() != text)
         m_fold->setText(text);
-    return !m_fold->isChecked() || m_table->showReadings(strips, history);
+    const bool table = !m_fold->isChecked() || m_table->showReadings(strips, history);
+    const bool spectrum =
+        m_spectrum == nullptr || !m_spectrum->isVisible() || m_spectrum->showSpectrum(strips, history);
+    return table && spectrum;
+}
+
+void CursorPanel::openSpectrum() {
+    if (m_spectrum == nullptr) {
+        m_spectrum = new SpectrumDialog(this);
+        connect(m_spectrum, &SpectrumDialog::frameWanted, this, &CursorPanel::frameWanted);
+    }
+    m_spectrum->show();
+    m_spectrum->raise();
+    emit frameWanted();
+}
+
+void CursorPanel::hideEvent(QHideEvent* event) {
+    if (m_spectrum != nullptr)
+        m_spectrum->hide();
+    QWidget::hideEvent(event);
 }
 
 }  // namespace nmc

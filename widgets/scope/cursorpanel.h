@@ -10,9 +10,10 @@ namespace nmc {
 class CursorTable;
 class History;
 class ScopeStrips;
+class SpectrumDialog;
 
 /// The cursor readings: a line that shows how far apart the cursors are, and below it a table that folds into
-/// that line.
+/// that line. Beside the line, a button opens the spectrum of what is between the cursors.
 class CursorPanel : public QWidget {
     Q_OBJECT
 
@@ -22,16 +23,24 @@ public:
     void setUnfolded(bool unfolded);
     /// True if the panel is beside the strips, and as high as they are; false if it is below them.
     void setBeside(bool beside);
-    /// Updates the line and, while unfolded, the table. Returns false if another call is needed, as
-    /// CursorTable::showReadings() does.
+    /// Updates the line and, while they are visible, table and spectrum. Returns false if another call is
+    /// needed, as CursorTable::showReadings() does.
     bool showReadings(const ScopeStrips& strips, const History& history);
 
 signals:
     void unfoldRequested(bool unfolded);
+    /// showReadings() must be called soon.
+    void frameWanted();
+
+protected:
+    void hideEvent(QHideEvent* event) override;
 
 private:
+    void openSpectrum();
+
     QToolButton* m_fold;
     CursorTable* m_table;
+    SpectrumDialog* m_spectrum = nullptr;  ///< null until it is first opened
 };
 
 }  // namespace nmc

@@ -55,51 +55,22 @@ void CursorTable::setCell(int row, int column, const QString& text) {
         cell->setText(text);
 }
 
-void CursorTable::make(Kept& kept, const DerivedSignals::Source& source, TimePoint zero) {
-    const auto [first, last] = std::minmax(kept.times[0], kept.times[1]);
-    const TimePoint from = zero + fromSeconds(first);
-    kept.figures.reset();
-    // Where samples are kept only in a coarser form, only their extremes are known.
-    if (const auto since = source.samples->keptSince();
-        !since || (*since > from && *source.samples->begin() < *since))
-        return;
-    m_points.clear();
-    bool known = false;
-    source.samples->visitKept(from, zero + fromSeconds(last), [&](const ScopeSample& sample) {
-        const auto value = valueOf(sample, source.signal);
-        if (value)
-            m_points.push_back(
-                {toSeconds(sample.time - zero), kept.scale(*value), known && !sample.gapBefore});
-        known = value.has_value();
-    });
-    kept.figures = figuresOf(m_points, std::abs(kept.scale.factor));
-}
-
-const std::optional<StretchFigures>& CursorTable::figures(const ScopePlot::Trace& trace,
-                                                          const CursorTimes& times,
-                                                          const DerivedSignals::Source& source,
-                                                          TimePoint zero) {
-    const ModuleSignal of{trace.module, trace.signal};
-    auto kept = std::find_if(m_kept.begin(), m_kept.end(), [&](const Kept& one) { return one.of == of; });
+const std::optional<StretchFigures>& CursorTable::figures(const ScopeStretch& stretch) {
+    auto kept = std::find_if(m_kept.begin(), m_kept.end(),
+                             [&](const Kept& one) { return one.stretch.of == stretch.of; });
     if (kept == m_kept.end())
-        kept = m_kept.insert(kept, Kept{of, {}, {}});
-    // New samples matter only if some of them may lie between the cursors.
-    const auto last = source.samples->last();
-    const bool open = !last || last->time < zero + fromSeconds(std::max(times[0], times[1]));
-    const std::uint64_t samples = open ? source.samples->count() : UINT64_MAX;
-    if (kept->scale == trace.scale && kept->times == times && kept->from == source.samples &&
-        kept->samples == samples)
+        kept = m_kept.insert(kept, Kept{{stretch.of}});
+    if (kept->stretch == stretch)
         return kept->figures;
     if (m_made) {
         m_upToDate = false;
         return kept->figures;
     }
     m_made = true;
-    kept->scale = trace.scale;
-    kept->times = times;
-    kept->from = source.samples;
-    kept->samples = samples;
-    make(*kept, source, zero);
+    kept->stretch = stretch;
+    kept->figures.reset();
+    if (stretch.read(m_points))
+        kept->figures = figuresOf(m_points, std::abs(stretch.scale.factor));
     return kept->figures;
 }
 
@@ -148,7 +119,7 @@ bool CursorTable::showReadings(const ScopeStrips& strips, const History& history
                               first ? texts::numberAt(*first, step) : kNothing,
                               second ? texts::numberAt(*second, step) : kNothing,
                               first && second ? texts::numberAt(*second - *first, step) : kNothing};
-            const auto& made = figures(trace, times, source, zero);
+            const auto& made = figures(stretchOf(trace, times, source, zero));
             // An average is more accurate than a single value.
             cells << (made ? texts::numberAt(made->mean, step / 10) : kNothing)
                   << (made ? texts::numberAt(made->rms, step / 10) : kNothing)

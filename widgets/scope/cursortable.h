@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/scope/stretchfigures.h"
+#include "widgets/scope/scopestretch.h"
 #include "widgets/scope/scopestrips.h"
 
 namespace nmc {
@@ -28,18 +29,10 @@ public:
 private:
     /// The figures of a trace, and the samples from which they were calculated.
     struct Kept {
-        ModuleSignal of;
-        LinearScale scale;
-        CursorTimes times{};
-        const ModuleHistory* from = nullptr;
-        std::uint64_t samples = 0;
+        ScopeStretch stretch;
         std::optional<StretchFigures> figures{};
     };
-    [[nodiscard]] const std::optional<StretchFigures>& figures(const ScopePlot::Trace& trace,
-                                                               const CursorTimes& times,
-                                                               const DerivedSignals::Source& source,
-                                                               TimePoint zero);
-    void make(Kept& kept, const DerivedSignals::Source& source, TimePoint zero);
+    [[nodiscard]] const std::optional<StretchFigures>& figures(const ScopeStretch& stretch);
     void setCell(int row, int column, const QString& text);
 
     std::vector<Kept> m_kept;

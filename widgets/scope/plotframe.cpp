@@ -70,6 +70,10 @@ void PlotFrame::setTimeAxis(double left, double right, double division, double l
     set(m_labelInterval, labelInterval);
 }
 
+void PlotFrame::setTimeUnit(const QString& unit) {
+    set(m_timeUnit, unit);
+}
+
 void PlotFrame::setValueAxis(double bottom, double top, double interval) {
     set(m_values, Axis{bottom, top, interval});
 }
@@ -160,7 +164,8 @@ void PlotFrame::paintNumbers(QPainter& painter) const {
             Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, texts::numberAt(value, m_values.interval));
     for (const double time : m_times.multiplesOf(m_labelInterval))
         painter.drawText(QRectF(x(time) - 4 * height, area.bottom() + gap() / 2, 8 * height, height),
-                         Qt::AlignHCenter | Qt::AlignTop, texts::numberAt(time, m_labelInterval) + u" s"_s);
+                         Qt::AlignHCenter | Qt::AlignTop,
+                         texts::numberAt(time, m_labelInterval) + u' ' + m_timeUnit);
 }
 
 // ---- legend ----

@@ -37,6 +37,8 @@ public:
     void setMargins(int left, int right, int bottom);
     /// `labelInterval` 0: this plot shows no times.
     void setTimeAxis(double left, double right, double division, double labelInterval);
+    /// For a plot over something else than time.
+    void setTimeUnit(const QString& unit);
     void setValueAxis(double bottom, double top, double interval);
 
     [[nodiscard]] QRectF plotArea() const;
@@ -82,6 +84,7 @@ private:
     QColor m_text, m_base, m_axes, m_grid;
     Axis m_values, m_times;
     double m_labelInterval = 0;
+    QString m_timeUnit{QLatin1Char('s')};
     std::vector<LegendEntry> m_legend;
     QPixmap m_picture;
     bool m_outdated = true;

@@ -12,8 +12,8 @@
 namespace nmc {
 
 namespace {
-/// Limits of zooming, in s and in the unit of the axis.
-constexpr double kNarrowestView = 1e-5, kLongestView = 100, kMaxValues = 1e13;
+/// Limits of zooming, in the units of the axes.
+constexpr double kNarrowestView = 1e-5, kLongestView = 1'000, kMaxValues = 1e13;
 }  // namespace
 
 RecordPlot::RecordPlot(QWidget* parent) : PlotCanvas(parent) {

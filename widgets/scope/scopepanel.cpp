@@ -115,6 +115,7 @@ void ScopePanel::buildReadings() {
         setup.readings = unfolded;
         change(setup);
     });
+    connect(m_readings, &CursorPanel::frameWanted, this, &ScopePanel::touch);
     m_stripsAndReadings->addWidget(m_readings);
     placeReadings();
 }

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/spectrumplot.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "widgets/common/look.h"
+#include "widgets/common/plots.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+SpectrumPlot::SpectrumPlot(QWidget* parent) : RecordPlot(parent) {
+    look::name(this, u"spectrumPlot"_s, tr("Spectrum"));
+    setToolTip(tr(
+        "The sines in the signal, by frequency in Hz. The circle marks the highest that stands out from the noise. Double-click to show everything. Scroll to zoom the frequency, or the amplitudes with Ctrl; drag to pan; drag with Shift to select frequencies."));
+    m_frame.setTimeUnit(u"Hz"_s);
+    adoptPalette();
+    fit();
+}
+
+void SpectrumPlot::showSpectrum(const Spectrum& spectrum, const QString& label) {
+    m_spectrum = spectrum;
+    m_label = label;
+    refreshLegend();
+    fit();
+}
+
+void SpectrumPlot::refreshLegend() {
+    std::vector<PlotFrame::LegendEntry> legend;
+    if (!m_spectrum.points.empty())
+        legend.push_back({m_label, look::traceColour(0, palette()), false});
+    m_frame.setLegend(legend);
+    update();
+}
+
+RecordPlot::View SpectrumPlot::fitted() const {
+    if (m_spectrum.points.empty())
+        return {0, 100, 0, 1};
+    double highest = 0;
+    for (const SpectrumPoint& point : m_spectrum.points)
+        highest = std::max(highest, point.amplitude);
+    constexpr double kPastPeak = 10;
+    const double right = m_spectrum.points.back().hertz;
+    return {0, m_spectrum.peak ? std::min(right, kPastPeak * m_spectrum.peak->hertz) : right, 0,
+            highest > 0 ? highest : 1};
+}
+
+void SpectrumPlot::showEverything() {
+    fitAgain();
+    if (!m_spectrum.points.empty())
+        showTime(0, m_spectrum.points.back().hertz);
+}
+
+QMargins SpectrumPlot::room() const {
+    const int em = fontMetrics().height();
+    return {0, 0, em * 3 / 2, em * 3 / 2};
+}
+
+void SpectrumPlot::paintTraces(QPainter& painter) {
+    painter.setClipRect(m_geometry.area);
+    const auto placed = [this](const SpectrumPoint& point) {
+        return QPointF(m_geometry.x(point.hertz), m_geometry.y(point.amplitude));
+    };
+    QPolygonF line;
+    for (const SpectrumPoint& point : m_spectrum.points)
+        line << placed(point);
+    painter.setPen(QPen(look::traceColour(0, palette()), kTraceWidth));
+    painter.drawPolyline(line);
+    if (m_spectrum.peak) {
+        painter.setPen(QPen(palette().color(QPalette::Text), kTraceWidth));
+        const double radius = fontMetrics().height() / 3.0;
+        painter.drawEllipse(placed(*m_spectrum.peak), radius, radius);
+    }
+}
+
+QSize SpectrumPlot::sizeHint() const {
+    return {fontMetrics().height() * 36, fontMetrics().height() * 18};
+}
+
+QSize SpectrumPlot::minimumSizeHint() const {
+    return {fontMetrics().height() * 18, fontMetrics().height() * 10};
+}
+
+}  // namespace nmc
