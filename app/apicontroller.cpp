@@ -211,7 +211,7 @@ void ApiController::call(Client client, const api::Method& method, const Json& p
     }
     if (session(client).waits.size() >= kMostWaits)
         return fail(client, id, kRefused, QStringLiteral("Too many calls of wait are pending."), "TooMany");
-    session(client).waits.push_back({id, module});
+    session(client).waits.push_back({id, module, {}});
     answerWaits();
 }
 
@@ -412,6 +412,22 @@ bool ApiController::rests(ModuleIndex index) const {
            !m_commander.procedures().running(index) && !m_commander.sequences().parts().contains(index);
 }
 
+/// An axis without a tolerance has arrived when it rests.
+Arrival::State ApiController::arrivalOf(Pending& wait, const std::vector<ModuleIndex>& modules) const {
+    Arrival::State all = Arrival::State::There;
+    for (const ModuleIndex index : modules) {
+        const ModuleState& module = *m_store.module(index);
+        const ArrivalSettings& axis = m_store.machine().axis(index).arrival;
+        if (axis.tolerance <= 0.0 || !module.driveOn() || !module.goal() || !module.latest ||
+            !module.latest->position)
+            continue;
+        const Arrival::State state = wait.arrivals[index].look(module, *module.goal(), axis);
+        if (state != Arrival::State::There && all != Arrival::State::Missed)
+            all = state;
+    }
+    return all;
+}
+
 void ApiController::noteFinished(const bus::OperationFinished& finished) {
     if (const auto pending = m_pending.find(finished.module);
         pending != m_pending.end() && pending->second == finished.id) {
@@ -467,6 +483,10 @@ void ApiController::answerWaits() {
                 waiting.push_back(std::move(wait));
             else if (const auto failure = failureOf(session, modules, !wait.module))
                 fail(client, wait.id, kRefused, *failure, "NotCarriedOut");
+            else if (const auto arrival = arrivalOf(wait, modules); arrival == Arrival::State::Underway)
+                waiting.push_back(std::move(wait));
+            else if (arrival == Arrival::State::Missed)
+                fail(client, wait.id, kRefused, texts::didNotSettle(), "NotSettled");
             else if (wait.module)
                 answer(client, wait.id,
                        api::stateOf(*m_store.module(*wait.module), m_store.machine().axis(*wait.module)));

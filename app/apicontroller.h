@@ -64,6 +64,7 @@ private:
     struct Pending {
         Json id;
         std::optional<ModuleIndex> module;  ///< empty: all, and the sequence that runs
+        std::map<ModuleIndex, Arrival> arrivals{};
     };
     struct Session {
         QString program{};      ///< empty until it has called hello
@@ -101,6 +102,8 @@ private:
     void noteMoved(Client client, ModuleIndex module);
     [[nodiscard]] bool isHeld(Client client);
     [[nodiscard]] bool rests(ModuleIndex module) const;
+    /// Of these modules, which are at rest: Missed if one has, or Underway.
+    [[nodiscard]] Arrival::State arrivalOf(Pending& wait, const std::vector<ModuleIndex>& modules) const;
     void noteFinished(const bus::OperationFinished& finished);
     void noteEnded(const ProcedureReport& report);
     void noteSequence(const SequenceReport& report);

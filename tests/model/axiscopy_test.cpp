@@ -124,10 +124,11 @@ TEST(AxisCopy, LimitPinsOfAnScStayWithScs) {
 /// another one does not compile without a value of its own.
 AxisSettings everySetting() {
     AxisSettings axis = servoAxis();
-    auto& [name, expected, unit, motion, travel, backlash, homing, limitStop, analog, gains, io, fastPath,
-           parameters, accelerationTime, outputNames, inputNames, pins] = axis;
+    auto& [name, expected, unit, motion, travel, backlash, arrival, homing, limitStop, analog, gains, io,
+           fastPath, parameters, accelerationTime, outputNames, inputNames, pins] = axis;
     travel = {-5, 5, 4.0};
     backlash = {20, true};
+    arrival = {5, 0.25};
     limitStop.eachMotion = true;
     analog.unit = "A";
     fastPath = true;
@@ -168,7 +169,7 @@ TEST(AxisCopy, EveryKeyOfAnAxisIsInExactlyOnePart) {
     const nlohmann::json file = fileOf(everySetting());
     for (const auto& [key, value] : file.items())
         EXPECT_EQ(parts[key], key == "expected" ? 0 : 1) << key;
-    EXPECT_EQ(file.size(), 17U) << "as many as an axis has members";
+    EXPECT_EQ(file.size(), 18U) << "as many as an axis has members";
 }
 
 TEST(AxisCopy, EverySettingButTheNameCanBeCopied) {

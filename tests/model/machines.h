@@ -112,6 +112,7 @@ inline AxisSettings anyAxis() {
     else if (coin())
         axis.travel.highest = pickWhole<std::int32_t>(-0x7FFFFFFF, 0x7FFFFFFF);
     axis.backlash = {pick(0, 2e9), coin()};
+    axis.arrival = {pick(0, 2e9), pick(0, 100)};
     axis.limitStop = {coin(), coin(), coin(), coin(), coin(), pickWhole<HomingRecipe::Stop>(0, 2)};
     if (coin())
         axis.homing = HomingRecipe{

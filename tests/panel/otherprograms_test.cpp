@@ -24,6 +24,7 @@
 #include "link/api/apiserver.h"
 #include "tests/support/otherprogram.h"
 #include "tests/support/virtualpanel.h"
+#include "tests/support/virtualtime.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/words.h"
 #include "widgets/messages/messagemodel.h"
@@ -125,6 +126,23 @@ TEST_F(OtherPrograms, MoveWhereTheyWantOnceTheUserAgrees) {
               true);
     EXPECT_NEAR(client.call("wait", {{"axis", 1}})["result"]["position"].get<double>(), 300, 2);
     EXPECT_EQ(sim.violations(), "");
+}
+
+/// The axis needs half a second within 20 counts of its goal.
+TEST_F(OtherPrograms, WaitUntilTheMotorHasStayedWithinTheToleranceOfItsAxis) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    AxisSettings axis = panel.composition().machine().axes.at(0);
+    axis.arrival = {20, 0.5};
+    emit panel.window().requests().axisEdited(ModuleIndex(0), axis);
+    ASSERT_EQ(client.call("move", {{"axis", 1}, {"to", 500}})["result"]["accepted"], true);
+    const int waits = client.request("wait", {{"axis", 1}});
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
+    const TimePoint ended = virtualtime::now();
+    EXPECT_EQ(client.answer(waits)["result"]["moving"], false);
+    EXPECT_GE(virtualtime::now() - ended, std::chrono::milliseconds(450));
 }
 
 TEST_F(OtherPrograms, AreRefusedInTheWordsOfTheWindow) {

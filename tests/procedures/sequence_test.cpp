@@ -285,6 +285,28 @@ TEST_F(Sequences, AStopThatItWasNotToldOfEndsIt) {
     bench.expectRest();
 }
 
+/// An encoder with noise of 10 counts rms never stands still, as far as its reports show, and is rarely
+/// within a count of anything, but always within 60.
+TEST_F(Sequences, AnAxisThatNeverStandsStillArrivesWithinItsTolerance) {
+    bench.machine.program.sequences = {{"Move", {action::MoveTo{"A"}}}};
+    bench.machine.axes[0].arrival = {60, 0.1};
+    bench.bus.chain.set(kX, sim::Input::EncoderNoise, 10.0, bench.bus.now);
+    bench.start("Move");
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+}
+
+TEST_F(Sequences, AnAxisThatDoesNotStayWithinItsToleranceEndsIt) {
+    bench.machine.program.sequences = {{"Move", {action::MoveTo{"A"}, action::MoveTo{"B"}}}};
+    bench.machine.axes[0].arrival = {1, 0.5};
+    bench.bus.chain.set(kX, sim::Input::EncoderNoise, 10.0, bench.bus.now);
+    bench.start("Move");
+    const SequenceReport report = bench.goOn();
+    EXPECT_EQ(report.end, SequenceEnd::NotSettled);
+    EXPECT_EQ(report.module, kX);
+    bench.expectRest();
+    EXPECT_NEAR(static_cast<double>(bench.shafts()[0]), 1'000, 60) << "it did not go on to B";
+}
+
 // ---- at every moment ----
 
 /// Moments at which a run is disturbed, spread evenly over its length.

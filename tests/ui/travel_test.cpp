@@ -119,6 +119,18 @@ TEST_F(TravelPanel, SettingsThatExcludeEachOtherAreNamedWhereTheyRefuse) {
     EXPECT_TRUE(button(u"goHomeButton"_s)->isEnabled());
 }
 
+TEST_F(TravelPanel, ArrivalIsKeptWithTheAxisAndWhatMakesNoSenseIsNot) {
+    enter(u"arrivalToleranceField"_s, u"25"_s);
+    enter(u"arrivalDurationField"_s, u"0.2"_s);
+    EXPECT_EQ(machine.axes.at(0).arrival, (ArrivalSettings{25, 0.2}));
+    enter(u"arrivalToleranceField"_s, u"0"_s);
+    EXPECT_EQ(machine.axes.at(0).arrival, (ArrivalSettings{25, 0.2}));
+    EXPECT_TRUE(text(u"travelHint"_s).startsWith(u"Arrival tolerance must be"_s))
+        << text(u"travelHint"_s).toStdString();
+    enter(u"arrivalToleranceField"_s, u""_s);
+    EXPECT_EQ(machine.axes.at(0).arrival.tolerance, 0.0) << "standstill again";
+}
+
 TEST_F(TravelPanel, AFieldWhoseRangeIsASettingSaysWhichOne) {
     enter(u"fastestField"_s, u"1.5"_s);
     type(u"velocityField"_s, u"2"_s);

@@ -62,6 +62,10 @@ QString wasCancelled() {
     return ApiWords::tr("It was cancelled by a stop or by another command.");
 }
 
+QString didNotSettle() {
+    return ApiWords::tr("The motor did not stay within the arrival tolerance of its axis.");
+}
+
 QString controlLost(ControlLost why) {
     switch (why) {
         case ControlLost::Stopped:

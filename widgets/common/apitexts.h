@@ -33,6 +33,8 @@ namespace nmc::texts {
 
 /// A request was not carried out to the end.
 [[nodiscard]] QString wasCancelled();
+/// A motor does not stay within its tolerance of the goal.
+[[nodiscard]] QString didNotSettle();
 
 /// Why a program has lost the right to move motors.
 enum class ControlLost : std::uint8_t { Stopped, TakenBack, Commanded, Disconnected };

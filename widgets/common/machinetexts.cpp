@@ -289,6 +289,8 @@ QString machinePart(MachinePart part) {
             return Common::tr("Travel and speed limits");
         case MachinePart::Backlash:
             return Common::tr("Backlash");
+        case MachinePart::Arrival:
+            return Common::tr("Arrival");
         case MachinePart::Homing:
             return Common::tr("Homing");
         case MachinePart::LimitStop:
@@ -375,6 +377,8 @@ QString machineField(const QString& key, bool reversed) {
         {u"highest"_s, QT_TRANSLATE_NOOP("Texts", "Highest position, from home")},
         {u"fastest"_s, QT_TRANSLATE_NOOP("Texts", "Highest velocity")},
         {u"distance"_s, QT_TRANSLATE_NOOP("Texts", "Distance")},
+        {u"tolerance"_s, QT_TRANSLATE_NOOP("Texts", "Tolerance")},
+        {u"duration"_s, QT_TRANSLATE_NOOP("Texts", "Duration")},
         {u"from_above"_s, QT_TRANSLATE_NOOP("Texts", "From above")},
         {u"each_motion"_s, QT_TRANSLATE_NOOP("Texts", "Armed for each motion")},
         {u"on_limit1"_s, QT_TRANSLATE_NOOP("Texts", "On limit switch 1")},

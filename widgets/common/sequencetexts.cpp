@@ -86,6 +86,10 @@ QString why(const SequenceReport& report) {
             return Texts::tr("A limit switch of %1 closed during the move.").arg(module);
         case SequenceEnd::NotArrived:
             return Texts::tr("%1 stopped before it reached its goal.").arg(module);
+        case SequenceEnd::NotSettled:
+            return Texts::
+                tr("%1 did not stay within its arrival tolerance. Check its gains, or change the tolerance (Axis page).")
+                    .arg(module);
         case SequenceEnd::WentOff:
             return Texts::tr("The motor of %1 switched off.").arg(module);
         case SequenceEnd::Refused:

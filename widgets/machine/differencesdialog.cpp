@@ -50,6 +50,7 @@ bool hasFields(MachinePart part) {
         case MachinePart::Motion:
         case MachinePart::Travel:
         case MachinePart::Backlash:
+        case MachinePart::Arrival:
         case MachinePart::LimitStop:
         case MachinePart::Homing:
         case MachinePart::Analog:

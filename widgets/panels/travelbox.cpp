@@ -22,7 +22,8 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 namespace {
-constexpr int kLimitDigits = 8;  // width of each field
+constexpr int kLimitDigits = 8;         // width of each field
+constexpr double kLongestArrival = 60;  // s
 }  // namespace
 
 TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
@@ -33,6 +34,8 @@ TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
     buildLimit(grid, Highest);
     buildFastest(grid);
     buildBacklash(grid);
+    if (!m_context.state().isStepper())
+        buildArrival(grid);
     m_hint = form::newParagraph(m_context.named(u"travelHint"_s), {}, this);
     m_state = form::newParagraph(m_context.named(u"travelState"_s), tr("State of the travel limits"), this);
     grid->addWide(m_hint);
@@ -115,6 +118,44 @@ void TravelBox::keepBacklash() {
     refresh();
 }
 
+void TravelBox::buildArrival(FormGrid* grid) {
+    m_tolerance = form::newQuantity(
+        {.kind = QuantityField::Kind::Distance,
+         .name = u"arrivalToleranceField"_s,
+         .accessible = tr("Arrival tolerance"),
+         .min = 1,
+         .max = layout::kPlace.max,
+         .digits = kLimitDigits,
+         .meaning = tr(
+             "Sequences, and programs that wait, go on when the motor has stayed this close to its goal for the time beside it. Empty: when it stands still.")},
+        this);
+    m_duration = form::newNumber({.name = u"arrivalDurationField"_s,
+                                  .accessible = tr("Time within the arrival tolerance"),
+                                  .unit = Common::tr("s"),
+                                  .min = layout::kSeconds.min,
+                                  .max = kLongestArrival,
+                                  .decimals = 2,
+                                  .digits = 5,
+                                  .meaning = tr("How long the motor must stay within the tolerance.")},
+                                 this);
+    grid->addRow(
+        tr("Arrival within"), m_tolerance,
+        {form::newLine(this, {new QLabel(tr("for"), this), m_duration, new QLabel(Common::tr("s"), this)})});
+    connect(m_tolerance, &QuantityField::nativeEdited, this, &TravelBox::keepArrival);
+    connect(m_duration, &NumberField::edited, this, &TravelBox::keepArrival);
+}
+
+void TravelBox::keepArrival() {
+    ArrivalSettings arrival = m_context.settings().arrival;
+    if (usable(*m_tolerance))
+        arrival.tolerance = m_tolerance->native().value_or(0.0);
+    if (usable(*m_duration))
+        arrival.seconds = m_duration->value().value_or(0.0);
+    m_shownArrival = arrival;
+    m_context.edit([arrival](AxisSettings& axis) { axis.arrival = arrival; });
+    refresh();
+}
+
 void TravelBox::buildWord(FormGrid* grid) {
     m_declare = new Command({.name = m_context.named(u"declarePositionButton"_s),
                              .text = tr("Confirm position…"),
@@ -132,8 +173,15 @@ std::optional<std::int32_t>& TravelBox::of(TravelSettings& travel, Limit limit) 
     return (limit == Lowest) != m_context.scale().reversed() ? travel.lowest : travel.highest;
 }
 
-bool TravelBox::usable(const QuantityField& field) {
-    return field.native() || field.problem() == NumberField::Problem::Empty;
+bool TravelBox::usable(const NumberField& field) {
+    return field.value() || field.problem() == NumberField::Problem::Empty;
+}
+
+std::vector<QuantityField*> TravelBox::quantities() const {
+    std::vector<QuantityField*> fields{m_limits[Lowest], m_limits[Highest], m_fastest, m_backlash};
+    if (m_tolerance != nullptr)
+        fields.push_back(m_tolerance);
+    return fields;
 }
 
 bool TravelBox::crossed() const {
@@ -209,7 +257,7 @@ void TravelBox::showField(QuantityField& field, std::optional<double> native) {
 void TravelBox::showModule() {
     const AxisScale scale = m_context.scale();
     const bool turned = scale.reversed() != m_fastest->scale().reversed();
-    for (QuantityField* field : {m_limits[Lowest], m_limits[Highest], m_fastest, m_backlash})
+    for (QuantityField* field : quantities())
         field->setScale(scale);
     const bool steps = m_context.state().isStepper();
     m_fastest->setNativeRange(steps ? 1.0 : servodefaults::kSmallest,
@@ -229,15 +277,23 @@ void TravelBox::showModule() {
         m_side->setCurrentIndex(m_context.chipReverse(backlash.fromAbove) ? 1 : 0);
         m_shownBacklash = backlash;
     }
+    const ArrivalSettings& arrival = m_context.settings().arrival;
+    if (m_tolerance != nullptr && (m_shownArrival != arrival || turned)) {
+        showField(*m_tolerance, arrival.tolerance > 0 ? std::optional(arrival.tolerance) : std::nullopt);
+        m_duration->showValue(arrival.seconds);
+        m_shownArrival = arrival;
+    }
     refresh();
 }
 
 void TravelBox::refresh() {
     const ModuleState& module = m_context.state();
     QString hint;
-    for (const QuantityField* field : {m_limits[Lowest], m_limits[Highest], m_fastest, m_backlash})
+    for (const QuantityField* field : quantities())
         if (hint.isEmpty() && !usable(*field))
             hint = field->problemText();
+    if (hint.isEmpty() && m_duration != nullptr && !usable(*m_duration))
+        hint = m_duration->problemText();
     if (hint.isEmpty() && crossed())
         hint = tr("The lowest position must be below the highest. The old value is kept.");
     if (hint.isEmpty() && homeIsOutOfReach())

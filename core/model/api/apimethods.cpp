@@ -104,7 +104,8 @@ std::vector<Method> makeMethods() {
         {"state", Access::Read, "The chain and all its modules."},
         {"wait",
          Access::Read,
-         "Answers once the axis is at rest and nothing is pending for it.",
+         "Answers once the axis is at rest, within its arrival tolerance if it has one, and nothing is pending "
+         "for it.",
          {{"axis", Kind::Axis, false, "all axes, and a sequence that runs, if left out"}}},
         {"subscribe",
          Access::Read,

@@ -43,6 +43,7 @@ constexpr PartMembers<AxisSettings> kAxisParts[] = {
     {MachinePart::Motion, {"motion"}, takeMembers<&AxisSettings::motion>},
     {MachinePart::Travel, {"travel"}, takeMembers<&AxisSettings::travel>},
     {MachinePart::Backlash, {"backlash"}, takeMembers<&AxisSettings::backlash>},
+    {MachinePart::Arrival, {"arrival"}, takeMembers<&AxisSettings::arrival>},
     {MachinePart::Homing, {"homing"}, takeMembers<&AxisSettings::homing>},
     {MachinePart::LimitStop, {"limit_stop"}, takeMembers<&AxisSettings::limitStop>},
     {MachinePart::Analog, {"analog"}, takeMembers<&AxisSettings::analog>},

@@ -26,6 +26,7 @@ enum class MachinePart : std::uint8_t {
     Motion,
     Travel,
     Backlash,
+    Arrival,
     Homing,
     LimitStop,
     Analog,

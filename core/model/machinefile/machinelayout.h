@@ -146,6 +146,13 @@ void fields(Form& form, T& backlash) {
     form.flag("from_above", fromAbove);
 }
 
+template <typename Form, As<ArrivalSettings> T>
+void fields(Form& form, T& arrival) {
+    auto& [tolerance, seconds] = arrival;
+    form.distance("tolerance", tolerance);
+    form.seconds("duration_s", seconds);
+}
+
 template <typename Form, As<LimitStopSettings> T>
 void fields(Form& form, T& stop) {
     auto& [eachMotion, onLimit1, onLimit2, onPositionError, onCurrentLimit, manner] = stop;
@@ -251,8 +258,8 @@ void fields(Form& form, T& settings) {
 
 template <typename Form, As<AxisSettings> T>
 void fields(Form& form, T& axis) {
-    auto& [name, expected, unit, motion, travel, backlash, homing, limitStop, analog, gains, io, fastPath,
-           parameters, accelerationTime, outputNames, inputNames, pins] = axis;
+    auto& [name, expected, unit, motion, travel, backlash, arrival, homing, limitStop, analog, gains, io,
+           fastPath, parameters, accelerationTime, outputNames, inputNames, pins] = axis;
     form.text("name", name);
     form.part("expected", expected);
     // From here on, the names of the numbers depend on the chip's units.
@@ -261,6 +268,7 @@ void fields(Form& form, T& axis) {
     form.part("motion", motion);
     form.part("travel", travel);
     form.part("backlash", backlash);
+    form.part("arrival", arrival);
     form.part("homing", homing);
     form.part("limit_stop", limitStop);
     form.part("analog", analog);

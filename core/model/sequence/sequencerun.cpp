@@ -213,13 +213,14 @@ bool SequenceRun::hasArrived(const ModuleState& module, Move& move, TimePoint no
         m_leftAlone.insert(index);
         endBy(SequenceEnd::NotArrived, index);
     }
-    if (ending() || module.latestTime <= *move.since || !module.latest->position ||
-        !move.standstill.look(module.latestTime, *module.latest->position, module.moving()))
+    if (ending() || module.latestTime <= *move.since || !module.latest->position)
         return false;
-    if (!module.isStepper() || module.stepper.position() == move.goal)
-        return true;
-    endBy(SequenceEnd::NotArrived, index);
-    return false;
+    const Arrival::State arrival = move.arrival.look(module, move.goal, m_machine.axis(index).arrival);
+    if (arrival == Arrival::State::Missed)
+        endBy(SequenceEnd::NotSettled, index);
+    else if (arrival == Arrival::State::There && module.isStepper() && module.stepper.position() != move.goal)
+        endBy(SequenceEnd::NotArrived, index);
+    return arrival == Arrival::State::There && !ending();
 }
 
 SequenceRun::Next SequenceRun::proceed(const Modules& modules, TimePoint now) {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/time.h"
-#include "bus/standstill.h"
 #include "bus/types.h"
 #include "model/intent/intent.h"
+#include "model/module/arrival.h"
 #include "model/procedure/procedure.h"
 #include "model/sequence/sequencecheck.h"
 
@@ -36,6 +36,7 @@ enum class SequenceEnd : std::uint8_t {
     TakenOver,    ///< `module` was sent something else, or is moved by something else
     LimitClosed,  ///< a limit switch of `module` closed during the move
     NotArrived,   ///< `module` stopped before its goal, or was given another one
+    NotSettled,   ///< `module` does not stay within its tolerance (Arrival)
     WentOff,      ///< the motor of `module` is unexpectedly off
     Refused,      ///< because of `refusal`
     InputTimeout,
@@ -134,7 +135,7 @@ private:
         std::int32_t goal = 0;
         LimitWatch::Limits closedBefore{};  ///< closed by an earlier motion (LimitWatch::ranInto)
         std::optional<TimePoint> since{};   ///< only later statuses show the result of the move
-        Standstill standstill{};
+        Arrival arrival{};
     };
     /// Progress of the current row.
     struct Row {

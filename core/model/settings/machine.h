@@ -78,6 +78,14 @@ struct BacklashSettings {
     bool operator==(const BacklashSettings&) const = default;
 };
 
+/// When a move of a PIC-SERVO has arrived, for sequences and for programs that wait (model/module/arrival.h).
+struct ArrivalSettings {
+    double tolerance = 0.0;  ///< counts to either side of the goal; 0: at standstill, wherever that is
+    double seconds = 0.0;    ///< for which it must stay within the tolerance
+
+    bool operator==(const ArrivalSettings&) const = default;
+};
+
 /// The limit stop of a PIC-SERVO (intent::ArmLimitStop), as an axis uses it for each of its motions.
 struct LimitStopSettings {
     bool eachMotion = false;  ///< otherwise it is armed by hand
@@ -98,6 +106,7 @@ struct AxisSettings {
     MotionSettings motion;
     TravelSettings travel;
     BacklashSettings backlash;
+    ArrivalSettings arrival;
     std::optional<HomingRecipe> homing;
     LimitStopSettings limitStop;
     AnalogScale analog;
