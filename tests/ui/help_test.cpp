@@ -303,6 +303,8 @@ TEST_F(Help, EachAnchorOfTheManualIsAWidget) {
     showServo();
     click(u"workOutUnitButton"_s);
     click(u"scopeCursorsButton"_s);
+    click(u"scopeSpectrumButton"_s);
+    click(u"scopeXyButton"_s);
     look();
     EXPECT_TRUE(wanted.isEmpty()) << wanted.values().join(u' ').toStdString();
 }

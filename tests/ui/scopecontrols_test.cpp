@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QRegularExpression>
 #include <QSplitter>
 #include <QTableWidget>
@@ -16,6 +17,7 @@
 #include "widgets/scope/scopestrips.h"
 #include "widgets/scope/signalsdialog.h"
 #include "widgets/scope/statuslane.h"
+#include "widgets/scope/xyplot.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -301,6 +303,26 @@ TEST_F(SpectrumOfTheScope, FollowsTheCursors) {
     EXPECT_FALSE(window->findChild<QWidget*>(u"spectrumDialog"_s)->isVisible());
 }
 
+/// Module 1 goes from 120 to 160 between the cursors, with 5 % of that as a margin; module 2 swings about
+/// 8400 to 11200.
+TEST_F(SpectrumOfTheScope, HasAnXyViewBesideIt) {
+    click(u"scopeXyButton"_s);
+    frames();
+    auto* plot = find<XyPlot>(u"xyPlot"_s);
+    EXPECT_EQ(find<QComboBox>(u"xyHorizontalBox"_s)->currentIndex(), 0);
+    EXPECT_EQ(find<QComboBox>(u"xyVerticalBox"_s)->currentIndex(), 1);
+    EXPECT_TRUE(plot->legendText(0).contains(u" over "_s)) << plot->legendText(0).toStdString();
+    EXPECT_NEAR(plot->geometryShown().left, 118, 0.5);
+    EXPECT_NEAR(plot->geometryShown().right, 162, 0.5);
+    EXPECT_LT(plot->geometryShown().bottom, 8'400);
+    EXPECT_GT(plot->geometryShown().top, 11'200);
+    EXPECT_TRUE(text(u"xyHint"_s).isEmpty());
+    putCursors(30, 31);
+    frames();
+    EXPECT_EQ(text(u"xyHint"_s), u"Too few samples are between the cursors. Move them farther apart."_s);
+    EXPECT_TRUE(plot->legendText(0).isEmpty());
+}
+
 /// The first module only drifts.
 TEST_F(SpectrumOfTheScope, SaysThatNothingOscillates) {
     swinging = HandMadeHistory(2);
@@ -437,6 +459,55 @@ TEST_F(ScopeControls, SignalsOfAnyModuleStandInAnyStripAndAreRemembered) {
     const ScopeSetup kept = ScopeSetup::fromText(settings.value(u"scope"_s).toString());
     EXPECT_TRUE(kept.shows(2, {ModuleIndex(1), ScopeSignal::Position}));
     EXPECT_EQ(MainWindow(settings).findChild<ScopePanel*>()->setup(), kept);
+}
+
+/// Saved under a name, chosen again, replaced and removed, and there again in the next session.
+TEST_F(ScopeControls, PresetsAreKeptByName) {
+    auto* panel = find<ScopePanel>(u"scopePanel"_s);
+    const auto save = [&](const QString& name) {
+        window->findChild<QAction*>(u"scopeSavePresetAction"_s)->trigger();
+        find<QLineEdit>(u"scopePresetName"_s)->setText(name);
+        click(u"scopePresetSaveButton"_s);
+        QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    };
+    const auto entry = [&](const QString& menu, const QString& name) {
+        QAction* found = nullptr;
+        for (QAction* action : window->findChild<QMenu*>(menu)->actions())
+            if (action->text() == name)
+                found = action;
+        return found;
+    };
+    const ScopeSetup before = panel->setup();
+    save(u"Usual & more"_s);
+    ScopeSetup other = before;
+    other.strips[1] = {{ModuleIndex(1), ScopeSignal::Velocity}};
+    other.seconds = 2;
+    panel->setSetup(other);
+    save(u" Speed "_s);
+    entry(u"scopePresetsMenu"_s, u"Usual && more"_s)->trigger();
+    EXPECT_EQ(panel->setup(), before);
+    MainWindow next(settings);
+    auto* menu = next.findChild<QMenu*>(u"scopePresetsMenu"_s);
+    EXPECT_EQ(menu->actions().at(0)->text(), u"Speed"_s);
+    menu->actions().at(0)->trigger();
+    EXPECT_EQ(next.findChild<ScopePanel*>()->setup(), other);
+
+    save(u"Speed"_s);  // replaces it by what is shown now
+    panel->setSetup(other);
+    entry(u"scopePresetsMenu"_s, u"Speed"_s)->trigger();
+    EXPECT_EQ(panel->setup(), before);
+    entry(u"scopeRemovePresetMenu"_s, u"Speed"_s)->trigger();
+    EXPECT_EQ(entry(u"scopePresetsMenu"_s, u"Speed"_s), nullptr);
+    EXPECT_NE(entry(u"scopePresetsMenu"_s, u"Usual && more"_s), nullptr);
+    EXPECT_EQ(settings.value(u"scope/presets"_s).toStringList().size(), 2);
+}
+
+TEST_F(ScopeControls, APresetNeedsAName) {
+    window->findChild<QAction*>(u"scopeSavePresetAction"_s)->trigger();
+    find<QLineEdit>(u"scopePresetName"_s)->setText(u"  "_s);
+    EXPECT_FALSE(button(u"scopePresetSaveButton"_s)->isEnabled());
+    click(u"scopePresetCancelButton"_s);
+    EXPECT_TRUE(settings.value(u"scope/presets"_s).toStringList().isEmpty());
 }
 
 TEST_F(ScopeControls, StatusBitsAreDrawnHighAndLow) {

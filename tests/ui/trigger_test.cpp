@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
 
 #include "scopehistory.h"
+#include "widgets/common/requests.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopeplot.h"
 #include "widgets/scope/scopestrips.h"
@@ -105,6 +111,49 @@ TEST_F(Trigger, WaitsForAVelocityWithAnotherShareBefore) {
     run(6.0, oneMove);
     // From 500 at 3.99 s to 0 at 4.00 s.
     expectShown(3.995 - 0.5, 3.995 + 0.5);
+}
+
+/// Four pictures and two files: the third replaces the first. A picture has the samples of 1 s, 101 of them
+/// where both ends have one.
+TEST_F(Trigger, EachPictureIsSavedAndTheLastOnesAreKept) {
+    const QTemporaryDir folder;
+    QSignalSpy saved(&window->requests(), &Requests::save);
+    click(u"triggerSaveBox"_s);
+    EXPECT_FALSE(find<QCheckBox>(u"triggerSaveBox"_s)->isChecked()) << "no folder yet";
+    emit find<QFileDialog>(u"triggerFolderDialog"_s)->fileSelected(folder.path());
+    find<QFileDialog>(u"triggerFolderDialog"_s)->close();
+    EXPECT_TRUE(find<QCheckBox>(u"triggerSaveBox"_s)->isChecked());
+    type(u"triggerKeepField"_s, u"2"_s);
+    type(u"triggerLevelField"_s, u"50"_s);
+    choose(u"triggerModeBox"_s, u"Normal"_s);
+    // A pulse every 3 s.
+    run(13, [](double t, ScopeSample& sample) { sample.position = std::fmod(t, 3.0) > 2.0 ? 100 : 0; });
+    ASSERT_EQ(saved.size(), 4);
+    QStringList names;
+    for (const auto& one : saved)
+        names << one.at(0).toString().right(15);
+    EXPECT_EQ(names, (QStringList{u"trigger 001.csv"_s, u"trigger 002.csv"_s, u"trigger 001.csv"_s,
+                                  u"trigger 002.csv"_s}));
+    EXPECT_TRUE(saved.at(0).at(0).toString().startsWith(folder.path()));
+    const std::string content = saved.at(0).at(1).value<FileContent>()();
+    EXPECT_TRUE(content.starts_with("# NMC Panel recording 1\n"));
+    EXPECT_NEAR(static_cast<double>(std::ranges::count(content, '\n') - std::ranges::count(content, '#')),
+                101, 2);
+    EXPECT_TRUE(text(u"triggerSavedLabel"_s).startsWith(u"4 saved to"_s));
+
+    click(u"triggerSaveBox"_s);
+    run(20, [](double t, ScopeSample& sample) { sample.position = std::fmod(t, 3.0) > 2.0 ? 100 : 0; });
+    EXPECT_EQ(saved.size(), 4);
+}
+
+TEST_F(Trigger, ASinglePictureIsSavedOnce) {
+    QSignalSpy saved(&window->requests(), &Requests::save);
+    click(u"triggerSaveBox"_s);
+    emit find<QFileDialog>(u"triggerFolderDialog"_s)->fileSelected(u"/tmp"_s);
+    type(u"triggerLevelField"_s, u"50"_s);
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    run(10, ramp);
+    EXPECT_EQ(saved.size(), 1);
 }
 
 TEST_F(Trigger, ArmWaitsForTheNextOne) {

@@ -49,6 +49,7 @@
 #include "widgets/response/responsedock.h"
 #include "widgets/scope/scopefiles.h"
 #include "widgets/scope/scopepanel.h"
+#include "widgets/scope/scopepresets.h"
 #include "widgets/sequences/sequencesdock.h"
 #include "widgets/simulator/simulatordock.h"
 
@@ -222,6 +223,9 @@ void MainWindow::connectParts() {
     connect(m_scope, &ScopePanel::frameWanted, this, &MainWindow::scopeFrameWanted);
     connect(m_scope, &ScopePanel::setupChanged, this,
             [this](const ScopeSetup& setup) { m_settings.setValue(m_layouts->key(kScope), setup.toText()); });
+    m_scope->presets().showPresets(m_settings.value(kScopePresets).toStringList());
+    connect(&m_scope->presets(), &ScopePresets::presetsChanged, this,
+            [this](const QStringList& presets) { m_settings.setValue(kScopePresets, presets); });
     connect(m_monitor, &MonitorDock::recordingChanged, this, &MainWindow::packetRecordingWanted);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_banner, &Banner::allWanted, this, [this](const QString& key) {

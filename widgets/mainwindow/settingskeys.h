@@ -10,6 +10,7 @@ inline const QString kGeometry = QStringLiteral("window/geometry");
 inline const QString kState = QStringLiteral("window/state");
 inline const QString kLayout = QStringLiteral("window/layout");
 inline const QString kScope = QStringLiteral("scope");
+inline const QString kScopePresets = QStringLiteral("scope/presets");
 inline const QString kLastPort = QStringLiteral("connection/port");
 inline const QString kLastBaud = QStringLiteral("connection/baud");
 inline const QString kSimulatorOpen = QStringLiteral("simulator/open");

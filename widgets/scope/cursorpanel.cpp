@@ -8,6 +8,7 @@
 #include "widgets/common/sharedwords.h"
 #include "widgets/scope/cursortable.h"
 #include "widgets/scope/spectrumdialog.h"
+#include "widgets/scope/xydialog.h"
 
 namespace nmc {
 
@@ -21,13 +22,13 @@ CursorPanel::CursorPanel(QWidget* parent)
     m_fold->setAutoRaise(true);
     m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     connect(m_fold, &QToolButton::clicked, this, &CursorPanel::unfoldRequested);
-    auto* spectrum = new QToolButton(this);
-    spectrum->setText(tr("Spectrum…"));
-    spectrum->setToolTip(tr("Shows at which frequencies a signal oscillates between the cursors."));
-    spectrum->setAutoRaise(true);
-    look::name(spectrum, u"scopeSpectrumButton"_s, spectrum->text());
-    connect(spectrum, &QToolButton::clicked, this, &CursorPanel::openSpectrum);
-    form::fill(this, form::newColumn(this, {form::newLine(this, {m_fold, nullptr, spectrum}), m_table}, 0));
+    auto* spectrum =
+        newOpener<SpectrumDialog>(u"scopeSpectrumButton"_s, tr("Spectrum…"),
+                                  tr("Shows at which frequencies a signal oscillates between the cursors."));
+    auto* xy = newOpener<XyDialog>(u"scopeXyButton"_s, tr("XY view…"),
+                                   tr("Shows one signal over another between the cursors."));
+    form::fill(this,
+               form::newColumn(this, {form::newLine(this, {m_fold, nullptr, xy, spectrum}), m_table}, 0));
     setBeside(false);
     setUnfolded(true);
 }
@@ -50,25 +51,35 @@ bool CursorPanel::showReadings(const ScopeStrips& strips, const History& history
                              : QString();
     if (m_fold->text() != text)
         m_fold->setText(text);
-    const bool table = !m_fold->isChecked() || m_table->showReadings(strips, history);
-    const bool spectrum =
-        m_spectrum == nullptr || !m_spectrum->isVisible() || m_spectrum->showSpectrum(strips, history);
-    return table && spectrum;
+    bool upToDate = !m_fold->isChecked() || m_table->showReadings(strips, history);
+    for (StretchDialog* dialog : m_dialogs)
+        upToDate = (!dialog->isVisible() || dialog->showStretch(strips, history)) && upToDate;
+    return upToDate;
 }
 
-void CursorPanel::openSpectrum() {
-    if (m_spectrum == nullptr) {
-        m_spectrum = new SpectrumDialog(this);
-        connect(m_spectrum, &SpectrumDialog::frameWanted, this, &CursorPanel::frameWanted);
-    }
-    m_spectrum->show();
-    m_spectrum->raise();
-    emit frameWanted();
+template <typename Dialog>
+QToolButton* CursorPanel::newOpener(const QString& objectName, const QString& text, const QString& meaning) {
+    auto* button = new QToolButton(this);
+    button->setText(text);
+    button->setToolTip(meaning);
+    button->setAutoRaise(true);
+    look::name(button, objectName, text);
+    connect(button, &QToolButton::clicked, this, [this] {
+        auto* dialog = findChild<Dialog*>();
+        if (dialog == nullptr) {
+            m_dialogs.push_back(dialog = new Dialog(this));
+            connect(dialog, &StretchDialog::frameWanted, this, &CursorPanel::frameWanted);
+        }
+        dialog->show();
+        dialog->raise();
+        emit frameWanted();
+    });
+    return button;
 }
 
 void CursorPanel::hideEvent(QHideEvent* event) {
-    if (m_spectrum != nullptr)
-        m_spectrum->hide();
+    for (StretchDialog* dialog : m_dialogs)
+        dialog->hide();
     QWidget::hideEvent(event);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 class QToolButton;
 
@@ -10,10 +11,10 @@ namespace nmc {
 class CursorTable;
 class History;
 class ScopeStrips;
-class SpectrumDialog;
+class StretchDialog;
 
 /// The cursor readings: a line that shows how far apart the cursors are, and below it a table that folds into
-/// that line. Beside the line, a button opens the spectrum of what is between the cursors.
+/// that line. Beside the line, buttons open windows about what is between the cursors.
 class CursorPanel : public QWidget {
     Q_OBJECT
 
@@ -23,7 +24,7 @@ public:
     void setUnfolded(bool unfolded);
     /// True if the panel is beside the strips, and as high as they are; false if it is below them.
     void setBeside(bool beside);
-    /// Updates the line and, while they are visible, table and spectrum. Returns false if another call is
+    /// Updates the line and, while they are visible, table and windows. Returns false if another call is
     /// needed, as CursorTable::showReadings() does.
     bool showReadings(const ScopeStrips& strips, const History& history);
 
@@ -36,11 +37,14 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    void openSpectrum();
+    /// `Dialog`: a StretchDialog, which is made when it is first opened.
+    template <typename Dialog>
+    [[nodiscard]] QToolButton* newOpener(const QString& objectName, const QString& text,
+                                         const QString& meaning);
 
     QToolButton* m_fold;
     CursorTable* m_table;
-    SpectrumDialog* m_spectrum = nullptr;  ///< null until it is first opened
+    std::vector<StretchDialog*> m_dialogs;
 };
 
 }  // namespace nmc

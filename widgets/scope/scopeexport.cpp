@@ -52,12 +52,15 @@ std::optional<TimePoint> coarserBefore(const History& history, TimePoint left) {
     return latest;
 }
 
+SeenHistory seenBetween(TimePoint from, TimePoint to, const History& history, int form = Long) {
+    return {std::make_shared<const History>(form == Long ? history.cut(from, to) : history), from, to,
+            coarserBefore(history, from)};
+}
+
 SeenHistory seenOf(const ScopeStrips& strips, const History& history, int form = Long) {
     const TimePoint zero = history.zero().value_or(TimePoint{});
-    const TimePoint left = zero + fromSeconds(strips.time().left());
-    const TimePoint right = zero + fromSeconds(strips.time().right());
-    return {std::make_shared<const History>(form == Long ? history.cut(left, right) : history), left, right,
-            coarserBefore(history, left)};
+    return seenBetween(zero + fromSeconds(strips.time().left()), zero + fromSeconds(strips.time().right()),
+                       history, form);
 }
 
 /// In the order of Form.
@@ -111,6 +114,11 @@ QStringList captionOf(const ScopeOrigin& origin, const QString& title, double le
 }
 
 }  // namespace
+
+FileContent samplesBetween(TimePoint from, TimePoint to, const History& history,
+                           const std::vector<ScopeModule>& modules, const ScopeOrigin& origin) {
+    return contentOf(seenBetween(from, to, history), modules, origin);
+}
 
 ScopeExport::ScopeExport(Requests& requests, QWidget* panel)
     : QObject(panel), m_requests(requests), m_panel(panel), m_menu(new QMenu(panel)) {

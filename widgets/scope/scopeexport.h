@@ -20,6 +20,10 @@ class ScopeStrips;
 /// Makes the content of a file. A call may take a second, and may come from any thread.
 using FileContent = std::function<std::string()>;
 
+/// The content of a recording with the samples in [from, to].
+[[nodiscard]] FileContent samplesBetween(TimePoint from, TimePoint to, const History& history,
+                                         const std::vector<ScopeModule>& modules, const ScopeOrigin& origin);
+
 /// Exports what the scope shows: samples as CSV, or a picture as PNG, SVG or a page of PDF, to the clipboard
 /// or to a printer. It asks for a file name, and takes the picture in the next frame.
 class ScopeExport : public QObject {

@@ -16,9 +16,11 @@
 #include "widgets/scope/scopebar.h"
 #include "widgets/scope/scopefiles.h"
 #include "widgets/scope/scopemoves.h"
+#include "widgets/scope/scopepresets.h"
 #include "widgets/scope/scopestrips.h"
 #include "widgets/scope/signalsdialog.h"
 #include "widgets/scope/triggercontrol.h"
+#include "widgets/scope/triggerrecords.h"
 #include "widgets/scope/underlay.h"
 
 namespace nmc {
@@ -38,7 +40,9 @@ ScopePanel::ScopePanel(Requests& requests, QWidget* parent)
       m_layout(new QVBoxLayout(this)),
       m_bar(new ScopeBar(this)),
       m_files(new ScopeFiles(requests, this)),
-      m_trigger(new TriggerControl(new TriggerBar(this))) {
+      m_trigger(new TriggerControl(new TriggerBar(this))),
+      m_records(new TriggerRecords(requests, &m_trigger->bar())),
+      m_presets(new ScopePresets(this)) {
     look::name(this, u"scopePanel"_s, Common::tr("Scope"));
     setAcceptDrops(true);
     const int unit = look::gridUnit(this);
@@ -46,6 +50,7 @@ ScopePanel::ScopePanel(Requests& requests, QWidget* parent)
     m_layout->setSpacing(0);
     m_layout->addWidget(m_bar);
     m_layout->addWidget(m_files);
+    m_trigger->bar().layout()->addWidget(m_records);
     m_layout->addWidget(&m_trigger->bar());
     m_trigger->setShown(false);
     connectBar();
@@ -67,6 +72,10 @@ void ScopePanel::connectBar() {
     connect(m_bar, &ScopeBar::liveRequested, this, &ScopePanel::backToLive);
     connect(m_bar, &ScopeBar::triggerRequested, m_trigger, &TriggerControl::setShown);
     connect(m_trigger, &TriggerControl::restarted, this, &ScopePanel::restartTrigger);
+    connect(m_trigger, &TriggerControl::completed, this, [this](const History& history) {
+        m_records->take(history, *m_trigger->picture(), m_modules, m_origin);
+    });
+    connect(m_presets, &ScopePresets::setupChosen, this, &ScopePanel::change);
 }
 
 void ScopePanel::addFileButtons() {
@@ -79,6 +88,9 @@ void ScopePanel::addFileButtons() {
     QToolButton* button = m_bar->addButton(action, u"scopeExportButton"_s);
     button->setPopupMode(QToolButton::InstantPopup);
     m_bar->addButton(m_files->recordAction(), u"scopeRecordButton"_s);
+    QAction* presets = m_presets->menu()->menuAction();
+    presets->setToolTip(tr("Saves and restores arrangements of the scope by name."));
+    m_bar->addButton(presets, u"scopePresetsButton"_s)->setPopupMode(QToolButton::InstantPopup);
 }
 
 void ScopePanel::buildStrips() {
@@ -147,6 +159,7 @@ void ScopePanel::showEvent(QShowEvent* event) {
 void ScopePanel::setSetup(const ScopeSetup& setup) {
     const double before = std::exchange(m_setup, setup).seconds;
     m_bar->showSetup(setup);
+    m_presets->showSetup(setup);
     if (setup.seconds != before)
         showWidth();
     if (m_strips != nullptr) {

@@ -21,8 +21,10 @@ class CursorPanel;
 class Requests;
 class ScopeBar;
 class ScopeFiles;
+class ScopePresets;
 class ScopeStrips;
 class TriggerControl;
+class TriggerRecords;
 class Underlay;
 
 /// The scope: its tool bar, the strips, and the cursor readings. It rolls with the live samples, stands still
@@ -54,6 +56,7 @@ public:
     /// Where the live samples come from.
     void showSession(const QString& port, bool simulated);
     [[nodiscard]] ScopeFiles& files() { return *m_files; }
+    [[nodiscard]] ScopePresets& presets() { return *m_presets; }
 
 signals:
     void setupChanged(const nmc::ScopeSetup& setup);
@@ -97,6 +100,8 @@ private:
     ScopeBar* m_bar;
     ScopeFiles* m_files;
     TriggerControl* m_trigger;
+    TriggerRecords* m_records;
+    ScopePresets* m_presets;
     QList<QAction*> m_menuActions;
     ScopeStrips* m_strips = nullptr;
     CursorPanel* m_readings = nullptr;  ///< null until cursors are first shown

@@ -73,14 +73,15 @@ void TriggerControl::arm() {
 void TriggerControl::follow(const History& history, TimePoint now, const QDateTime& zero) {
     m_now = now;
     feed(history);
-    if (m_trigger.state() == ScopeTrigger::State::Complete && !m_completeSince)
+    if (m_trigger.state() == ScopeTrigger::State::Complete && !m_completeSince) {
         m_completeSince = now;
-    if (m_completeSince && now - *m_completeSince >= kShown) {
+        emit completed(history);
+    }
+    if (m_completeSince && now - *m_completeSince >= kShown &&
+        m_trigger.settings().mode == TriggerSettings::Mode::Normal) {
         m_completeSince.reset();
-        if (m_trigger.settings().mode == TriggerSettings::Mode::Normal) {
-            m_trigger.setWindow(m_window);
-            m_trigger.arm(now);
-        }
+        m_trigger.setWindow(m_window);
+        m_trigger.arm(now);
     }
     showState(zero, history.zero().value_or(TimePoint{}));
 }

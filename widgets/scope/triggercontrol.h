@@ -35,6 +35,8 @@ public:
 signals:
     /// The trigger waits from now on, or no longer waits: the live samples are of interest again.
     void restarted();
+    /// picture() has become complete.
+    void completed(const nmc::History& history);
 
 private:
     /// How long a picture is shown before the next one may come.

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scope/triggerrecords.h"
+
+#include <QCheckBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include "widgets/common/filedialog.h"
+#include "widgets/common/form.h"
+#include "widgets/common/look.h"
+#include "widgets/common/requests.h"
+#include "widgets/common/words.h"
+#include "widgets/scope/scopeexport.h"
+
+namespace nmc {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr int kUsuallyKept = 20, kMostKept = 999;
+}
+
+TriggerRecords::TriggerRecords(Requests& requests, QWidget* parent)
+    : QWidget(parent),
+      m_requests(requests),
+      m_wanted(
+          form::newCheck({.name = u"triggerSaveBox"_s,
+                          .text = tr("Save each picture…"),
+                          .accessible = tr("Save each picture"),
+                          .meaning = tr("Saves the samples of each picture to a folder that you choose.")},
+                         this)),
+      m_keep(form::newNumber({.name = u"triggerKeepField"_s,
+                              .accessible = tr("Keep the last"),
+                              .min = 1,
+                              .max = kMostKept,
+                              .digits = 4,
+                              .meaning = tr("How many files are kept. Then the oldest is replaced.")},
+                             this)),
+      m_state(new QLabel(this)) {
+    look::name(this, u"triggerRecords"_s, tr("Saved pictures"));
+    look::nameText(m_state, u"triggerSavedLabel"_s, tr("Saved pictures"));
+    m_state->setTextFormat(Qt::PlainText);
+    m_keep->showValue(kUsuallyKept);
+    connect(m_wanted, &QCheckBox::clicked, this, [this](bool wanted) { wanted ? chooseFolder() : stop(); });
+    form::fill(this, form::newLine(this,
+                                   {m_wanted, form::newLabel(tr("Keep the last"), m_keep), m_keep,
+                                    form::Item(m_state, 1)},
+                                   0.5));
+}
+
+void TriggerRecords::chooseFolder() {
+    m_wanted->setChecked(false);
+    QFileDialog* dialog =
+        newFileDialog(window(), u"triggerFolderDialog"_s, tr("Save each picture to a folder"), {}, m_folder);
+    if (dialog == nullptr)
+        return;
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+        m_folder = folder;
+        m_prefix = QDateTime::currentDateTime().toString(u"yyyy-MM-dd HHmmss"_s);
+        m_saved = 0;
+        m_wanted->setChecked(true);
+        showState();
+    });
+    dialog->show();
+}
+
+void TriggerRecords::stop() {
+    m_prefix.clear();
+    showState();
+}
+
+void TriggerRecords::showState() {
+    look::setText(m_state, m_prefix.isEmpty() ? QString()
+                                              : tr("%1 saved to %2")
+                                                    .arg(texts::grouped(static_cast<qint64>(m_saved)),
+                                                         QDir::toNativeSeparators(m_folder)));
+}
+
+void TriggerRecords::take(const History& history, const ScopeTrigger::Picture& picture,
+                          const std::vector<ScopeModule>& modules, const ScopeOrigin& origin) {
+    const auto keep = static_cast<std::uint64_t>(m_keep->value().value_or(kUsuallyKept));
+    if (m_prefix.isEmpty())
+        return;
+    const QString file = u"%1 trigger %2.csv"_s.arg(m_prefix).arg(m_saved++ % keep + 1, 3, 10, QChar(u'0'));
+    emit m_requests.save(QDir(m_folder).filePath(file),
+                         samplesBetween(picture.from, picture.to, history, modules, origin));
+    showState();
+}
+
+}  // namespace nmc

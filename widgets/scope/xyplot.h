@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/scope/xycurve.h"
+#include "widgets/scope/recordplot.h"
+
+namespace nmc {
+
+/// One signal over another. What its base classes call time is the other signal here, in its unit.
+class XyPlot : public RecordPlot {
+    Q_OBJECT
+
+public:
+    explicit XyPlot(QWidget* parent = nullptr);
+
+    /// `label`: of both signals; `unit`: of the horizontal axis.
+    void showCurve(std::vector<XyPoint> curve, const QString& label, const QString& unit);
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void refreshLegend() override;
+    void paintTraces(QPainter& painter) override;
+    [[nodiscard]] View fitted() const override;
+    [[nodiscard]] QMargins room() const override;
+
+private:
+    std::vector<XyPoint> m_curve;
+    QString m_label;
+};
+
+}  // namespace nmc
