@@ -32,10 +32,17 @@ using Counts = Strong<struct CountsTag, std::int32_t>;
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from));
 }
 
-/// Velocity magnitude, 16.16 fixed point, counts per servo tick (DS-V 4.4): 65536 is one count per tick.
+/// 1 in 16.16 fixed point.
+inline constexpr double kFixedPointOne = 65'536.0;
+/// Velocity magnitude, 16.16 fixed point, counts per servo tick (DS-V 4.4).
 using CountsPerTick = Strong<struct CountsPerTickTag, std::uint32_t>;
-
 /// Acceleration, 16.16 fixed point, counts per servo tick squared (DS-V 4.4).
 using CountsPerTickSquared = Strong<struct CountsPerTickSquaredTag, std::uint32_t>;
+[[nodiscard]] constexpr double toCounts(CountsPerTick velocity) {
+    return velocity.value() / kFixedPointOne;
+}
+[[nodiscard]] constexpr double toCounts(CountsPerTickSquared acceleration) {
+    return acceleration.value() / kFixedPointOne;
+}
 
 }  // namespace nmc

@@ -25,10 +25,12 @@ inline constexpr Duration kServoTick = std::chrono::microseconds(512);
 [[nodiscard]] constexpr double toSeconds(Duration d) {
     return static_cast<double>(d.count()) * 1e-9;
 }
-/// Servo ticks per second at servo rate SR, which multiplies the length of each tick (DS-V 4.3); 0 counts as
-/// 1.
+/// The length of a servo tick in seconds at servo rate SR, which multiplies it (DS-V 4.3); 0 counts as 1.
+[[nodiscard]] constexpr double secondsPerTick(int servoRate) {
+    return toSeconds(kServoTick) * (servoRate < 1 ? 1 : servoRate);
+}
 [[nodiscard]] constexpr double ticksPerSecond(int servoRate) {
-    return 1.0 / (toSeconds(kServoTick) * (servoRate < 1 ? 1 : servoRate));
+    return 1.0 / secondsPerTick(servoRate);
 }
 [[nodiscard]] constexpr Duration fromSeconds(double s) {
     return Duration(static_cast<Duration::rep>(s * 1e9 + (s < 0 ? -0.5 : 0.5)));

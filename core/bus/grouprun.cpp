@@ -31,8 +31,8 @@ constexpr unsigned kSilences = 2;
     if (!load.servo || load.profile != servo::ProfileMode::Velocity || !load.velocity || !load.acceleration)
         return 0;
     const double ticks = toSeconds(time) / toSeconds(kServoTick);
-    const double v = load.velocity->value() / 65'536.0;
-    const double a = load.acceleration->value() / 65'536.0;
+    const double v = toCounts(*load.velocity);
+    const double a = toCounts(*load.acceleration);
     return std::min(v * ticks, a * ticks * ticks / 2) / 2;  // half of it, to allow for friction
 }
 

@@ -140,7 +140,7 @@ double Plausibility::reachOf(const ServoRegisters& sent) const {
     if (!load.servo)
         return most;
     if (load.profile == servo::ProfileMode::Velocity)
-        return load.velocity ? 1.5 * load.velocity->value() / 65'536.0 * ticks(kJerkTime) + kSwing : most;
+        return load.velocity ? 1.5 * toCounts(*load.velocity) * ticks(kJerkTime) + kSwing : most;
     if (load.relative && load.position)
         return 1.5 * std::abs(static_cast<double>(load.position->value())) + kSwing;
     if (!sent.goal || !m_known.position)

@@ -42,7 +42,7 @@ constexpr Duration kCommand = std::chrono::milliseconds(30);
                    : 0.0;
     }
     const auto& acceleration = belief.servoRegisters().acceleration;
-    return acceleration && !belief.pwmMayRun() ? acceleration->value() / 65'536.0 * ticks * ticks : 0.0;
+    return acceleration && !belief.pwmMayRun() ? toCounts(*acceleration) * ticks * ticks : 0.0;
 }
 
 }  // namespace
@@ -70,8 +70,7 @@ std::optional<StopManner> TravelWatch::onReport(const StatusReport& report, Time
     // length, and the motor covers the most distance before the stop arrives.
     const ServoRegisters& told = belief.servoRegisters();
     const double ticks = ticksPerSecond(told.servoRate.value_or(1));
-    const double wanted =
-        belief.velocityGoal() && told.velocity ? told.velocity->value() / 65'536.0 * ticks : 0.0;
+    const double wanted = belief.velocityGoal() && told.velocity ? toCounts(*told.velocity) * ticks : 0.0;
     const double fast = std::max(std::abs(m_speed), wanted);
     const double ramp = rampOf(belief, ticks);
     const double needs = fast * toSeconds(std::max(kLatency, m_between + kCommand)) +

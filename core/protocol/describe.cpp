@@ -35,8 +35,8 @@ std::string itemNames(Module module, StatusItems items) {
 /// A 16.16 fixed-point number with six significant digits.
 std::string fixedPoint(std::uint32_t value) {
     std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(),
-                                   static_cast<double>(value) / 65'536.0, std::chars_format::general, 6);
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value / kFixedPointOne,
+                                   std::chars_format::general, 6);
     return {text.data(), end.ptr};
 }
 

@@ -135,7 +135,7 @@ TEST(LoopModel, FirstMovesATickAfterTheCommandPlusTheDelay) {
 TEST(LoopModel, TicksAtTheServoRate) {
     servo::SetGain gains = bareGains(256, 0);
     gains.sr = 4;
-    EXPECT_DOUBLE_EQ(servoTickOf(gains), 4 * 512e-6);
+    EXPECT_DOUBLE_EQ(secondsPerTick(gains.sr), 4 * 512e-6);
     MotorConstants fast{1e5, 1e-3, 0, 0, 0};
     Loop loop(fast, gains, {0, 0, 0}, 5, Rounding::Chip);
     // 5 PWM counts during all of the first servo tick: 5e5 (t - tau (1 - exp(-t / tau))) counts.

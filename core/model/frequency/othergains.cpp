@@ -19,7 +19,7 @@ constexpr double kCutOff = 0.05;
 constexpr double kMatters = 0.1;
 
 [[nodiscard]] Complex integralAt(const servo::SetGain& gains, double hertz) {
-    const double tick = toSeconds(kServoTick) * std::max<int>(gains.sr, 1);
+    const double tick = secondsPerTick(gains.sr);
     const Complex change = 1.0 - std::polar(1.0, -2 * std::numbers::pi * hertz * tick);
     return gains.il > 0 ? gains.ki / 256.0 / change : 0.0;
 }
@@ -53,7 +53,7 @@ constexpr double kMatters = 0.1;
 }  // namespace
 
 Complex filterAt(const servo::SetGain& gains, double hertz) {
-    const double tick = toSeconds(kServoTick) * std::max<int>(gains.sr, 1);
+    const double tick = secondsPerTick(gains.sr);
     const Complex change = 1.0 - std::polar(1.0, -2 * std::numbers::pi * hertz * tick);
     return 1.0 * gains.kp + 1.0 * gains.kd * change + integralAt(gains, hertz);
 }

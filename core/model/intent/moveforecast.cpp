@@ -19,8 +19,7 @@ MoveForecast forecast(double distance, double velocity, double acceleration, dou
 }
 
 MoveForecast forecast(double distance, const ServoPace& pace, int servoRate) {
-    constexpr double kFixedPoint = 65'536.0;
-    return forecast(distance, pace.velocity.value() / kFixedPoint, pace.acceleration.value() / kFixedPoint,
+    return forecast(distance, toCounts(pace.velocity), toCounts(pace.acceleration),
                     ticksPerSecond(servoRate));
 }
 

@@ -14,13 +14,8 @@ namespace nmc {
 
 namespace {
 
-constexpr double kFixedPoint = 65'536.0;
 /// The error that rounding to the chip's numbers may add.
-constexpr double kGrain = 1.0 / kFixedPoint;
-
-[[nodiscard]] double native(CountsPerTick velocity) {
-    return velocity.value() / kFixedPoint;
-}
+constexpr double kGrain = 1.0 / kFixedPointOne;
 
 [[nodiscard]] std::optional<std::int32_t> absolute(std::int32_t home, std::optional<std::int32_t> limit) {
     if (!limit)
@@ -45,12 +40,12 @@ struct Course {
 
 /// Native; a jump has none.
 [[nodiscard]] double velocityOf(const intent::StepResponse& step) {
-    return step.method == ResponseMethod::Move ? native(step.pace.velocity) : 0.0;
+    return step.method == ResponseMethod::Move ? toCounts(step.pace.velocity) : 0.0;
 }
 
 /// The effect of a motion, or of a load once it is started.
 [[nodiscard]] Course courseOf(const ServoMotion& motion, const ModuleState& /*module*/) {
-    Course course{.velocity = std::visit([](const auto& any) { return native(any.velocity); }, motion)};
+    Course course{.velocity = std::visit([](const auto& any) { return toCounts(any.velocity); }, motion)};
     if (const auto* run = std::get_if<servomotion::VelocityProfile>(&motion))
         course.reverse = run->reverse;
     return course;
@@ -202,7 +197,7 @@ private:
     else if (load.position)
         course.goal = load.position->value();
     if (load.servo)
-        course.velocity = native(load.velocity.value_or(CountsPerTick()));
+        course.velocity = toCounts(load.velocity.value_or(CountsPerTick()));
     return course;
 }
 
@@ -318,7 +313,7 @@ std::optional<TravelProblem> loadedProblem(const ModuleState& module) {
 
 tl::expected<bus::HoldToMove, TravelProblem> withinTravel(bus::HoldToMove hold, const ModuleState& module) {
     const auto& parameters = module.stepper.parameters();
-    const double velocity = !hold.pace   ? native(hold.velocity)
+    const double velocity = !hold.pace   ? toCounts(hold.velocity)
                             : parameters ? StepperSpeed(parameters->speedMode).ofSpeed(hold.pace->speed)
                                          : 0.0;
     if (const auto problem = problemOf(Course{.reverse = hold.reverse, .velocity = velocity}, module))

@@ -41,7 +41,7 @@ struct Bounds {
 }
 
 /// The largest 16.16 fixed-point number (DS-V 4.4).
-inline constexpr double kMaxServoNumber = 0x7FFFFFFF / 65'536.0;
+inline constexpr double kMaxServoNumber = 0x7FFFFFFF / kFixedPointOne;
 /// 250 units of 200 steps/s (DS-S 4.1).
 inline constexpr double kMaxStepSpeed = 50'000.0;
 /// One unit of 200 steps/s every 0.25 ms.

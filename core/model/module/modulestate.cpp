@@ -287,7 +287,7 @@ void ModuleState::applyLoaded(TimePoint time) {
     motionCommandedAt = time;
     const std::optional<std::int32_t> from = goal();
     const servo::LoadTrajectory started = trajectory();
-    const double magnitude = started.velocity ? started.velocity->value() / 65'536.0 : 0.0;
+    const double magnitude = toCounts(started.velocity.value_or(CountsPerTick()));
     m_goal.reset();
     m_held.reset();
     if (!started.servo) {

@@ -18,9 +18,8 @@ inline constexpr double kAcceleration = 0.002;
 /// Hold to move is limited to this velocity until an engineer changes it.
 inline constexpr double kHoldCap = 2.0;
 /// Range of 16.16 fixed point (DS-V 4.4).
-inline constexpr double kFixedPoint = 65536.0;
 inline constexpr double kLargest = 32767.0;
-inline constexpr double kSmallest = 1.0 / kFixedPoint;
+inline constexpr double kSmallest = 1.0 / kFixedPointOne;
 
 /// The highest velocity that any field accepts for this axis, counts/tick.
 [[nodiscard]] inline double fastest(const AxisSettings& settings) {
@@ -46,7 +45,7 @@ inline constexpr double kSmallest = 1.0 / kFixedPoint;
 }
 
 [[nodiscard]] inline std::uint32_t toFixed(double value) {
-    return static_cast<std::uint32_t>(std::llround(value * kFixedPoint));
+    return static_cast<std::uint32_t>(std::llround(value * kFixedPointOne));
 }
 
 }  // namespace nmc::servodefaults

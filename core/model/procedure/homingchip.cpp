@@ -15,8 +15,7 @@ using Stop = HomingRecipe::Stop;
 
 /// 16.16 fixed point, rounded down so that it is never faster than requested.
 [[nodiscard]] std::uint32_t fixed(double value) {
-    constexpr double kOne = 65'536.0;
-    return static_cast<std::uint32_t>(std::clamp(std::floor(value * kOne), 1.0, 2'147'483'647.0));
+    return static_cast<std::uint32_t>(std::clamp(std::floor(value * kFixedPointOne), 1.0, 2'147'483'647.0));
 }
 
 [[nodiscard]] servo::LoadTrajectory servoRun(const HomingChip::Motion& motion) {

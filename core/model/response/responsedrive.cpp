@@ -8,7 +8,7 @@ namespace nmc {
 
 std::vector<DrivePoint> driveOf(const ResponseRecord& run) {
     const servo::SetGain& gains = run.taken.gains;
-    const double tick = std::max<int>(gains.sr, 1) * toSeconds(kServoTick);
+    const double tick = secondsPerTick(gains.sr);
     const double mostIntegral = gains.il;
     double integral = 0.0;  // the running sum over 256
     const auto pwmOf = [&](double error, double change) {

@@ -45,11 +45,10 @@ std::string_view methodText(ResponseMethod method) {
 }
 
 void appendMove(Comments& comments, const ResponseRecord& run) {
-    const double perSecond = ticksPerSecond(run.taken.gains.sr) / 65'536;
-    comments.add("velocity", textOf(run.taken.pace.velocity.value() * perSecond) + " counts/s");
-    comments.add("acceleration", textOf(run.taken.pace.acceleration.value() * perSecond *
-                                        ticksPerSecond(run.taken.gains.sr)) +
-                                     " counts/s2");
+    const double perSecond = ticksPerSecond(run.taken.gains.sr);
+    comments.add("velocity", textOf(toCounts(run.taken.pace.velocity) * perSecond) + " counts/s");
+    comments.add("acceleration",
+                 textOf(toCounts(run.taken.pace.acceleration) * perSecond * perSecond) + " counts/s2");
     comments.add("move", textOf(run.taken.round));
     comments.add("move time", textOf(run.move->moveTime) + " s");
     comments.add("settling to within " + textOf(run.window.counts) + " counts for " +

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/strong.h"
+
 namespace nmc {
 
 namespace {
@@ -78,7 +80,7 @@ void CommandEnvelope::moveTo(double goal, double velocity, Pace pace, const Mome
         ticks = std::max(ticks, profile.endOf(ProfileCurve::Phase::Last) * perSecond);
     }
     // While it slows down towards its goal, the chip rounds its velocity to 1/65536 count per tick (4.4).
-    const double rounding = std::isfinite(ticks) ? ticks / 65'536.0 : 0.0;
+    const double rounding = std::isfinite(ticks) ? ticks / kFixedPointOne : 0.0;
     m_steps = stepHeight(velocity, pace.acceleration) + rounding;
     m_settling = 2 * pace.tick;
 }

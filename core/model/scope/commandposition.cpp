@@ -172,14 +172,14 @@ void CommandPosition::start(const bus::CommandExecuted& executed) {
 void CommandPosition::startAs(const bus::CommandExecuted& executed) {
     explain(executed);
     const servo::LoadTrajectory load = m_registers.trajectory();
-    const double velocity = load.velocity ? load.velocity->value() / 65'536.0 : 0.0;
+    const double velocity = toCounts(load.velocity.value_or(CountsPerTick()));
     m_commanded = executed.time;
     m_repeated = executed.early > Duration{};
     m_effective = showsFrom(executed, m_tick);
     if (!load.servo)
         return switchedOff();
     m_servoOn = true;
-    m_runningAcceleration = load.acceleration ? load.acceleration->value() / 65'536.0 : 0.0;
+    m_runningAcceleration = toCounts(load.acceleration.value_or(CountsPerTickSquared()));
     m_runningGoal = load.position ? load.position->value() : 0;
     // For a shaft that was already moving, its motion does not show whether the new command was executed.
     if (m_verified && m_motion != Motion::None)

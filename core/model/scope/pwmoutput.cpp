@@ -21,11 +21,6 @@ double sumLimit(const servo::SetGain& gains) {
     return 256.0 * gains.il;
 }
 
-/// The servo tick in s; a divisor of 0 is treated as 1.
-double servoTick(const servo::SetGain& gains) {
-    return std::max<int>(gains.sr, 1) * toSeconds(kServoTick);
-}
-
 double toAmplifier(const servo::SetGain& gains, double output) {
     double magnitude = std::min(std::trunc(std::abs(output) / 256), static_cast<double>(gains.ol));
     if (magnitude > 0)
@@ -44,7 +39,7 @@ std::optional<PwmOutput::Value> PwmOutput::take(const ScopeSample& sample,
         return made;
     }
     if (m_last && !sample.gapBefore && sample.time > m_last->sample.time) {
-        const double ticks = toSeconds(sample.time - m_last->sample.time) / servoTick(*gains);
+        const double ticks = toSeconds(sample.time - m_last->sample.time) / secondsPerTick(gains->sr);
         const Change change{
             (static_cast<double>(sample.error) - static_cast<double>(m_last->sample.error)) / ticks,
             sample.error == m_last->sample.error && sample.position == m_last->sample.position};

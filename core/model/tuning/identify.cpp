@@ -144,7 +144,7 @@ public:
                     {0.0, 10.0, 0.0, 100.0},
                     {0.0, 3.0, 0.0, kMostPlay}};
         for (const Record& record : records) {
-            const double sr = servoTickOf(record.gains()) / kTick;
+            const double sr = secondsPerTick(record.gains().sr) / kTick;
             m_bounds.push_back({(sr + 1) / 2, std::sqrt((sr * sr + 1) / 12), -1.0, sr + 2});
             m_bounds.push_back({0.0, 0.3, -0.5, 0.5});
             m_bounds.push_back({0.0, 0.6, -1.0, 1.0});

@@ -51,10 +51,6 @@ MotorMotion moved(const MotorConstants& motor, const MotorMotion& from, double p
     return now;
 }
 
-double servoTickOf(const servo::SetGain& gains) {
-    return std::max<int>(gains.sr, 1) * toSeconds(kServoTick);
-}
-
 ControlFilter::ControlFilter(const servo::SetGain& gains, Rounding rounding, double integral, double error,
                              double deadband)
     : m_gains(gains),
@@ -99,7 +95,7 @@ Loop::Loop(const MotorConstants& motor, const servo::SetGain& gains, const LoopS
            Rounding rounding)
     : m_motor(motor),
       m_rounding(rounding),
-      m_tick(servoTickOf(gains)),
+      m_tick(secondsPerTick(gains.sr)),
       m_goal(goal),
       m_filter(gains, rounding, start.integral, start.command - reading(start.position), motor.deadband),
       m_state{{start.position + start.slack * motor.play, 0.0}},

@@ -60,9 +60,6 @@ enum class Rounding : std::uint8_t {
     Mean,
 };
 
-/// The servo tick in s: SR times 0.512 ms (DS-V 4.3).
-[[nodiscard]] double servoTickOf(const servo::SetGain& gains);
-
 /// The control filter of DS-V 4.3 with output limit and deadband compensation, without the current limit. The
 /// data sheet prints a minus before Kd, which would drive instead of damp; it is a plus.
 class ControlFilter {

@@ -59,7 +59,7 @@ struct TickOfMotor {
 }
 
 [[nodiscard]] Complex openLoop(const TickOfMotor& motor, const servo::SetGain& gains, double hertz) {
-    const Complex z = std::polar(1.0, 2 * std::numbers::pi * hertz * servoTickOf(gains));
+    const Complex z = std::polar(1.0, 2 * std::numbers::pi * hertz * secondsPerTick(gains.sr));
     const Complex torque = (1.0 - motor.keepsTorque) / (z - motor.keepsTorque);
     const Complex speed = (motor.speedOfTorque * torque + motor.speed) / (z - motor.keepsSpeed);
     const Complex position =
@@ -112,13 +112,13 @@ LoopStart standing(const MotorConstants& motor, const servo::SetGain& gains, dou
 }
 
 Complex openLoopAt(const MotorConstants& motor, const servo::SetGain& gains, double hertz) {
-    return openLoop(tickOf(motor, servoTickOf(gains)), gains, hertz) * swingOf(motor, hertz);
+    return openLoop(tickOf(motor, secondsPerTick(gains.sr)), gains, hertz) * swingOf(motor, hertz);
 }
 
 LoopMargins marginsOf(const MotorConstants& motor, const servo::SetGain& gains) {
     constexpr double kLowest = 0.01;  // Hz
     constexpr double kStep = 1.01;
-    const double tick = servoTickOf(gains);
+    const double tick = secondsPerTick(gains.sr);
     const TickOfMotor of = tickOf(motor, tick);
     LoopMargins margins{180.0, std::numeric_limits<double>::infinity(), 0.0, isStable(of, gains)};
     const auto at = [&](double hertz) { return openLoop(of, gains, hertz) * swingOf(motor, hertz); };

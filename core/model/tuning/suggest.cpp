@@ -45,7 +45,7 @@ struct Terms {
     for (const int sr : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64}) {
         servo::SetGain slower = gains;
         slower.sr = static_cast<std::uint8_t>(sr);
-        const double kd = wanted / servoTickOf(slower);
+        const double kd = wanted / secondsPerTick(slower.sr);
         slower.kd = static_cast<std::uint16_t>(std::lround(std::min(kd, kMaxGain)));
         if (figuresOf(motor, slower).noise > terms.noise)
             break;
@@ -68,7 +68,7 @@ void setIntegral(const Terms& terms, double omega, servo::SetGain& gains) {
         return;
     // One increment of the integral drives no more than one count of error does: friction releases a shaft
     // with a jump of at most a count, which the integral then does not overshoot again and again.
-    const double fast = gains.kp * 256 * servoTickOf(gains) * omega / terms.periods;
+    const double fast = gains.kp * 256 * secondsPerTick(gains.sr) * omega / terms.periods;
     const double ki = std::min({fast, 1.0 * gains.kp, terms.carried * 256 / kFewestSteps});
     gains.ki = static_cast<std::uint16_t>(std::lround(std::max(ki, 1.0)));
     gains.il = static_cast<std::uint16_t>(std::min(kMaxGain, std::ceil(terms.carried * 256 / gains.ki)));
@@ -205,7 +205,7 @@ struct Candidate {
 }  // namespace
 
 LoopFigures figuresOf(const MotorConstants& motor, const servo::SetGain& gains) {
-    const double tick = servoTickOf(gains);
+    const double tick = secondsPerTick(gains.sr);
     const double push = motor.gain / (256 * motor.timeConstant);
     const double omega = std::sqrt(push * gains.kp);
     const double damping = 1 / motor.timeConstant + push * gains.kd * tick;
