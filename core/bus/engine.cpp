@@ -12,40 +12,8 @@ namespace nmc::bus {
 
 namespace {
 
-/// How the motor will come to rest if the command is only a stop; empty otherwise. For Stop Here, an owed
-/// stop holds the present position instead.
-[[nodiscard]] std::optional<StopManner> stopManner(const ModuleCommand& command) {
-    if (const auto* servo = std::get_if<ServoCommand>(&command))
-        if (const auto* stop = std::get_if<servo::StopMotor>(servo)) {
-            switch (stop->manner) {
-                case servo::StopManner::AmplifierOnly:
-                    return std::nullopt;
-                case servo::StopManner::MotorOff:
-                    return StopManner::Off;
-                case servo::StopManner::Smoothly:
-                    return StopManner::Smoothly;
-                case servo::StopManner::Abruptly:
-                case servo::StopManner::Here:
-                    return StopManner::Abruptly;
-            }
-        }
-    if (const auto* stepper = std::get_if<StepperCommand>(&command))
-        if (const auto* stop = std::get_if<stepper::StopMotor>(stepper)) {
-            if (!stop->amplifierEnable)
-                return StopManner::Off;
-            switch (stop->manner) {
-                case stepper::StopManner::AmplifierOnly:
-                    return std::nullopt;
-                case stepper::StopManner::Abruptly:
-                    return StopManner::Abruptly;
-                case stepper::StopManner::Smoothly:
-                    return StopManner::Smoothly;
-            }
-        }
-    return std::nullopt;
-}
-
-/// The modules whose motors the operation stops, or sets to another position.
+/// The modules whose motors the operation stops, or sets to another position. For Stop Here, an owed stop
+/// holds the present position instead.
 [[nodiscard]] std::vector<ModuleIndex> stoppedBy(const Operation& operation) {
     std::vector<ModuleIndex> stopped;
     for (const Order& order : operation.orders)

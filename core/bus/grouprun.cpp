@@ -43,17 +43,13 @@ constexpr unsigned kSilences = 2;
 }  // namespace
 
 ModuleCommand commandFor(GroupCommand::Action action, ModuleType type) {
-    const auto inItsWords = [type](const auto& command) {
-        return type == ModuleType::Stepper ? ModuleCommand(StepperCommand(command))
-                                           : ModuleCommand(ServoCommand(command));
-    };
     switch (action) {
         case GroupCommand::Action::StartMotion:
-            return type == ModuleType::Io ? IoCommand(io::SynchOutput{}) : inItsWords(StartMotion{});
+            return type == ModuleType::Io ? IoCommand(io::SynchOutput{}) : forChip(type, StartMotion{});
         case GroupCommand::Action::SaveAsHome:
-            return type == ModuleType::Io ? IoCommand(io::SynchInput{}) : inItsWords(SaveAsHome{});
+            return type == ModuleType::Io ? IoCommand(io::SynchInput{}) : forChip(type, SaveAsHome{});
         case GroupCommand::Action::ResetPosition:
-            return inItsWords(ResetPosition{});
+            return forChip(type, ResetPosition{});
         case GroupCommand::Action::ClearStickyBits:
             return ServoCommand(servo::ClearStickyBits{});  // the gate withholds it from the others
         case GroupCommand::Action::StopSmoothly:
@@ -61,7 +57,7 @@ ModuleCommand commandFor(GroupCommand::Action action, ModuleType type) {
         case GroupCommand::Action::MotorOff:
             break;  // GroupWork stops each member according to its state
     }
-    return inItsWords(Nop{});
+    return forChip(type, Nop{});
 }
 
 GroupRun::GroupRun(GroupCommand command, std::vector<Belief> members, TimePoint latched)

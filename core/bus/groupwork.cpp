@@ -38,8 +38,7 @@ std::optional<ModuleIndex> GroupWork::planChange(const GroupChange& change) {
         return change.module;
     const auto orderTo = [&](ModuleIndex module, GroupPlace place) {
         const SetAddress set{m_chain.belief(module).info().address, BusAddress(place.group), place.leader};
-        const bool stepper = m_chain.belief(module).info().identity.type == ModuleType::Stepper;
-        return stepper ? Order{module, StepperCommand(set)} : Order{module, ServoCommand(set)};
+        return Order{module, forChip(m_chain.belief(module).info().identity.type, set)};
     };
     std::vector<Order> orders;
     for (const Chain::Module& other : m_chain.modules()) {

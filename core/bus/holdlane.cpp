@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "module/profiledload.h"
+
 namespace nmc::bus {
 
 void HoldLane::end(std::uint32_t press) {
@@ -37,30 +39,20 @@ std::optional<TimePoint> HoldLane::deadline() const {
 std::optional<Order> HoldLane::start() const {
     if (!m_wanted || m_wanted == m_sent)
         return std::nullopt;
-    const std::optional<Counts> goal = m_wanted->goal ? std::optional<Counts>(*m_wanted->goal) : std::nullopt;
-    if (m_wanted->pace) {
-        stepper::LoadTrajectory load;
-        load.position = goal;
-        load.speed = m_wanted->pace->speed;
-        load.accelerationTime = m_wanted->pace->accelerationTime;
-        load.reverse = !goal && m_wanted->reverse;
-        load.startNow = !goal;
-        return Order{m_wanted->module, StepperCommand(load)};
+    const HoldToMove& hold = *m_wanted;
+    if (hold.pace) {
+        auto load = profiledLoad(hold.pace->speed, hold.pace->accelerationTime, hold.goal, hold.reverse);
+        load.startNow = !hold.goal;
+        return Order{hold.module, StepperCommand(load)};
     }
-    servo::LoadTrajectory load;
-    load.velocity = m_wanted->velocity;
-    load.acceleration = m_wanted->acceleration;
-    load.position = goal;
-    load.profile = goal ? servo::ProfileMode::Trapezoidal : servo::ProfileMode::Velocity;
-    load.reverse = !goal && m_wanted->reverse;
-    load.startNow = !goal;
-    return Order{m_wanted->module, ServoCommand(load)};
+    auto load = profiledLoad(hold.velocity, hold.acceleration, hold.goal, hold.reverse);
+    load.startNow = !hold.goal;
+    return Order{hold.module, ServoCommand(load)};
 }
 
 Order HoldLane::startLoaded() const {
-    if (m_wanted->pace)
-        return {m_wanted->module, StepperCommand(StartMotion{})};
-    return {m_wanted->module, ServoCommand(StartMotion{})};
+    return {m_wanted->module,
+            forChip(m_wanted->pace ? ModuleType::Stepper : ModuleType::Servo, StartMotion{})};
 }
 
 }  // namespace nmc::bus

@@ -21,9 +21,9 @@ constexpr unsigned kAttempts = 3;
 
 /// True if that load was answered, and waits for its start.
 [[nodiscard]] bool hasLoaded(const Belief& module, const ModuleCommand& command) {
-    if (const auto* chip = std::get_if<StepperCommand>(&command))
-        return module.stepperLoad() == std::get<stepper::LoadTrajectory>(*chip);
-    return module.servoLoad() == std::get<servo::LoadTrajectory>(std::get<ServoCommand>(command));
+    if (const auto* load = getIf<stepper::LoadTrajectory>(command))
+        return module.stepperLoad() == *load;
+    return module.servoLoad() == *getIf<servo::LoadTrajectory>(command);
 }
 
 }  // namespace

@@ -29,37 +29,21 @@ constexpr unsigned kStopsInVain = 2;
     return true;
 }
 
-[[nodiscard]] servo::StopMotor servoStop(StopManner manner, bool amplifier) {
-    switch (manner) {
-        case StopManner::Abruptly:
-            return {amplifier, servo::StopManner::Abruptly, {}};
-        case StopManner::Smoothly:
-            return {amplifier, servo::StopManner::Smoothly, {}};
-        case StopManner::Off:
-            break;
-    }
-    return {false, servo::StopManner::MotorOff, {}};
-}
-
-[[nodiscard]] stepper::StopMotor stepperStop(StopManner manner, bool amplifier) {
-    return {amplifier && manner != StopManner::Off,
-            manner == StopManner::Smoothly ? stepper::StopManner::Smoothly : stepper::StopManner::Abruptly};
-}
-
 }  // namespace
 
 std::optional<ModuleCommand> stopFor(const Belief& belief, StopManner manner) {
-    switch (belief.info().identity.type) {
+    const ModuleType type = belief.info().identity.type;
+    switch (type) {
         case ModuleType::Servo:
             if (belief.mayBeOn())
-                return ServoCommand(servoStop(manner, !belief.amplifierOff()));
+                return stopMotor(type, manner, !belief.amplifierOff());
             if (belief.pwmMayRun() || belief.pwmUnknown())
-                return ServoCommand(servoStop(StopManner::Off, false));
+                return stopMotor(type, StopManner::Off, false);
             return std::nullopt;
         case ModuleType::Stepper:
             // On a module in an unknown state, a stop would lower AMP_EN, so it is queried first.
             if (belief.mayBeOn() || (belief.statusTime() && belief.mayMove()))
-                return StepperCommand(stepperStop(manner, belief.mayBeOn()));
+                return stopMotor(type, manner, belief.mayBeOn());
             return std::nullopt;
         case ModuleType::Io:
             if (const auto stop = belief.outputs().stop())
@@ -90,16 +74,8 @@ StatusItems standstillItems(ModuleType type, bool second) {
 std::optional<ModuleCommand> StopTarget::stop(const Belief& belief) const {
     if (m_silences == 0 || belief.statusTime())
         return stopFor(belief, m_manner);
-    switch (m_type) {
-        case ModuleType::Servo:
-            return ServoCommand(servoStop(StopManner::Off, false));
-        case ModuleType::Stepper:
-            return StepperCommand(stepperStop(StopManner::Off, false));
-        case ModuleType::Adc:
-        case ModuleType::Io:
-            break;
-    }
-    return std::nullopt;
+    const bool motor = m_type == ModuleType::Servo || m_type == ModuleType::Stepper;
+    return motor ? std::optional(stopMotor(m_type, StopManner::Off, false)) : std::nullopt;
 }
 
 StopTarget::StopTarget(const Belief& belief, StopManner manner)

@@ -6,15 +6,9 @@
 #include "bus/belief.h"
 #include "bus/exchange.h"
 #include "bus/types.h"
+#include "module/stopmanner.h"
 
 namespace nmc::bus {
-
-/// How a motor is brought to rest.
-enum class StopManner : std::uint8_t {
-    Abruptly,
-    Smoothly,
-    Off,  ///< for a motor that runs the wrong way, which would continue with its servo on
-};
 
 /// The command that brings a module to rest; empty if it is off, because the stop would switch on the servo
 /// of a PIC-SERVO, and energise the motor of a PIC-STEP (link.md 2.6). A module that is on continues to hold,

@@ -18,8 +18,7 @@ constexpr Duration kAgain = std::chrono::milliseconds(100);
 
 bool TrialTask::begin(const Operation& operation) {
     const Order& order = operation.orders.front();
-    const auto* servo = std::get_if<ServoCommand>(&order.command);
-    const auto* gains = servo != nullptr ? std::get_if<servo::SetGain>(servo) : nullptr;
+    const auto* gains = getIf<servo::SetGain>(order.command);
     if (gains == nullptr || !m_chain.has(order.module) || m_chain.at(order.module).trial ||
         permit(m_chain.belief(order.module), order.command) != Permission::Allowed)
         return false;

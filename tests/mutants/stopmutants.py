@@ -29,8 +29,8 @@ STOPPING = (
     )),
     Mutant("abrupt-stop-of-a-servo-that-is-off", "link.md 2.6: it would switch the servo on", (
         Edit("core/bus/stoptarget.cpp",
-             "            if (belief.mayBeOn())\n                return ServoCommand(",
-             "            if (true)\n                return ServoCommand("),
+             "            if (belief.mayBeOn())\n                return stopMotor(",
+             "            if (true)\n                return stopMotor("),
     )),
     Mutant("stop-to-groups-of-another-host", "faults.md F-44: a group chosen by another host may have a leader", (
         Edit("core/bus/chain.cpp",

@@ -102,7 +102,7 @@ TEST_P(Campaign, NothingIsHomeThatIsNot) {
             } else if (recipe.goToHome) {
                 EXPECT_NEAR(truth.position, *report.home, 5);
             }
-            EXPECT_TRUE(truth.servoOn || recipe.stop == Stop::MotorOff);
+            EXPECT_TRUE(truth.servoOn || recipe.stop == Stop::Off);
         } else {
             EXPECT_TRUE(report.over());
             EXPECT_TRUE(!report.failure || report.stage == ProcedureStage::Failed);

@@ -47,7 +47,7 @@ TEST_P(EachVersion, FindsALimitSwitchGoesThereAndMakesItZero) {
 }
 
 TEST_P(EachVersion, StopsByItsRecipe) {
-    for (const Stop stop : {Stop::Abruptly, Stop::Smoothly, Stop::MotorOff}) {
+    for (const Stop stop : {Stop::Abruptly, Stop::Smoothly, Stop::Off}) {
         SCOPED_TRACE(static_cast<int>(stop));
         ServoBench own(static_cast<std::uint8_t>(GetParam()));
         own.putSwitch(Input::Limit2, 700, false);
@@ -62,7 +62,7 @@ TEST_P(EachVersion, StopsByItsRecipe) {
         ASSERT_TRUE(report.home);
         EXPECT_NEAR(*report.home, 700, kSwitchIsAt);
         const auto truth = own.truth();
-        EXPECT_EQ(truth.servoOn, stop != Stop::MotorOff);
+        EXPECT_EQ(truth.servoOn, stop != Stop::Off);
         EXPECT_NEAR(truth.velocity, 0, 0.01);
         EXPECT_LT(truth.position, 850) << "0.5 counts/tick for 100 ms are 98 counts";
         EXPECT_FALSE(own.module().switchedItselfOff) << "nothing went wrong";
@@ -247,7 +247,7 @@ TEST_F(Failing, ATripInASearchThatEndsWithTheMotorOffIsNotHomeEither) {
     ASSERT_TRUE(bench.enable(200));
     bench.set(Input::TravelMin, -500);
     HomingRecipe recipe = onLimit1();
-    recipe.stop = Stop::MotorOff;
+    recipe.stop = Stop::Off;
     expectFailure(bench.run(intent::Home{recipe}), ProcedureFailure::WentOff);
     EXPECT_FALSE(bench.truth().servoOn);
     EXPECT_TRUE(bench.module().switchedItselfOff);

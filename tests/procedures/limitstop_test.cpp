@@ -40,7 +40,7 @@ TEST_F(LimitStop, StopsTheMotorAtTheLimitAndShowsIt) {
 }
 
 TEST_F(LimitStop, MayAlsoSwitchTheMotorOffWhichIsNoTrip) {
-    ASSERT_TRUE(runInto({true, true, Stop::MotorOff}));
+    ASSERT_TRUE(runInto({true, true, Stop::Off}));
     EXPECT_EQ(bench.module().homing.state(), Watch::Tripped);
     EXPECT_FALSE(bench.truth().servoOn);
     EXPECT_EQ(bench.module().activity(), Activity::ServoOff);

@@ -43,7 +43,7 @@ protected:
 };
 
 TEST_F(StepperHoming, FindsTheHomeSwitchGoesThereAndMakesItZero) {
-    for (const Stop stop : {Stop::Abruptly, Stop::Smoothly, Stop::MotorOff}) {
+    for (const Stop stop : {Stop::Abruptly, Stop::Smoothly, Stop::Off}) {
         SCOPED_TRACE(static_cast<int>(stop));
         bench.set(Input::HomeSwitchAt, std::nullopt);
         ASSERT_TRUE(enable());

@@ -196,7 +196,7 @@ protected:
             {u"homingReverseButton"_s, [](HomingRecipe& r) { r.reverse = true; }},
             {u"homingAbruptlyButton"_s, [](HomingRecipe& r) { r.stop = HomingRecipe::Stop::Abruptly; }},
             {u"homingSmoothlyButton"_s, [](HomingRecipe& r) { r.stop = HomingRecipe::Stop::Smoothly; }},
-            {u"homingMotorOffButton"_s, [](HomingRecipe& r) { r.stop = HomingRecipe::Stop::MotorOff; }}};
+            {u"homingMotorOffButton"_s, [](HomingRecipe& r) { r.stop = HomingRecipe::Stop::Off; }}};
         const auto& [name, choose] = any(choices);
         done = name;
         if (!button(named(name))->isChecked() && press(named(name)))

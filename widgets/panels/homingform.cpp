@@ -20,7 +20,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 using Stop = HomingRecipe::Stop;
-constexpr std::array kStops{Stop::Abruptly, Stop::Smoothly, Stop::MotorOff};
+constexpr std::array kStops{Stop::Abruptly, Stop::Smoothly, Stop::Off};
 
 /// Highest velocities of the chips, in counts per tick (DS-V 4.4) and steps/s (DS-S table 3).
 constexpr double kFastestServo = 32'767.0;

@@ -20,7 +20,7 @@ using namespace Qt::StringLiterals;
 namespace {
 using Stop = HomingRecipe::Stop;
 using Watch = HomeWatch::State;
-constexpr std::array kManners{Stop::Abruptly, Stop::Smoothly, Stop::MotorOff};
+constexpr std::array kManners{Stop::Abruptly, Stop::Smoothly, Stop::Off};
 
 QString limits(const HomeWatch& watch) {
     QStringList names;

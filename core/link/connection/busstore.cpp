@@ -349,10 +349,7 @@ void BusStore::note(const bus::StopFinished& stopped) {
 }
 
 void BusStore::noteGains(const bus::CommandExecuted& executed) {
-    const auto* servoCommand = std::get_if<ServoCommand>(&executed.command);
-    if (servoCommand == nullptr)
-        return;
-    if (const auto* gains = std::get_if<servo::SetGain>(servoCommand))
+    if (const auto* gains = getIf<servo::SetGain>(executed.command))
         m_history.noteGains({executed.module, executed.time, *gains});
 }
 

@@ -107,10 +107,7 @@ servo::SetHoming limitStop(const intent::ArmLimitStop& arm) {
     homing.onLimit2Change = arm.limit2;
     homing.onPositionError = arm.onPositionError;
     homing.onCurrentLimit = arm.onCurrentLimit;
-    homing.motorOff = arm.manner == HomingRecipe::Stop::MotorOff;
-    homing.stopAbruptly = arm.manner == HomingRecipe::Stop::Abruptly;
-    homing.stopSmoothly = arm.manner == HomingRecipe::Stop::Smoothly;
-    return homing;
+    return stoppingBy(arm.manner, homing);
 }
 
 HomingRecipe firstRecipe(const ModuleIdentity& identity) {
@@ -137,7 +134,7 @@ HomingRecipe effective(HomingRecipe recipe, const ModuleIdentity& identity) {
     } else {
         recipe.onHomeSwitch = false;
         if (recipe.onPositionError)
-            recipe.stop = HomingRecipe::Stop::MotorOff;
+            recipe.stop = HomingRecipe::Stop::Off;
         // A search for the index alone has no vicinity to find first.
         if (recipe.onIndex)
             recipe.thenIndex = false;

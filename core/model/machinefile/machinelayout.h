@@ -93,7 +93,7 @@ inline constexpr Word<UnitKind> kUnitWords[] = {{UnitKind::Native, "native"},
                                                 {UnitKind::Own, "own"}};
 inline constexpr Word<HomingRecipe::Stop> kStopWords[] = {{HomingRecipe::Stop::Abruptly, "abruptly"},
                                                           {HomingRecipe::Stop::Smoothly, "smoothly"},
-                                                          {HomingRecipe::Stop::MotorOff, "motor off"}};
+                                                          {HomingRecipe::Stop::Off, "motor off"}};
 /// 1, 2, 4 or 8 times the basic speed range (DS-S 4.1).
 inline constexpr Word<stepper::SpeedMode> kSpeedWords[] = {{stepper::SpeedMode::X1, "1x"},
                                                            {stepper::SpeedMode::X2, "2x"},

@@ -58,9 +58,8 @@ std::optional<std::int32_t> HomeFact::shift(const ModuleCommand& command) const 
     if (is<servo::ResetRelativeToHome>(command))
         return m_register ? std::optional(countsBetween(*m_register, 0)) : std::nullopt;
     std::int32_t to = 0;
-    if (const auto* own = std::get_if<ServoCommand>(&command))
-        if (const auto* set = std::get_if<servo::SetPosition>(own))
-            to = set->position.value();
+    if (const auto* set = getIf<servo::SetPosition>(command))
+        to = set->position.value();
     return countsBetween(m_latest->position, to);
 }
 

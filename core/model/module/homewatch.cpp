@@ -17,19 +17,16 @@ void HomeWatch::onSetHoming(const SetHoming& homing, TimePoint time, bool watche
 }
 
 void HomeWatch::apply(const bus::CommandExecuted& executed) {
-    if (const auto* chip = std::get_if<ServoCommand>(&executed.command)) {
-        if (const auto* homing = std::get_if<servo::SetHoming>(chip)) {
-            const bool inputs = homing->onLimit1Change || homing->onLimit2Change || homing->onIndexChange;
-            onSetHoming(*homing, executed.time, inputs || homing->onPositionError || homing->onCurrentLimit);
-            m_positionError = homing->onPositionError;
-            m_currentLimit = homing->onCurrentLimit;
-            // A position error switches the servo off by itself.
-            m_switchesOff = m_switchesOff || homing->onPositionError;
-        }
-    } else if (const auto* step = std::get_if<StepperCommand>(&executed.command)) {
-        if (const auto* homing = std::get_if<stepper::SetHoming>(step))
-            onSetHoming(*homing, executed.time,
-                        homing->onLimit1Change || homing->onLimit2Change || homing->onHomeSwitchChange);
+    if (const auto* homing = getIf<servo::SetHoming>(executed.command)) {
+        const bool inputs = homing->onLimit1Change || homing->onLimit2Change || homing->onIndexChange;
+        onSetHoming(*homing, executed.time, inputs || homing->onPositionError || homing->onCurrentLimit);
+        m_positionError = homing->onPositionError;
+        m_currentLimit = homing->onCurrentLimit;
+        // A position error switches the servo off by itself.
+        m_switchesOff = m_switchesOff || homing->onPositionError;
+    } else if (const auto* step = getIf<stepper::SetHoming>(executed.command)) {
+        onSetHoming(*step, executed.time,
+                    step->onLimit1Change || step->onLimit2Change || step->onHomeSwitchChange);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "module/profiledload.h"
 #include "module/stepperspeed.h"
 
 namespace nmc {
@@ -16,15 +17,6 @@ using Stop = HomingRecipe::Stop;
 /// 16.16 fixed point, rounded down so that it is never faster than requested.
 [[nodiscard]] std::uint32_t fixed(double value) {
     return static_cast<std::uint32_t>(std::clamp(std::floor(value * kFixedPointOne), 1.0, 2'147'483'647.0));
-}
-
-[[nodiscard]] servo::LoadTrajectory servoRun(const HomingChip::Motion& motion) {
-    servo::LoadTrajectory load;
-    load.velocity = CountsPerTick(fixed(motion.velocity));
-    load.acceleration = CountsPerTickSquared(fixed(motion.acceleration));
-    load.profile = servo::ProfileMode::Velocity;
-    load.reverse = motion.reverse;
-    return load;
 }
 
 [[nodiscard]] servo::SetHoming servoHoming(const HomeConditions& c) {
@@ -45,38 +37,6 @@ using Stop = HomingRecipe::Stop;
     return homing;
 }
 
-template <typename SetHoming>
-[[nodiscard]] SetHoming stoppingBy(Stop stop, SetHoming homing) {
-    homing.motorOff = stop == Stop::MotorOff;
-    homing.stopAbruptly = stop == Stop::Abruptly;
-    homing.stopSmoothly = stop == Stop::Smoothly;
-    return homing;
-}
-
-[[nodiscard]] servo::StopMotor servoStop(Stop manner) {
-    switch (manner) {
-        case Stop::Abruptly:
-            return {true, servo::StopManner::Abruptly, {}};
-        case Stop::Smoothly:
-            return {true, servo::StopManner::Smoothly, {}};
-        case Stop::MotorOff:
-            return {false, servo::StopManner::MotorOff, {}};
-    }
-    return {};
-}
-
-[[nodiscard]] stepper::StopMotor stepperStop(Stop manner) {
-    switch (manner) {
-        case Stop::Abruptly:
-            return {true, stepper::StopManner::Abruptly};
-        case Stop::Smoothly:
-            return {true, stepper::StopManner::Smoothly};
-        case Stop::MotorOff:
-            return {false, stepper::StopManner::Abruptly};
-    }
-    return {};
-}
-
 }  // namespace
 
 HomingChip::HomingChip(const ModuleState& module)
@@ -88,19 +48,12 @@ HomingChip::HomingChip(const ModuleState& module)
 }
 
 bool HomingChip::goesOff(const HomingRecipe& recipe) const {
-    return recipe.stop == Stop::MotorOff || (m_offOnLimit && (recipe.onLimit1 || recipe.onLimit2));
+    return recipe.stop == Stop::Off || (m_offOnLimit && (recipe.onLimit1 || recipe.onLimit2));
 }
 
 template <typename... Commands>
-HomingChip::Orders HomingChip::orders(Commands... commands) const {
-    if (m_identity.type == ModuleType::Stepper) {
-        if constexpr ((std::is_constructible_v<StepperCommand, Commands> && ...))
-            return {bus::Order{m_module, StepperCommand(std::move(commands))}...};
-    } else {
-        if constexpr ((std::is_constructible_v<ServoCommand, Commands> && ...))
-            return {bus::Order{m_module, ServoCommand(std::move(commands))}...};
-    }
-    return {};
+HomingChip::Orders HomingChip::orders(const Commands&... commands) const {
+    return {bus::Order{m_module, forChip(m_identity.type, commands)}...};
 }
 
 std::optional<HomingLook> HomingChip::look(const ModuleState& module) const {
@@ -138,14 +91,14 @@ HomingChip::Orders HomingChip::clearStickyBits() const {
     return orders(servo::ClearStickyBits{});
 }
 
-HomingChip::Orders HomingChip::run(const Motion& motion) const {
-    if (m_identity.type != ModuleType::Stepper)
-        return orders(servoRun(motion), StartMotion{});
-    stepper::LoadTrajectory load;
-    load.speed = speed(motion.velocity);
-    load.accelerationTime = accelerationTime(motion.acceleration);
-    load.reverse = motion.reverse;
-    return orders(load, StartMotion{});
+HomingChip::Orders HomingChip::run(const Motion& motion, std::optional<std::int32_t> goal) const {
+    if (m_identity.type == ModuleType::Stepper)
+        return orders(
+            profiledLoad(speed(motion.velocity), accelerationTime(motion.acceleration), goal, motion.reverse),
+            StartMotion{});
+    return orders(profiledLoad(CountsPerTick(fixed(motion.velocity)),
+                               CountsPerTickSquared(fixed(motion.acceleration)), goal, motion.reverse),
+                  StartMotion{});
 }
 
 HomingChip::Orders HomingChip::watch(const HomeConditions& conditions, Stop stop) const {
@@ -164,7 +117,7 @@ HomingChip::Orders HomingChip::search(const HomeConditions& conditions, Stop sto
 }
 
 HomingChip::Orders HomingChip::stop(Stop manner) const {
-    return m_identity.type == ModuleType::Stepper ? orders(stepperStop(manner)) : orders(servoStop(manner));
+    return {{m_module, stopMotor(m_identity.type, manner, true)}};
 }
 
 HomingChip::Orders HomingChip::disarm() const {
@@ -176,21 +129,6 @@ HomingChip::Orders HomingChip::enable() const {
         return orders(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
     // If the position error bit were still set, the next search would find it at once.
     return orders(servo::StopMotor{true, servo::StopManner::Abruptly, {}}, servo::ClearStickyBits{});
-}
-
-HomingChip::Orders HomingChip::goTo(std::int32_t position, const Motion& motion) const {
-    if (m_identity.type == ModuleType::Stepper) {
-        stepper::LoadTrajectory load;
-        load.position = Counts(position);
-        load.speed = speed(motion.velocity);
-        load.accelerationTime = accelerationTime(motion.acceleration);
-        return orders(load, StartMotion{});
-    }
-    servo::LoadTrajectory load = servoRun(motion);
-    load.position = Counts(position);
-    load.profile = servo::ProfileMode::Trapezoidal;
-    load.reverse = false;
-    return orders(load, StartMotion{});
 }
 
 HomingChip::Orders HomingChip::zero() const {

@@ -61,7 +61,8 @@ public:
     [[nodiscard]] bool goesOff(const HomingRecipe& recipe) const;
 
     [[nodiscard]] Orders clearStickyBits() const;
-    [[nodiscard]] Orders run(const Motion& motion) const;
+    /// `goal`: where it ends; without one, it does not end.
+    [[nodiscard]] Orders run(const Motion& motion, std::optional<std::int32_t> goal = {}) const;
     /// Starts the chip's search for home.
     [[nodiscard]] Orders watch(const HomeConditions& conditions, HomingRecipe::Stop stop) const;
     /// Starts the chip's search for home and then the motion.
@@ -71,14 +72,13 @@ public:
     /// Ends the chip's search for home.
     [[nodiscard]] Orders disarm() const;
     [[nodiscard]] Orders enable() const;
-    [[nodiscard]] Orders goTo(std::int32_t position, const Motion& motion) const;
     [[nodiscard]] Orders zero() const;
     /// Reads a status that includes home; `second`: in a reply of different length.
     [[nodiscard]] Orders read(bool second) const;
 
 private:
     template <typename... Commands>
-    [[nodiscard]] Orders orders(Commands... commands) const;
+    [[nodiscard]] Orders orders(const Commands&... commands) const;
     [[nodiscard]] std::uint8_t speed(double stepsPerSecond) const;
     [[nodiscard]] std::uint8_t accelerationTime(double stepsPerSecondSquared) const;
 

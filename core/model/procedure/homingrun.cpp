@@ -258,7 +258,7 @@ HomingRun::Next HomingRun::goHome(const HomingLook& seen, TimePoint now) {
         if (seen.position != home) {
             HomingChip::Motion slowly = motion();
             slowly.velocity = m_recipe.velocity;
-            return tell(m_chip.goTo(home, slowly));
+            return tell(m_chip.run(slowly, home));
         }
     }
     if (!stands(seen))

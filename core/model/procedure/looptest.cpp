@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "module/profiledload.h"
+
 namespace nmc {
 
 namespace {
@@ -64,11 +66,7 @@ std::vector<bus::Order> LoopTest::jump(const ModuleState& module, std::int32_t g
                                        const ServoPace& pace) const {
     if (method == ResponseMethod::StopHere)
         return orders({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, Counts(goal)}});
-    servo::LoadTrajectory load;
-    load.position = Counts(goal);
-    load.velocity = pace.velocity;
-    load.acceleration = pace.acceleration;
-    return orders({load, StartMotion{}});
+    return orders({profiledLoad(pace.velocity, pace.acceleration, goal), StartMotion{}});
 }
 
 LoopTest::Next LoopTest::conclude(const ModuleState& module, std::int32_t goal) {

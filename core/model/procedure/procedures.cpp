@@ -84,15 +84,12 @@ std::unique_ptr<Procedure> procedureFor(const Intent& intent, const ModuleState&
 
 void keepWhatIsHarmless(std::vector<bus::Order>& orders) {
     const auto harmless = [](const bus::Order& step) {
-        const auto* servo = std::get_if<ServoCommand>(&step.command);
-        const auto* stepper = std::get_if<StepperCommand>(&step.command);
-        const auto* stop = servo != nullptr ? std::get_if<servo::StopMotor>(servo) : nullptr;
+        const auto* stop = getIf<servo::StopMotor>(step.command);
         return (stop != nullptr && stop->manner == servo::StopManner::MotorOff && !stop->amplifierEnable) ||
-               (servo != nullptr && std::holds_alternative<servo::SetHoming>(*servo)) ||
-               (servo != nullptr && std::holds_alternative<servo::SetGain>(*servo)) ||
-               (stepper != nullptr && std::holds_alternative<stepper::SetHoming>(*stepper));
+               is<servo::SetHoming>(step.command) || is<servo::SetGain>(step.command) ||
+               is<stepper::SetHoming>(step.command);
     };
-    orders.erase(std::remove_if(orders.begin(), orders.end(), std::not_fn(harmless)), orders.end());
+    std::erase_if(orders, std::not_fn(harmless));
 }
 
 }  // namespace nmc

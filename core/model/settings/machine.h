@@ -13,9 +13,7 @@
 #include "model/settings/axisscale.h"
 #include "model/settings/operatorrights.h"
 #include "model/settings/pinsettings.h"
-#include "protocol/servocommands.h"
-#include "protocol/status.h"
-#include "protocol/steppercommands.h"
+#include "module/stopmanner.h"
 
 /// What the user tells the panel about a machine: values that cannot be read from a module. The machine file
 /// contains this data. Nothing here moves a motor or is sent by itself.
@@ -45,7 +43,7 @@ struct TravelSettings {
 
 /// How an axis finds its home (DS-V 5.2, DS-S 5.1 Set Homing Mode).
 struct HomingRecipe {
-    enum class Stop : std::uint8_t { Abruptly, Smoothly, MotorOff };
+    using Stop = StopManner;
 
     // At least one condition; any of them ends the search.
     bool onLimit1 = false;
