@@ -10,12 +10,14 @@ namespace nmc {
 
 namespace {
 
+using Reason = std::optional<Refusal>;
+
 struct WhyNot {
     const ModuleState& module;
 
     // ---- PIC-SERVO ----
 
-    std::optional<Refusal> operator()(const servo::LoadTrajectory& load) const {
+    Reason operator()(const servo::LoadTrajectory& load) const {
         if (!load.startNow)
             return whyInaccessible(IntentKind::Load, module);
         if (!load.servo)
@@ -23,9 +25,9 @@ struct WhyNot {
         if (load.profile == servo::ProfileMode::Trapezoidal)
             return Refusal::StartApart;
         const bool ramp = load.acceleration ? load.acceleration->value() != 0 : module.accelerationLoaded();
-        return ramp ? whyNot(IntentKind::Run, module) : std::optional(Refusal::NoAcceleration);
+        return ramp ? whyNot(IntentKind::Run, module) : Reason(Refusal::NoAcceleration);
     }
-    std::optional<Refusal> operator()(const servo::StopMotor& stop) const {
+    Reason operator()(const servo::StopMotor& stop) const {
         switch (stop.manner) {
             case servo::StopManner::AmplifierOnly:
                 return whyNot(IntentKind::SetAmplifier, module);
@@ -43,75 +45,54 @@ struct WhyNot {
         // A stop switches on a servo that is off (DS-V 5.2).
         return whyNot(module.servoOn() ? IntentKind::StopMotion : IntentKind::Enable, module);
     }
-    std::optional<Refusal> operator()(const servo::SetHoming& homing) const {
-        const bool stops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
-        if (stops && module.info.identity.version < servo::kAutoStopVersion)
-            return Refusal::VersionLacksIt;
-        return whyInaccessible(IntentKind::Home, module);
-    }
-    std::optional<Refusal> operator()(const servo::SetGain&) const {
-        return whyNot(IntentKind::ApplyGains, module);
-    }
-    std::optional<Refusal> operator()(const servo::IoControl&) const {
-        return whyNot(IntentKind::ControlIo, module);
-    }
-    std::optional<Refusal> operator()(
-        const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
+    Reason operator()(const servo::SetGain&) const { return whyNot(IntentKind::ApplyGains, module); }
+    Reason operator()(const servo::IoControl&) const { return whyNot(IntentKind::ControlIo, module); }
+    Reason operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
         return whyNot(IntentKind::ResetPosition, module);
     }
-    std::optional<Refusal> operator()(const servo::ScIoControl&) const {
-        return whyNot(IntentKind::ControlSc, module);
-    }
+    Reason operator()(const servo::ScIoControl&) const { return whyNot(IntentKind::ControlSc, module); }
     /// Paths and saved configurations cannot be sent as single commands.
-    std::optional<Refusal> operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {
+    Reason operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {
         return Refusal::VersionLacksIt;
     }
-    std::optional<Refusal> operator()(const servo::ClearStickyBits&) const {
+    Reason operator()(const servo::ClearStickyBits&) const {
         return whyNot(IntentKind::ClearStickyBits, module);
     }
 
     // ---- PIC-STEP ----
 
-    std::optional<Refusal> operator()(const stepper::LoadTrajectory& load) const {
+    Reason operator()(const stepper::LoadTrajectory& load) const {
         return load.startNow ? whyNotStarted(load, module) : whyNot(IntentKind::Load, module);
     }
-    std::optional<Refusal> operator()(const stepper::StopMotor& stop) const {
+    Reason operator()(const stepper::StopMotor& stop) const {
         const bool enables = stop.amplifierEnable && !module.stepper.amplifierOn();
         return whyNot(enables ? IntentKind::Enable : IntentKind::StopMotion, module);
     }
-    std::optional<Refusal> operator()(const stepper::SetHoming&) const {
-        return whyInaccessible(IntentKind::Home, module);
-    }
-    std::optional<Refusal> operator()(const stepper::SetParameters& parameters) const {
+    Reason operator()(const stepper::SetParameters& parameters) const {
         return whyNotSet(parameters, module);
     }
-    std::optional<Refusal> operator()(const stepper::SetOutputs&) const {
-        return whyNot(IntentKind::SetOutputs, module);
-    }
+    Reason operator()(const stepper::SetOutputs&) const { return whyNot(IntentKind::SetOutputs, module); }
 
     // ---- PIC-I/O ----
 
-    std::optional<Refusal> operator()(const AnyOf<io::SetOutput, io::SetPwm, io::SynchOutput> auto&) const {
+    Reason operator()(const AnyOf<io::SetOutput, io::SetPwm, io::SynchOutput> auto&) const {
         return whyNot(IntentKind::SetOutputs, module);
     }
-    std::optional<Refusal> operator()(
+    Reason operator()(
         const AnyOf<io::SetDirection, io::SetSynchOutput, io::SetTimerMode, io::SynchInput> auto&) const {
         return whyNot(IntentKind::ControlIo, module);
     }
 
-    // ---- all chips ----
+    // ---- several chips ----
 
-    std::optional<Refusal> operator()(const StartMotion&) const {
-        return whyNot(IntentKind::StartLoaded, module);
+    Reason operator()(const AnyOf<servo::SetHoming, stepper::SetHoming> auto&) const {
+        return whyInaccessible(IntentKind::Home, module);
     }
-    std::optional<Refusal> operator()(const ResetPosition&) const {
-        return whyNot(IntentKind::ResetPosition, module);
-    }
-    std::optional<Refusal> operator()(const SaveAsHome&) const {
-        return whyNot(IntentKind::SaveAsHome, module);
-    }
+    Reason operator()(const StartMotion&) const { return whyNot(IntentKind::StartLoaded, module); }
+    Reason operator()(const ResetPosition&) const { return whyNot(IntentKind::ResetPosition, module); }
+    Reason operator()(const SaveAsHome&) const { return whyNot(IntentKind::SaveAsHome, module); }
     /// Addresses, rate, reset and status items belong to the bus.
-    std::optional<Refusal> operator()(
+    Reason operator()(
         const AnyOf<SetAddress, DefineStatus, ReadStatus, SetBaud, Nop, HardReset> auto&) const {
         return whyInaccessible(IntentKind::StopMotion, module);
     }
@@ -128,9 +109,7 @@ std::optional<Refusal> whyNotDirect(const ModuleCommand& command, const ModuleSt
                                                                : Refusal::NotAServo;
     if (reason)
         return Refusal::VersionLacksIt;
-    const auto refusal =
-        std::visit([&](const auto& chip) { return std::visit(WhyNot{module}, chip); }, command);
-    if (refusal)
+    if (const auto refusal = visitCommand(WhyNot{module}, command))
         return refusal;
     const auto problem = travelProblem(intent::Direct{command}, module);
     return problem ? std::optional(problem->refusal) : std::nullopt;

@@ -3,25 +3,18 @@
 
 #include "model/intent/directplan.h"
 #include "model/intent/gainsplan.h"
-#include "model/intent/homingplan.h"
 #include "model/intent/ioplan.h"
 #include "model/intent/looptestplan.h"
+#include "model/intent/planner.h"
 #include "model/intent/rights.h"
 #include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
 #include "model/path/pathplan.h"
+#include "module/profiledload.h"
 
 namespace nmc {
 
 namespace {
-
-using Orders = std::vector<bus::Order>;
-using Plan = tl::expected<Orders, Refusal>;
-
-template <typename... Commands>
-Orders stepsFor(const ModuleState& module, Commands... commands) {
-    return {bus::Order{module.info.index, ServoCommand(std::move(commands))}...};
-}
 
 bool gainsAct(const ModuleState& module) {
     // With Kd alone, the servo brakes but holds nothing, which is how a new motor is tuned first. Without an
@@ -41,38 +34,24 @@ int directionOf(const servo::LoadTrajectory& load, const ModuleState& module) {
     return distance > 0 ? 1 : distance < 0 ? -1 : 0;
 }
 
-/// Checks the precondition first, so that a command whose control is greyed out is not sent from anywhere
-/// else either.
-template <typename MakeOrders>
-Plan allowed(IntentKind kind, const ModuleState& module, MakeOrders makeOrders) {
-    if (const auto refusal = whyNot(kind, module))
-        return tl::unexpected(*refusal);
-    return makeOrders();
-}
-
 /// An SC with limit protection would not start, and would not report it (docs/family.md).
 bool startsIntoLimit(const Orders& orders, const ModuleState& module) {
     for (const bus::Order& step : orders)
-        if (const auto* command = std::get_if<ServoCommand>(&step.command))
-            if (const auto* load = std::get_if<servo::LoadTrajectory>(command))
-                if (module.limitEnds(directionOf(*load, module)))
-                    return true;
+        if (const auto* load = getIf<servo::LoadTrajectory>(step.command))
+            if (module.limitEnds(directionOf(*load, module)))
+                return true;
     return false;
 }
 
-struct Planner {
-    const ModuleState& module;
-
-    Plan operator()(const intent::AskAnew&) const { return Orders{}; }
+struct ServoPlanner : MotorPlanner {
+    using MotorPlanner::operator();
 
     Plan operator()(const intent::Enable&) const {
         // A single Stop Motor sets AMP_EN and makes the servo hold its present position (DS-V 5.2). The
         // position error bit is set while a servo is off, and remains set; once it is cleared, its next edge
         // is a trip.
-        return allowed(IntentKind::Enable, module, [this] {
-            return stepsFor(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}},
-                            servo::ClearStickyBits{});
-        });
+        return as(IntentKind::Enable, servo::StopMotor{true, servo::StopManner::Abruptly, {}},
+                  servo::ClearStickyBits{});
     }
 
     Plan operator()(const intent::Move& move) const {
@@ -82,71 +61,33 @@ struct Planner {
         const bool ends = std::holds_alternative<servomotion::Trapezoid>(*motion);
         if (ends && motion->index() != std::get<ServoMotion>(move.motion).index() && module.moving())
             return tl::unexpected(Refusal::RunNeedsStop);
-        return allowed(ends ? IntentKind::Move : IntentKind::Run, module,
-                       [&] { return stepsFor(module, loadFor(*motion), StartMotion{}); });
-    }
-
-    Plan operator()(const intent::GoHome& goHome) const {
-        if (const auto refusal = whyNot(IntentKind::GoHome, module))
-            return tl::unexpected(*refusal);
-        return (*this)(intent::Move{*motionOf(goHome, module)});
+        return as(ends ? IntentKind::Move : IntentKind::Run, loadFor(*motion), StartMotion{});
     }
 
     Plan operator()(const intent::LoadMove& load) const {
         const auto motion = bounded(load.motion);
         if (!motion)
             return tl::unexpected(motion.error());
-        return allowed(IntentKind::Load, module, [&] { return stepsFor(module, loadFor(*motion)); });
-    }
-
-    Plan operator()(const intent::StartLoaded&) const {
-        return allowed(IntentKind::StartLoaded, module, [this] { return stepsFor(module, StartMotion{}); });
+        return as(IntentKind::Load, loadFor(*motion));
     }
 
     Plan operator()(const intent::StopSmoothly&) const {
         // With acceleration 0, the chip could not decelerate (link.md 2.6).
-        const auto manner =
-            module.accelerationLoaded() ? servo::StopManner::Smoothly : servo::StopManner::Abruptly;
-        return stop(manner);
-    }
-    Plan operator()(const intent::StopAbruptly&) const { return stop(servo::StopManner::Abruptly); }
-
-    Plan operator()(const intent::MotorOff&) const {
-        return allowed(IntentKind::MotorOff, module, [this] {
-            return stepsFor(module, servo::StopMotor{false, servo::StopManner::MotorOff, {}});
-        });
+        return stop(module.accelerationLoaded() ? StopManner::Smoothly : StopManner::Abruptly);
     }
 
     Plan operator()(const intent::ApplyGains& apply) const {
-        return allowed(IntentKind::ApplyGains, module,
-                       [&] { return stepsFor(module, gainsFor(module, apply.gains)); });
+        return as(IntentKind::ApplyGains, gainsFor(module, apply.gains));
     }
 
     Plan operator()(const intent::ClearStickyBits&) const {
-        return allowed(IntentKind::ClearStickyBits, module,
-                       [this] { return stepsFor(module, servo::ClearStickyBits{}); });
-    }
-
-    Plan operator()(const intent::ResetPosition&) const {
-        return allowed(IntentKind::ResetPosition, module,
-                       [this] { return stepsFor(module, nmc::ResetPosition{}); });
-    }
-
-    Plan operator()(const intent::SaveAsHome&) const {
-        return allowed(IntentKind::SaveAsHome, module,
-                       [this] { return stepsFor(module, nmc::SaveAsHome{}); });
-    }
-
-    /// Sends nothing; the owner of the module's state handles it.
-    Plan operator()(const intent::DeclarePosition&) const {
-        return unless(whyNot(IntentKind::DeclarePosition, module));
+        return as(IntentKind::ClearStickyBits, servo::ClearStickyBits{});
     }
 
     Plan operator()(const intent::StopHere&) const {
-        return allowed(IntentKind::StopHere, module, [this] {
-            return stepsFor(module, servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here,
-                                                     Counts(*module.latest->position)});
-        });
+        const std::int32_t here = module.latest ? module.latest->position.value_or(0) : 0;
+        return as(IntentKind::StopHere,
+                  servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, Counts(here)});
     }
 
     Plan operator()(const intent::DrivePwm& drive) const {
@@ -154,34 +95,25 @@ struct Planner {
         load.servo = false;
         load.pwm = drive.pwm;
         load.reverse = drive.reverse;
-        return allowed(IntentKind::DrivePwm, module, [&]() -> Orders {
-            if (module.amplifierEnabled)
-                return stepsFor(module, load, StartMotion{});
-            // Without AMP_EN, the motor would not turn.
-            return stepsFor(module, servo::StopMotor{true, servo::StopManner::MotorOff, {}}, load,
-                            StartMotion{});
-        });
+        if (module.amplifierEnabled)
+            return as(IntentKind::DrivePwm, load, StartMotion{});
+        // Without AMP_EN, the motor would not turn.
+        return as(IntentKind::DrivePwm, servo::StopMotor{true, servo::StopManner::MotorOff, {}}, load,
+                  StartMotion{});
     }
 
     Plan operator()(const intent::SetAmplifier& amplifier) const {
-        return allowed(IntentKind::SetAmplifier, module, [&] {
-            return stepsFor(module, servo::StopMotor{amplifier.enable, servo::StopManner::AmplifierOnly, {}});
-        });
+        return as(IntentKind::SetAmplifier,
+                  servo::StopMotor{amplifier.enable, servo::StopManner::AmplifierOnly, {}});
     }
 
-    Plan operator()(const intent::ControlIo& control) const {
-        return allowed(IntentKind::ControlIo, module, [&] { return stepsFor(module, control.io); });
-    }
+    Plan operator()(const intent::ControlIo& control) const { return as(IntentKind::ControlIo, control.io); }
 
     Plan operator()(const intent::ControlSc& control) const {
-        return allowed(IntentKind::ControlSc, module, [&] {
-            return stepsFor(module, servo::StopMotor{false, servo::StopManner::MotorOff, {}}, control.io);
-        });
+        return as(IntentKind::ControlSc, servo::StopMotor{false, servo::StopManner::MotorOff, {}},
+                  control.io);
     }
 
-    // Procedures are planned elsewhere (model/procedure/procedures.h); this only determines why one is not
-    // possible.
-    Plan operator()(const intent::Home& home) const { return unless(whyNotHome(home.recipe, module)); }
     Plan operator()(const intent::MoveBy& moveBy) const {
         const auto* pace = std::get_if<ServoPace>(&moveBy.pace);
         if (pace == nullptr)
@@ -190,33 +122,20 @@ struct Planner {
             return tl::unexpected(*refusal);
         if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
-        return unless(whyNot(IntentKind::Move, module));
+        return as(IntentKind::Move);
     }
-    Plan operator()(const intent::CheckDirection&) const {
-        return unless(whyNot(IntentKind::CheckDirection, module));
-    }
+    Plan operator()(const intent::CheckDirection&) const { return as(IntentKind::CheckDirection); }
     Plan operator()(const In<ServoProcedure> auto& wanted) const { return unless(whyNot(wanted, module)); }
     Plan operator()(const intent::KeepGains&) const { return Orders{}; }
-    Plan operator()(const intent::SaveConfiguration&) const {
-        return unless(whyNot(IntentKind::ControlSc, module));
-    }
+    Plan operator()(const intent::SaveConfiguration&) const { return as(IntentKind::ControlSc); }
 
     Plan operator()(const intent::ArmLimitStop& arm) const {
-        if (const auto refusal = whyNotArm(arm, module))
-            return tl::unexpected(*refusal);
-        return stepsFor(module, limitStop(arm));
+        return unless(whyNotArm(arm, module), limitStop(arm));
     }
 
-    Plan operator()(const In<AnyModuleIntent> auto&) const {
-        return Orders{};
-    }  // planned for all chips in plan()
     Plan operator()(const In<StepperIntent> auto&) const { return tl::unexpected(Refusal::NotAStepper); }
-    Plan operator()(const In<IoIntent> auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
 
 private:
-    [[nodiscard]] static Plan unless(std::optional<Refusal> refusal) {
-        return refusal ? Plan(tl::unexpected(*refusal)) : Orders{};
-    }
     /// What a motion lacks to ever start or end. A run at velocity 0 ends another one.
     struct Lacking {
         std::optional<Refusal> operator()(const servomotion::VelocityProfile& run) const {
@@ -239,25 +158,10 @@ private:
         return motion;
     }
     [[nodiscard]] static servo::LoadTrajectory loadFor(const ServoMotion& motion) {
-        servo::LoadTrajectory load;
-        std::visit(
-            [&load](const auto& any) {
-                load.velocity = any.velocity;
-                load.acceleration = any.acceleration;
-            },
-            motion);
-        if (const auto* run = std::get_if<servomotion::VelocityProfile>(&motion)) {
-            load.profile = servo::ProfileMode::Velocity;
-            load.reverse = run->reverse;
-        } else {
-            load.position = std::get<servomotion::Trapezoid>(motion).position;
-        }
-        return load;
-    }
-    [[nodiscard]] Plan stop(servo::StopManner manner) const {
-        return allowed(IntentKind::StopMotion, module, [&] {
-            return stepsFor(module, servo::StopMotor{module.amplifierEnabled, manner, {}});
-        });
+        if (const auto* run = std::get_if<servomotion::VelocityProfile>(&motion))
+            return profiledLoad(run->velocity, run->acceleration, {}, run->reverse);
+        const auto& move = std::get<servomotion::Trapezoid>(motion);
+        return profiledLoad(move.velocity, move.acceleration, move.position.value());
     }
 };
 
@@ -275,9 +179,9 @@ bool isStop(const Intent& intent) {
         intent);
 }
 
-tl::expected<Orders, Refusal> plan(const Intent& intent, const ModuleState& module) {
+Plan plan(const Intent& intent, const ModuleState& module) {
     if (std::holds_alternative<intent::AskAnew>(intent))
-        return stepsFor(module, Nop{});
+        return Planner{module}.unless({}, Nop{});
     if (const auto* direct = std::get_if<intent::Direct>(&intent)) {
         if (module.rights)
             return tl::unexpected(Refusal::OperatorMode);
@@ -287,10 +191,16 @@ tl::expected<Orders, Refusal> plan(const Intent& intent, const ModuleState& modu
     }
     // The bus carries this out (bus/readdresstask.h).
     if (std::holds_alternative<intent::ResetModule>(intent))
-        return allowed(IntentKind::ResetModule, module, [] { return Orders{}; });
+        return Planner{module}.as(IntentKind::ResetModule);
+    if (const auto* goHome = std::get_if<intent::GoHome>(&intent)) {
+        if (const auto refusal = whyNot(IntentKind::GoHome, module))
+            return tl::unexpected(*refusal);
+        return plan(intent::Move{*motionOf(*goHome, module)}, module);
+    }
     if (module.isIo())
         return planIo(intent, module);
-    Plan orders = module.isStepper() ? planStep(intent, module) : std::visit(Planner{module}, intent);
+    Plan orders =
+        module.isStepper() ? planStep(intent, module) : std::visit(ServoPlanner{{{module}}}, intent);
     if (orders)
         if (const auto problem = travelProblem(intent, module))
             return tl::unexpected(problem->refusal);

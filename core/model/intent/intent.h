@@ -249,10 +249,11 @@ enum class Refusal : std::uint8_t {
     TooFar,        ///< a move of more than 0x7FFFFFFF steps
 };
 
+using Orders = std::vector<bus::Order>;
+using Plan = tl::expected<Orders, Refusal>;
 /// Returns the commands for an intent, in order, or the precondition that is not met. The same preconditions
 /// enable and disable the controls: what whyNot() reports is greyed out and explained.
-[[nodiscard]] tl::expected<std::vector<bus::Order>, Refusal> plan(const Intent& intent,
-                                                                  const ModuleState& module);
+[[nodiscard]] Plan plan(const Intent& intent, const ModuleState& module);
 
 /// The kinds of request for which a panel shows a control; values still being typed do not matter here.
 enum class IntentKind : std::uint8_t {

@@ -6,8 +6,7 @@
 namespace nmc {
 
 /// plan() and whyNot() for a PIC-I/O. Pure.
-[[nodiscard]] tl::expected<std::vector<bus::Order>, Refusal> planIo(const Intent& intent,
-                                                                    const ModuleState& module);
+[[nodiscard]] Plan planIo(const Intent& intent, const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNotIo(IntentKind kind, const ModuleState& module);
 
 }  // namespace nmc

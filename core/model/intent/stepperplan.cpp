@@ -3,28 +3,14 @@
 
 #include <algorithm>
 
-#include "model/intent/homingplan.h"
+#include "model/intent/planner.h"
 #include "model/intent/travel.h"
+#include "module/profiledload.h"
 #include "module/stepperspeed.h"
 
 namespace nmc {
 
 namespace {
-
-using Orders = std::vector<bus::Order>;
-using Plan = tl::expected<Orders, Refusal>;
-
-template <typename... Commands>
-Orders stepperStepsFor(const ModuleState& module, Commands... commands) {
-    return {bus::Order{module.info.index, StepperCommand(std::move(commands))}...};
-}
-
-template <typename MakeOrders>
-Plan allowed(const std::optional<Refusal>& refusal, MakeOrders makeOrders) {
-    if (refusal)
-        return tl::unexpected(*refusal);
-    return makeOrders();
-}
 
 /// The position at which a motion that starts now ends.
 [[nodiscard]] std::optional<std::int64_t> goalNow(const StepperMotion& motion, const ModuleState& module) {
@@ -64,18 +50,10 @@ struct LoadOf {
     bool reverse;
 
     stepper::LoadTrajectory operator()(const steppermotion::Trapezoid& move) const {
-        stepper::LoadTrajectory load;
-        load.position = Counts(goal);
-        load.speed = move.speed;
-        load.accelerationTime = move.accelerationTime;
-        return load;
+        return profiledLoad(move.speed, move.accelerationTime, goal);
     }
     stepper::LoadTrajectory operator()(const steppermotion::VelocityProfile& run) const {
-        stepper::LoadTrajectory load;
-        load.speed = run.speed;
-        load.accelerationTime = run.accelerationTime;
-        load.reverse = reverse;
-        return load;
+        return profiledLoad(run.speed, run.accelerationTime, {}, reverse);
     }
     stepper::LoadTrajectory operator()(const steppermotion::UnprofiledMove& move) const {
         stepper::LoadTrajectory load;
@@ -110,69 +88,36 @@ struct LoadOf {
     return whyNotFromStandstill(motion, module);
 }
 
-struct StepperPlanner {
-    const ModuleState& module;
+struct StepperPlanner : MotorPlanner {
+    using MotorPlanner::operator();
 
     Plan operator()(const intent::Enable&) const {
         // Only sets AMP_EN: the motor stands still and is held by the holding current (DS-S 5.1, 4.6).
-        return allowed(whyNotStep(IntentKind::Enable, module), [this] {
-            return stepperStepsFor(module, stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
-        });
+        return as(IntentKind::Enable, stepper::StopMotor{true, stepper::StopManner::AmplifierOnly});
     }
     Plan operator()(const intent::StopSmoothly&) const {
-        return allowed(whyNotStep(IntentKind::StopMotion, module),
-                       [this] { return Orders{smoothStop(module)}; });
-    }
-    Plan operator()(const intent::StopAbruptly&) const {
-        return allowed(whyNotStep(IntentKind::StopMotion, module), [this] {
-            return stepperStepsFor(
-                module, stepper::StopMotor{module.stepper.amplifierOn(), stepper::StopManner::Abruptly});
-        });
-    }
-    Plan operator()(const intent::MotorOff&) const {
-        return allowed(whyNotStep(IntentKind::MotorOff, module), [this] {
-            return stepperStepsFor(module, stepper::StopMotor{false, stepper::StopManner::Abruptly});
-        });
+        return as(IntentKind::StopMotion, smoothStop(module).command);
     }
     Plan operator()(const intent::SetAmplifier& amplifier) const {
         return amplifier.enable ? (*this)(intent::Enable{}) : (*this)(intent::MotorOff{});
     }
-    Plan operator()(const intent::ResetPosition&) const {
-        return allowed(whyNotStep(IntentKind::ResetPosition, module),
-                       [this] { return stepperStepsFor(module, nmc::ResetPosition{}); });
-    }
-    Plan operator()(const intent::SaveAsHome&) const {
-        return allowed(whyNotStep(IntentKind::SaveAsHome, module),
-                       [this] { return stepperStepsFor(module, nmc::SaveAsHome{}); });
-    }
-    Plan operator()(const intent::StartLoaded&) const {
-        return allowed(whyNotStep(IntentKind::StartLoaded, module),
-                       [this] { return stepperStepsFor(module, StartMotion{}); });
-    }
-    Plan operator()(const intent::DeclarePosition&) const {
-        return allowed(whyNotStep(IntentKind::DeclarePosition, module), [] { return Orders{}; });
-    }
     Plan operator()(const stepperintent::SetParameters& set) const {
-        return allowed(whyNotSet(set.parameters, module),
-                       [&] { return stepperStepsFor(module, set.parameters); });
+        return unless(whyNotSet(set.parameters, module), set.parameters);
     }
     Plan operator()(const stepperintent::SetOutputs& set) const {
-        return allowed(whyNotStep(IntentKind::SetOutputs, module),
-                       [&] { return stepperStepsFor(module, stepper::SetOutputs{set.outputs}); });
+        return as(IntentKind::SetOutputs, stepper::SetOutputs{set.outputs});
     }
     Plan operator()(const intent::Move& move) const {
         const auto* motion = std::get_if<StepperMotion>(&move.motion);
         if (motion == nullptr)
             return tl::unexpected(Refusal::NotAServo);
-        return allowed(whyNot(*motion, module),
-                       [&] { return stepperStepsFor(module, boundedLoad(*motion), StartMotion{}); });
+        return unless(whyNot(*motion, module), boundedLoad(*motion), StartMotion{});
     }
     Plan operator()(const intent::LoadMove& load) const {
         const auto* motion = std::get_if<StepperMotion>(&load.motion);
         if (motion == nullptr)
             return tl::unexpected(Refusal::NotAServo);
-        return allowed(whyNotLoaded(*motion, module),
-                       [&] { return stepperStepsFor(module, boundedLoad(*motion)); });
+        return unless(whyNotLoaded(*motion, module), boundedLoad(*motion));
     }
     /// Takes more than one operation; see procedures.h.
     Plan operator()(const intent::ChangeMotion& change) const {
@@ -188,21 +133,9 @@ struct StepperPlanner {
         if (const auto refusal = whyNotStep(IntentKind::Move, module))
             return tl::unexpected(*refusal);
         const steppermotion::Trapezoid first{moveBy.moves.counts, true, pace->speed, pace->accelerationTime};
-        return allowed(whyNotFromStandstill(first, module), [] { return Orders{}; });
+        return unless(whyNotFromStandstill(first, module));
     }
-    Plan operator()(const intent::GoHome& home) const {
-        if (const auto refusal = whyNotStep(IntentKind::GoHome, module))
-            return tl::unexpected(*refusal);
-        return (*this)(intent::Move{*motionOf(home, module)});
-    }
-    Plan operator()(const intent::Home& home) const {
-        return allowed(whyNotHome(home.recipe, module), [] { return Orders{}; });
-    }
-    Plan operator()(const In<AnyModuleIntent> auto&) const {
-        return Orders{};
-    }  // planned for all chips in plan()
     Plan operator()(const In<ServoIntent> auto&) const { return tl::unexpected(Refusal::NotAServo); }
-    Plan operator()(const In<IoIntent> auto&) const { return tl::unexpected(Refusal::NotAnIoModule); }
 
 private:
     [[nodiscard]] stepper::LoadTrajectory boundedLoad(const StepperMotion& motion) const {
@@ -262,7 +195,7 @@ double speedOf(const stepper::LoadTrajectory& load, const ModuleState& module) {
 }
 
 Plan planStep(const Intent& intent, const ModuleState& module) {
-    return std::visit(StepperPlanner{module}, intent);
+    return std::visit(StepperPlanner{{{module}}}, intent);
 }
 
 std::optional<Refusal> whyNotStep(IntentKind kind, const ModuleState& module) {

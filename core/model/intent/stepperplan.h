@@ -8,8 +8,7 @@
 namespace nmc {
 
 /// plan() and whyNot() for a PIC-STEP.
-[[nodiscard]] tl::expected<std::vector<bus::Order>, Refusal> planStep(const Intent& intent,
-                                                                      const ModuleState& module);
+[[nodiscard]] Plan planStep(const Intent& intent, const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNotStep(IntentKind kind, const ModuleState& module);
 
 /// Why a motion cannot be started now. NeedsStop: intent::ChangeMotion can do it. `as`: the kind of

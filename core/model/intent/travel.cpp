@@ -298,8 +298,7 @@ std::optional<TravelProblem> travelProblem(const Intent& intent, const ModuleSta
     if (std::holds_alternative<intent::StartLoaded>(intent))
         return loadedProblem(module);
     if (const auto* direct = std::get_if<intent::Direct>(&intent))
-        return std::visit([&](const auto& chip) { return std::visit(DirectProblem{module}, chip); },
-                          direct->command);
+        return visitCommand(DirectProblem{module}, direct->command);
     const auto course = std::visit(CourseOf{module}, intent);
     return course ? problemOf(*course, module) : std::nullopt;
 }
