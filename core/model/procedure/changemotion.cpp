@@ -8,28 +8,9 @@ namespace nmc {
 Procedure::Next ChangeMotion::proceed(const ModuleState& module, TimePoint now) {
     if (module.silent)
         return fail(ProcedureFailure::ModuleUnresponsive);
-    switch (m_report.stage) {
-        case ProcedureStage::Preparing:
-            return stop(module, now);
-        case ProcedureStage::Stopping:
-            return waitForStandstill(module, now);
-        case ProcedureStage::Moving:
-            return finish();
-        case ProcedureStage::BackingOff:
-        case ProcedureStage::Searching:
-        case ProcedureStage::SearchingIndex:
-        case ProcedureStage::Reading:
-        case ProcedureStage::GoingHome:
-        case ProcedureStage::Zeroing:
-        case ProcedureStage::Pausing:
-        case ProcedureStage::Trying:
-        case ProcedureStage::TakingUpBacklash:
-        case ProcedureStage::Done:
-        case ProcedureStage::Failed:
-        case ProcedureStage::Cancelled:
-            break;
-    }
-    return End{};
+    if (m_report.stage == ProcedureStage::Preparing)
+        return stop(module, now);
+    return m_report.stage == ProcedureStage::Stopping ? waitForStandstill(module, now) : finish();
 }
 
 Procedure::Next ChangeMotion::stop(const ModuleState& module, TimePoint now) {

@@ -40,8 +40,8 @@ DirectionCheck::Next DirectionCheck::proceed(const ModuleState& module, TimePoin
         cancel();
         return Wait{};
     }
-    if (!stands(module, now))
-        return now - *m_since > kStillWithin ? fail(ProcedureFailure::NotStill) : Next(Wait{});
+    if (!m_rest.over(module, now))
+        return m_rest.lasted(now) > kStillWithin ? fail(ProcedureFailure::NotStill) : Next(Wait{});
     return m_report.stage == ProcedureStage::Preparing ? begin(module) : look(module);
 }
 
@@ -88,7 +88,7 @@ DirectionCheck::Next DirectionCheck::look(const ModuleState& module) {
 DirectionCheck::Next DirectionCheck::push() {
     m_found.strongestPush = std::max(m_found.strongestPush, m_push);
     m_pushed = true;
-    m_since.reset();
+    m_rest.restart();
     servo::LoadTrajectory load;
     load.servo = false;
     load.pwm = m_push;
@@ -110,22 +110,6 @@ DirectionCheck::Next DirectionCheck::conclude(DirectionVerdict verdict, const Mo
 
 std::vector<bus::Order> DirectionCheck::lastWord(const ModuleState& module) const {
     return m_pushed && !module.servoOn() ? orders({off(false)}) : std::vector<bus::Order>{};
-}
-
-std::vector<bus::Order> DirectionCheck::orders(std::vector<ServoCommand> commands) const {
-    std::vector<bus::Order> orders;
-    for (ServoCommand& command : commands)
-        orders.push_back({m_report.module, std::move(command)});
-    return orders;
-}
-
-bool DirectionCheck::stands(const ModuleState& module, TimePoint now) {
-    if (!m_since) {
-        m_since = now;
-        m_standstill.reset();
-    }
-    return module.latestTime > *m_since && module.latest && module.latest->position &&
-           m_standstill.look(module.latestTime, *module.latest->position, module.moving());
 }
 
 }  // namespace nmc

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "bus/standstill.h"
 #include "model/intent/intent.h"
 #include "model/procedure/procedure.h"
+#include "model/procedure/standstillwait.h"
 
 namespace nmc {
 
@@ -38,8 +38,6 @@ private:
     [[nodiscard]] Next look(const ModuleState& module);
     [[nodiscard]] Next push();
     [[nodiscard]] Next conclude(DirectionVerdict verdict, const ModuleState& module);
-    [[nodiscard]] bool stands(const ModuleState& module, TimePoint now);
-    [[nodiscard]] std::vector<bus::Order> orders(std::vector<ServoCommand> commands) const;
 
     intent::CheckDirection m_wanted;
     DirectionFound m_found;
@@ -51,8 +49,7 @@ private:
     std::int32_t m_from = 0;   ///< position before the pushes in this direction
     bool m_limit1 = false;     ///< active at the start, which may be due to the wiring
     bool m_limit2 = false;
-    std::optional<TimePoint> m_since;
-    Standstill m_standstill;
+    StandstillWait m_rest;
 };
 
 }  // namespace nmc

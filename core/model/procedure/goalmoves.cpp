@@ -33,15 +33,11 @@ GoalMoves::Next GoalMoves::go(ProcedureStage stage, std::int64_t goal, const Mod
         return fail(ProcedureFailure::Refused);
     m_report.stage = stage;
     m_moves = true;
-    m_startedAt.reset();
+    m_rest.restart();
     return send(*orders);
 }
 
 std::optional<GoalMoves::Next> GoalMoves::underWay(const ModuleState& module, TimePoint now) {
-    if (!m_startedAt) {
-        m_startedAt = now;
-        m_standstill.reset();
-    }
     // If the goal is no longer this procedure's, something else moves the motor or has stopped it. A motor
     // whose chip has stopped it short still has this goal.
     if (!module.headsFor(m_heading)) {
@@ -49,8 +45,7 @@ std::optional<GoalMoves::Next> GoalMoves::underWay(const ModuleState& module, Ti
         cancel();
         return Wait{};
     }
-    const bool fresh = module.latestTime > *m_startedAt && module.latest->position;
-    if (!fresh || !m_standstill.look(module.latestTime, *module.latest->position, module.moving()))
+    if (!m_rest.over(module, now))
         return Wait{};
     if (module.isStepper() && *module.latest->position != m_heading)
         return fail(ProcedureFailure::StoppedShort);

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "bus/standstill.h"
 #include "model/intent/intent.h"
 #include "model/procedure/procedure.h"
+#include "model/procedure/standstillwait.h"
 
 namespace nmc {
 
@@ -29,8 +29,7 @@ private:
 
     std::int32_t m_heading = 0;  ///< goal of the current move
     bool m_moves = false;
-    std::optional<TimePoint> m_startedAt;
-    Standstill m_standstill;
+    StandstillWait m_rest;
 };
 
 }  // namespace nmc

@@ -89,31 +89,14 @@ HomingRun::Next HomingRun::proceed(const ModuleState& module, TimePoint now) {
 }
 
 HomingRun::Next HomingRun::decide(const HomingLook& seen, TimePoint now) {
-    switch (m_report.stage) {
-        case ProcedureStage::Preparing:
-            return prepare(seen, now);
-        case ProcedureStage::BackingOff:
-            return backOff(seen, now);
-        case ProcedureStage::Searching:
-        case ProcedureStage::SearchingIndex:
-            return search(seen, now);
-        case ProcedureStage::Stopping:
-            return settle(seen, now);
-        case ProcedureStage::GoingHome:
-            return goHome(seen, now);
-        case ProcedureStage::Zeroing:
-            return makeZero(seen, now);
-        case ProcedureStage::Reading:
-        case ProcedureStage::Moving:
-        case ProcedureStage::Pausing:
-        case ProcedureStage::Trying:
-        case ProcedureStage::TakingUpBacklash:
-        case ProcedureStage::Done:
-        case ProcedureStage::Failed:
-        case ProcedureStage::Cancelled:
-            break;
-    }
-    return End{};
+    using enum ProcedureStage;
+    const ProcedureStage stage = m_report.stage;
+    return stage == Preparing    ? prepare(seen, now)
+           : stage == BackingOff ? backOff(seen, now)
+           : stage == Stopping   ? settle(seen, now)
+           : stage == GoingHome  ? goHome(seen, now)
+           : stage == Zeroing    ? makeZero(seen, now)
+                                 : search(seen, now);
 }
 
 HomingRun::Next HomingRun::prepare(const HomingLook& seen, TimePoint now) {

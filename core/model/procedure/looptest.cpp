@@ -42,8 +42,8 @@ void LoopTest::whileItLasts(const ModuleState& module) {
 LoopTest::Next LoopTest::prepare(const ModuleState& module, TimePoint now) {
     if (auto next = beforeStandstill(module))
         return std::move(*next);
-    if (!stands(module, now))
-        return now - *m_since > kStillWithin ? fail(ProcedureFailure::NotStill) : Next(Wait{});
+    if (!m_rest.over(module, now))
+        return m_rest.lasted(now) > kStillWithin ? fail(ProcedureFailure::NotStill) : Next(Wait{});
     return start(module);
 }
 
@@ -71,7 +71,7 @@ std::vector<bus::Order> LoopTest::jump(const ModuleState& module, std::int32_t g
 
 LoopTest::Next LoopTest::conclude(const ModuleState& module, std::int32_t goal) {
     m_report.stage = ProcedureStage::Stopping;
-    m_since.reset();
+    m_rest.restart();
     m_heldAt.reset();
     std::vector<bus::Order> both = hold(module);
     if (module.info.identity.version >= servo::kStopHereVersion)
@@ -102,9 +102,9 @@ LoopTest::Next LoopTest::settle(const ModuleState& module, TimePoint now) {
         m_heldAt = module.motionCommandedAt;
     if (m_heldAt != module.motionCommandedAt)
         return overtaken();
-    if (stands(module, now))
+    if (m_rest.over(module, now))
         return settled(module, true);
-    if (now - *m_since <= kStillWithin)
+    if (m_rest.lasted(now) <= kStillWithin)
         return Wait{};
     if (swingsFar(module))
         return fail(ProcedureFailure::TravelLimit);
@@ -137,10 +137,10 @@ LoopTest::Next LoopTest::afterLastWord(const ModuleState& module, TimePoint now)
     if (!m_mayRun || !module.servoOn() || !wild)
         return End{};
     if (!std::exchange(m_calming, true))
-        m_since.reset();
-    if (stands(module, now))
+        m_rest.restart();
+    if (m_rest.over(module, now))
         return End{};
-    if (now - *m_since < kCalmWithin)
+    if (m_rest.lasted(now) < kCalmWithin)
         return Wait{};
     m_mayRun = false;
     m_report.failure = ProcedureFailure::Unstable;
@@ -149,22 +149,6 @@ LoopTest::Next LoopTest::afterLastWord(const ModuleState& module, TimePoint now)
 
 std::vector<bus::Order> LoopTest::hold(const ModuleState& module) const {
     return orders({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Abruptly, {}}});
-}
-
-std::vector<bus::Order> LoopTest::orders(std::vector<ServoCommand> commands) const {
-    std::vector<bus::Order> orders;
-    for (ServoCommand& command : commands)
-        orders.push_back({m_report.module, std::move(command)});
-    return orders;
-}
-
-bool LoopTest::stands(const ModuleState& module, TimePoint now) {
-    if (!m_since) {
-        m_since = now;
-        m_standstill.reset();
-    }
-    return module.latestTime > *m_since &&
-           m_standstill.look(module.latestTime, *module.latest->position, module.moving());
 }
 
 }  // namespace nmc

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "bus/standstill.h"
 #include "model/intent/responsetaken.h"
 #include "model/procedure/procedure.h"
+#include "model/procedure/standstillwait.h"
 
 namespace nmc {
 
@@ -55,7 +55,6 @@ protected:
                                              const ResponseTaken& taken);
     /// Ends the test; the motor is then held at `goal`.
     [[nodiscard]] Next conclude(const ModuleState& module, std::int32_t goal);
-    [[nodiscard]] std::vector<bus::Order> orders(std::vector<ServoCommand> commands) const;
 
 private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) final;
@@ -66,7 +65,6 @@ private:
     [[nodiscard]] Next overtaken();
     [[nodiscard]] Next settle(const ModuleState& module, TimePoint now);
     [[nodiscard]] std::vector<bus::Order> hold(const ModuleState& module) const;
-    [[nodiscard]] bool stands(const ModuleState& module, TimePoint now);
     [[nodiscard]] bool swingsFar(const ModuleState& module) const;
 
     /// The reason why the module can no longer be tested, if any.
@@ -76,9 +74,8 @@ private:
     std::int32_t m_stood = 0;
     bool m_limited = false;  ///< the chip was armed to stop by itself when the test began
     bool m_calming = false;
-    std::optional<TimePoint> m_since;   ///< start of the wait for standstill
+    StandstillWait m_rest;
     std::optional<TimePoint> m_heldAt;  ///< time of the command that conclude() has sent
-    Standstill m_standstill;
 };
 
 }  // namespace nmc

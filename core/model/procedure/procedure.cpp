@@ -37,6 +37,13 @@ Procedure::Next Procedure::next(const ModuleState& module, TimePoint now) {
     return rest;
 }
 
+std::vector<bus::Order> Procedure::orders(std::vector<ServoCommand> commands) const {
+    std::vector<bus::Order> orders;
+    for (ServoCommand& command : commands)
+        orders.push_back({m_report.module, std::move(command)});
+    return orders;
+}
+
 void Procedure::onFinished(bus::Outcome outcome, bus::SineRecord sine, std::optional<bus::TrialEnd> trial) {
     m_inFlight = false;
     m_swung = std::move(sine);

@@ -172,6 +172,8 @@ protected:
     virtual void whileItLasts(const ModuleState& /*module*/) {}
 
     [[nodiscard]] Next send(std::vector<bus::Order> orders);
+    /// For this PIC-SERVO.
+    [[nodiscard]] std::vector<bus::Order> orders(std::vector<ServoCommand> commands) const;
     /// `centre`: the Stop Here that is the only order, about which the sine runs.
     [[nodiscard]] Next swing(bus::Order centre, const bus::Sine& sine);
     /// `starts`: as required by bus::Operation::path.

@@ -37,36 +37,22 @@ Made approachFor(const MotionSpec& motion, const ModuleState& module) {
 struct ProcedureOf {
     const ModuleState& module;
 
-    Made operator()(const intent::Home& home) const {
-        return std::make_unique<HomingRun>(home.recipe, home.tolerance, module);
+    template <typename Run>
+    [[nodiscard]] Made make(const auto&... wanted) const {
+        return std::make_unique<Run>(wanted..., module);
     }
+    Made operator()(const intent::Home& home) const { return make<HomingRun>(home.recipe, home.tolerance); }
     Made operator()(const intent::Move& move) const { return approachFor(move.motion, module); }
     Made operator()(const intent::LoadMove&) const { return nullptr; }  // goes straight to its goal
     Made operator()(const intent::GoHome& home) const { return approachFor(*motionOf(home, module), module); }
-    Made operator()(const intent::MoveBy& moveBy) const {
-        return std::make_unique<MoveByRun>(moveBy, module);
-    }
-    Made operator()(const intent::StepResponse& step) const {
-        return std::make_unique<StepResponseRun>(step, module);
-    }
-    Made operator()(const intent::StepSeries& series) const {
-        return std::make_unique<StepSeriesRun>(series, module);
-    }
-    Made operator()(const intent::SquareWave& wave) const {
-        return std::make_unique<SquareWaveRun>(wave, module);
-    }
-    Made operator()(const intent::FrequencyResponse& sines) const {
-        return std::make_unique<FrequencyRun>(sines, module);
-    }
-    Made operator()(const intent::TryGains& wanted) const {
-        return std::make_unique<TryGainsRun>(wanted, module);
-    }
-    Made operator()(const intent::CheckDirection& check) const {
-        return std::make_unique<DirectionCheck>(check, module);
-    }
-    Made operator()(const intent::FollowPath& follow) const {
-        return std::make_unique<PathRun>(follow, module);
-    }
+    Made operator()(const intent::MoveBy& moveBy) const { return make<MoveByRun>(moveBy); }
+    Made operator()(const intent::StepResponse& step) const { return make<StepResponseRun>(step); }
+    Made operator()(const intent::StepSeries& series) const { return make<StepSeriesRun>(series); }
+    Made operator()(const intent::SquareWave& wave) const { return make<SquareWaveRun>(wave); }
+    Made operator()(const intent::FrequencyResponse& sines) const { return make<FrequencyRun>(sines); }
+    Made operator()(const intent::TryGains& wanted) const { return make<TryGainsRun>(wanted); }
+    Made operator()(const intent::CheckDirection& check) const { return make<DirectionCheck>(check); }
+    Made operator()(const intent::FollowPath& follow) const { return make<PathRun>(follow); }
     template <typename T>
     requires(!In<T, ServoProcedure> && !In<T, MoveIntent>) Made operator()(const T&) const { return nullptr; }
 };
