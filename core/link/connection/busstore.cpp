@@ -101,8 +101,7 @@ void BusStore::take(const WorkerEvent& event) {
                    [this](const bus::Event& told) { take(told); },
                    [this](const PortOpened& opened) { m_link.latency = opened.latency; },
                    [this](const PortClosed& close) { closed(close); },
-                   [this](const AnyOf<SimulatorAnswered, PanelFroze, ComputerSlept, GuardianStopped,
-                                      GuardianMissing, LineLent, LendingProblem> auto& news) {
+                   [this](const In<StoreEvent> auto& news) {
                        note(news);
                        emit happened(news);
                    },
@@ -111,40 +110,33 @@ void BusStore::take(const WorkerEvent& event) {
 }
 
 void BusStore::take(const bus::Event& event) {
-    std::visit(
-        Overloaded{
-            [this](const bus::Sample& sample) { take(sample); },
-            [this](const bus::CommandExecuted& command) { executed(command); },
-            [this](const bus::ConnectProgress& progress) {
-                m_link.phase = LinkPhase::Connecting;
-                m_link.stage = progress.stage;
-                using enum bus::ConnectStage;
-                m_link.looking =
-                    progress.stage == Looking ||
-                    (m_link.looking && progress.stage != Restarting && progress.stage != Addressing);
-                m_link.found = progress.modules;
-            },
-            [this](const bus::PathProgress& path) {
-                if (known(path.module))
-                    m_link.modules[path.module.value()].path = path;
-            },
-            [this](const AnyOf<bus::ModulesSeen, bus::CommandUnanswered> auto& seen) { note(seen); },
-            [this](const bus::GroupChanged& changed) {
-                if (known(changed.module))
-                    m_link.modules[changed.module.value()].info.group = changed.place;
-            },
-            [this](const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
-                               bus::ModuleUnresponsive, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
-                               bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect,
-                               bus::StoppedBeforeLimit, bus::GroupFinished, bus::RateChanged,
-                               bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
-                               bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic,
-                               bus::ForeignMotion, bus::AddressChanged> auto& news) {
-                note(news);
-                emit happened(news);
-            },
-        },
-        event);
+    std::visit(Overloaded{
+                   [this](const bus::Sample& sample) { take(sample); },
+                   [this](const bus::CommandExecuted& command) { executed(command); },
+                   [this](const bus::ConnectProgress& progress) {
+                       m_link.phase = LinkPhase::Connecting;
+                       m_link.stage = progress.stage;
+                       using enum bus::ConnectStage;
+                       m_link.looking =
+                           progress.stage == Looking ||
+                           (m_link.looking && progress.stage != Restarting && progress.stage != Addressing);
+                       m_link.found = progress.modules;
+                   },
+                   [this](const bus::PathProgress& path) {
+                       if (known(path.module))
+                           m_link.modules[path.module.value()].path = path;
+                   },
+                   [this](const AnyOf<bus::ModulesSeen, bus::CommandUnanswered> auto& seen) { note(seen); },
+                   [this](const bus::GroupChanged& changed) {
+                       if (known(changed.module))
+                           m_link.modules[changed.module.value()].info.group = changed.place;
+                   },
+                   [this](const In<StoreEvent> auto& news) {
+                       note(news);
+                       emit happened(news);
+                   },
+               },
+               event);
 }
 
 void BusStore::executed(const bus::CommandExecuted& command) {
@@ -156,11 +148,16 @@ void BusStore::executed(const bus::CommandExecuted& command) {
     noteGains(command);
 }
 
-void BusStore::noteAsked(ModuleIndex module, bus::OperationId operation) {
+template <typename Function>
+void BusStore::change(ModuleIndex module, Function function) {
     if (!known(module))
         return;
-    m_link.modules[module.value()].awaited = operation;
+    function(m_link.modules[module.value()]);
     emit linkChanged();
+}
+
+void BusStore::noteAsked(ModuleIndex module, bus::OperationId operation) {
+    change(module, [operation](ModuleState& state) { state.awaited = operation; });
 }
 
 void BusStore::note(const bus::OperationFinished& finished) {
@@ -233,14 +230,9 @@ void BusStore::noteFocus(std::optional<ModuleIndex> module) {
 }
 
 void BusStore::declarePosition(ModuleIndex module, bool right) {
-    if (!known(module))
-        return;
-    ModuleState& state = m_link.modules[module.value()];
-    if (right)
-        state.home.declare(state.latestTime);
-    else
-        state.home.forget();
-    emit linkChanged();
+    change(module, [right](ModuleState& state) {
+        right ? state.home.declare(state.latestTime) : state.home.forget();
+    });
 }
 
 void BusStore::setMachine(const Machine& machine) {
@@ -250,24 +242,15 @@ void BusStore::setMachine(const Machine& machine) {
 }
 
 void BusStore::offerHome(ModuleIndex module, std::int32_t counts) {
-    if (!known(module))
-        return;
-    m_link.modules[module.value()].home.offer(counts);
-    emit linkChanged();
+    change(module, [counts](ModuleState& state) { state.home.offer(counts); });
 }
 
 void BusStore::takeHome(ModuleIndex module) {
-    if (!known(module))
-        return;
-    m_link.modules[module.value()].home.takeOffer(m_link.modules[module.value()].latestTime);
-    emit linkChanged();
+    change(module, [](ModuleState& state) { state.home.takeOffer(state.latestTime); });
 }
 
 void BusStore::dropHome(ModuleIndex module) {
-    if (!known(module))
-        return;
-    m_link.modules[module.value()].home.dropOffer();
-    emit linkChanged();
+    change(module, [](ModuleState& state) { state.home.dropOffer(); });
 }
 
 void BusStore::setRights(const std::optional<OperatorRights>& rights) {

@@ -84,6 +84,9 @@ private:
         std::uint64_t samplesPulled = 0;  ///< value at the last pullFigures()
     };
 
+    /// Applies the function to the state of a module, if the chain has it, and reports the change.
+    template <typename Function>
+    void change(ModuleIndex module, Function function);
     void take(const WorkerEvent& event);
     void take(const bus::Event& event);
     void take(const bus::Sample& sample);
