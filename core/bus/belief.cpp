@@ -143,9 +143,8 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
     }
     if (report.home)
         m_home = report.home;
-    if (report.position && report.positionError)
-        m_commandPosition = static_cast<std::int32_t>(static_cast<std::uint32_t>(*report.position) +
-                                                      static_cast<std::uint32_t>(*report.positionError));
+    if (const auto commanded = report.commandPosition())
+        m_commandPosition = commanded;
     if (report.aux)
         m_aux = *report.aux;
     m_status = report.status;

@@ -194,6 +194,13 @@ struct StatusReport {
     [[nodiscard]] servo::StatusByte servoStatus() const { return {status}; }
     [[nodiscard]] stepper::StatusByte stepperStatus() const { return {status}; }
     [[nodiscard]] io::StatusByte ioStatus() const { return {status}; }
+    /// CMC and SC: what the servo holds or follows; empty if the reply does not show it.
+    [[nodiscard]] std::optional<std::int32_t> commandPosition() const {
+        if (!position || !positionError)
+            return std::nullopt;
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(*position) +
+                                         static_cast<std::uint32_t>(*positionError));
+    }
     /// Bit 1 means the same on all chips: the module refused the command (NAK) and did not carry it out.
     [[nodiscard]] bool commandRefused() const { return (status & 0x02U) != 0; }
     bool operator==(const StatusReport&) const = default;

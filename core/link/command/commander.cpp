@@ -194,7 +194,7 @@ void Commander::sendTravelLimits() {
     std::vector<bus::TravelLimits> limits;
     for (const ModuleState& module : m_store.link().modules) {
         const auto range = m_procedures.running(module.info.index) ? std::nullopt : travelRange(module);
-        limits.push_back(range ? bus::TravelLimits{range->lowest, range->highest} : bus::TravelLimits{});
+        limits.push_back(range.value_or(TravelRange{}));
     }
     if (limits == m_travelLimits)
         return;

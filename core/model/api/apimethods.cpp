@@ -28,15 +28,21 @@ std::string lower(std::string_view name) {
     return key;
 }
 
-/// Forms (protocol/commandform.h) that read the fields of Set Gain from parameters, and list them.
-struct GainsReader {
-    static constexpr bool kReads = true;
-    const Json& parameters;
-    std::string missing{};  ///< the last field that a first Set Gain needs and that is not given
-
-    [[nodiscard]] bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) const {
+/// Forms (protocol/commandform.h) that read the fields of Set Gain from parameters, list them, and write
+/// them.
+struct GainsForm {
+    static constexpr bool kReads = false;
+    [[nodiscard]] static bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) {
         return true;
     }
+    static void ignoreRest(std::size_t /*most*/) {}
+};
+struct GainsReader : GainsForm {
+    static constexpr bool kReads = true;
+    explicit GainsReader(const Json& given) : parameters(given) {}
+    const Json& parameters;
+    std::string missing;  ///< the last field that a first Set Gain needs and that is not given
+
     template <typename T>
     void number(std::string_view name, T& value, ValueRange /*range*/ = kAnyValue) {
         if (const auto given = parameters.find(lower(name)); given != parameters.end())
@@ -49,15 +55,11 @@ struct GainsReader {
         if (parameters.contains(lower(name)))
             number(name, value.emplace());
     }
-    void ignoreRest(std::size_t /*most*/) {}
 };
-struct GainsLister {
-    static constexpr bool kReads = false;
+struct GainsLister : GainsForm {
+    explicit GainsLister(std::vector<Field>& list) : fields(list) {}
     std::vector<Field>& fields;
 
-    [[nodiscard]] bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) const {
-        return true;
-    }
     template <typename T>
     void number(std::string_view name, const T& /*value*/,
                 ValueRange range = {std::numeric_limits<T>::min(), std::numeric_limits<T>::max()}) {
@@ -68,15 +70,11 @@ struct GainsLister {
     void trailing(std::string_view name, const std::optional<T>& /*value*/) {
         number(name, T{});
     }
-    void ignoreRest(std::size_t /*most*/) {}
 };
-struct GainsWriter {
-    static constexpr bool kReads = false;
+struct GainsWriter : GainsForm {
+    explicit GainsWriter(Json& object) : json(object) {}
     Json& json;
 
-    [[nodiscard]] bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) const {
-        return true;
-    }
     template <typename T>
     void number(std::string_view name, const T& value, ValueRange /*range*/ = kAnyValue) {
         json[lower(name)] = value;
@@ -86,7 +84,6 @@ struct GainsWriter {
         if (value)
             number(name, *value);
     }
-    void ignoreRest(std::size_t /*most*/) {}
 };
 
 std::vector<Method> makeMethods() {

@@ -26,11 +26,7 @@ enum class TravelForce : std::uint8_t {
 };
 [[nodiscard]] TravelForce travelForce(const ModuleState& module);
 
-struct TravelRange {
-    std::optional<std::int32_t> lowest;
-    std::optional<std::int32_t> highest;
-    bool operator==(const TravelRange&) const = default;
-};
+using TravelRange = bus::TravelLimits;
 /// Empty: no limits, or not in force. A limit beyond the counter's range is reduced to the range.
 [[nodiscard]] std::optional<TravelRange> travelRange(const ModuleState& module);
 /// The position at which a motion in this direction must end; empty: there is no limit ahead.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/intent/gainsplan.h"
 #include "model/machinefile/fieldwriter.h"
 #include "model/module/modulescale.h"
 
@@ -223,26 +224,15 @@ Fields differing(Fields fields, const Fields& now) {
 
 // ---- axes and their modules ----
 
-const ModuleState* connected(const std::vector<ModuleState>& modules, ModuleIndex index) {
-    return index.value() < modules.size() ? &modules[index.value()] : nullptr;
-}
-
 /// True if an axis of the file meets a module for which it is not intended.
 bool forOther(const AxisSettings& axis, const ModuleState* module) {
     return module != nullptr && axis.expected && *axis.expected != module->info.identity;
 }
 
-/// The axis with its gains reduced to those that this module has: old ones lack the deadband, and only an SC
-/// has a step multiplier, which is kept if the file does not specify it (gainsplan.cpp).
+/// The axis with the gains that this module takes.
 AxisSettings asTaken(AxisSettings axis, const ModuleState* module) {
-    if (!axis.gains || module == nullptr)
-        return axis;
-    if (module->info.identity.version < servo::kDeadbandVersion)
-        axis.gains->db.reset();
-    if (!isSc(module->info.identity))
-        axis.gains->sm.reset();
-    else if (!axis.gains->sm && module->gains)
-        axis.gains->sm = module->gains->sm;
+    if (axis.gains && module != nullptr)
+        axis.gains = gainsFor(*module, *axis.gains);
     return axis;
 }
 
@@ -299,7 +289,7 @@ std::optional<FieldValue> identityText(const std::optional<ModuleIdentity>& iden
 /// file's module is absent and nothing is connected.
 std::optional<Difference> hardwareDifference(ModuleIndex index, const Machine& file,
                                              const std::vector<ModuleState>& modules) {
-    const ModuleState* module = connected(modules, index);
+    const ModuleState* module = moduleAt(index, modules);
     const bool inFile = index.value() < file.axes.size();
     Difference row{{index, MachinePart::Hardware}, {}};
     row.wanted = false;
@@ -381,7 +371,7 @@ std::vector<Difference> compare(const Machine& file, const Machine& now,
     const std::size_t axes = std::max({file.axes.size(), now.axes.size(), modules.size()});
     for (std::size_t i = 0; i < axes; ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));
-        const ModuleState* module = connected(modules, index);
+        const ModuleState* module = moduleAt(index, modules);
         const std::optional<Difference> hardware = hardwareDifference(index, file, modules);
         if (hardware)
             rows.push_back(*hardware);
@@ -404,7 +394,7 @@ Machine applied(const Machine& file, const Machine& now, const std::vector<Modul
             takePart(kMachineParts, row.id.part, file, machine);
     makeRoom(machine, file.axes.size());
     for (std::size_t i = 0; i < file.axes.size(); ++i)
-        if (!forOther(file.axes[i], connected(modules, ModuleIndex(static_cast<std::uint8_t>(i)))))
+        if (!forOther(file.axes[i], moduleAt(ModuleIndex(static_cast<std::uint8_t>(i)), modules)))
             machine.axes[i].expected = file.axes[i].expected;
     // Drops axes that are neither in the file nor connected, and of which nothing else is known any more.
     while (machine.axes.size() > std::max(file.axes.size(), modules.size()) && isUnset(machine.axes.back()))
@@ -419,7 +409,7 @@ std::vector<ModuleIntent> sendings(const Machine& file, const Machine& now,
     for (const Difference& row : chosenOf(compare(file, now, modules), chosen))
         if (row.applying == Applying::Sends)
             if (auto intent =
-                    intentOf(file.axis(*row.id.module), row.id.part, *connected(modules, *row.id.module)))
+                    intentOf(file.axis(*row.id.module), row.id.part, *moduleAt(*row.id.module, modules)))
                 intents.push_back({*row.id.module, std::move(*intent)});
     return intents;
 }

@@ -86,9 +86,8 @@ void ModuleState::apply(const bus::Sample& sample) {
 
 /// The servo holds the position where a path has ended.
 void ModuleState::watchPath(const StatusReport& report) {
-    if (report.position && report.positionError)
-        m_commandPosition = static_cast<std::int32_t>(static_cast<std::uint32_t>(*report.position) +
-                                                      static_cast<std::uint32_t>(*report.positionError));
+    if (const auto commanded = report.commandPosition())
+        m_commandPosition = commanded;
     if (motion != MotionMode::Path || moving())
         return;
     motion = MotionMode::None;
