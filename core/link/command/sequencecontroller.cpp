@@ -72,42 +72,6 @@ void SequenceController::begin(SequenceRun run) {
     advance();
 }
 
-void SequenceController::pause() {
-    if (running())
-        m_run->pause();
-    advance();
-}
-
-void SequenceController::resume() {
-    if (running())
-        m_run->resume();
-    advance();
-}
-
-void SequenceController::step() {
-    if (running())
-        m_run->step();
-    advance();
-}
-
-void SequenceController::stop() {
-    if (running())
-        m_run->stop();
-    advance();
-}
-
-void SequenceController::takeOver(ModuleIndex module, bool stops) {
-    if (running())
-        m_run->onTakenOver(module, stops);
-    advance();
-}
-
-void SequenceController::stopAll() {
-    if (running())
-        m_run->onStopOfAll();
-    advance();
-}
-
 /// Takes the events first: a stop from elsewhere must not be followed by a move.
 void SequenceController::look() {
     m_store.drain();

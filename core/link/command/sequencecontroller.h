@@ -39,19 +39,19 @@ public:
     void goTo(const Machine& machine, const std::string& point);
     /// Homes one axis after the other, by their recipes.
     void home(const Machine& machine, const std::vector<ModuleIndex>& axes);
-    void pause();
-    void resume();
-    void step();
-    void stop();
+    void pause() { tell(&SequenceRun::pause); }
+    void resume() { tell(&SequenceRun::resume); }
+    void step() { tell(&SequenceRun::step); }
+    void stop() { tell(&SequenceRun::stop); }
 
     /// Starts a dry run of the sequence; foreseen() follows unless another one is requested.
     void foresee(const Machine& machine, const std::string& sequence, std::size_t row);
     void endForesight() { m_foresight.cancel(); }
 
     /// The user requests something of this module; `stops`: a stop of its motor.
-    void takeOver(ModuleIndex module, bool stops);
+    void takeOver(ModuleIndex module, bool stops) { tell(&SequenceRun::onTakenOver, module, stops); }
     /// A stop of all motors begins.
-    void stopAll();
+    void stopAll() { tell(&SequenceRun::onStopOfAll); }
     /// Returns false for the end of an operation that is not ours, or whose failure must be reported.
     bool take(const StoreEvent& event);
 
@@ -62,6 +62,12 @@ signals:
 
 private:
     void begin(SequenceRun run);
+    template <typename... Of>
+    void tell(void (SequenceRun::*what)(Of...), Of... of) {
+        if (running())
+            (*m_run.*what)(of...);
+        advance();
+    }
     void look();
     void advance();
     void obey(const SequenceRun::Ask& ask);

@@ -56,24 +56,11 @@ public:
     [[nodiscard]] bool isOpen() const { return m_thread.joinable(); }
 
     void stopAll() { m_channel.requests.stopAll(); }
-    void hold(const bus::HoldToMove& hold) { m_channel.requests.hold(hold); }
-    void release() { m_channel.requests.release(); }
+    /// What is wanted at present, as opposed to what ask() requests.
+    [[nodiscard]] RequestBox& wishes() { return m_channel.requests; }
     /// Every request ends in its event (busrequest.h): a refusal comes at once when too many requests are
     /// waiting, or when nothing is connected.
     void ask(BusRequest request);
-    void search(RequestBox::Search how) { m_channel.requests.search(how); }
-    void watch(std::vector<ModuleIndex> modules) { m_channel.requests.watch(std::move(modules)); }
-    void focus(std::optional<ModuleIndex> module) { m_channel.requests.focus(module); }
-    void keepTrial(ModuleIndex module) { m_channel.requests.keepTrial(module); }
-    void setStopOutputs(std::vector<bus::StopOutputs> outputs) {
-        m_channel.requests.setStopOutputs(std::move(outputs));
-    }
-    void setTravelLimits(std::vector<bus::TravelLimits> limits) {
-        m_channel.requests.setTravelLimits(std::move(limits));
-    }
-    void lend(std::string path) { m_channel.requests.lend(std::move(path)); }
-    void letThrough() { m_channel.requests.letThrough(); }
-    void endLending() { m_channel.requests.endLending(); }
     void setRecording(bool on) { m_channel.recording = on; }
     /// Reports that the GUI thread is alive.
     void beat();
