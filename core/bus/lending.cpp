@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/overloaded.h"
 #include "module/commandfacts.h"
 
 namespace nmc::bus {
@@ -222,9 +221,7 @@ void Lending::onAnswered(const Ask& ask, const ReplyEnd& end, TimePoint now) {
 }
 
 void Lending::onAddress(const Ask& ask) {
-    const SetAddress set = visitCommand(Overloaded{[](const SetAddress& own) { return own; },
-                                                   [](const auto& /*other*/) { return SetAddress{}; }},
-                                        *ask.command);
+    const SetAddress& set = *getIf<SetAddress>(*ask.command);
     if (ask.module) {
         m_chain.at(*ask.module).belief.setAddress(set.address);
         m_events.emplace_back(AddressChanged{*ask.module, set.address});

@@ -17,7 +17,7 @@ void OwnMotion::onSent(const ModuleCommand& command) {
 bool OwnMotion::onReport(const StatusReport& report, TimePoint latched, bool mayMove) {
     if (!report.position)
         return false;
-    if (m_still.look(latched, *report.position, mayMove || saysMoving(report))) {
+    if (m_still.look(latched, *report.position, mayMove || showsMotion(m_type, report))) {
         m_rested = true;
         m_commanded = false;
         m_place = *report.position;
@@ -28,12 +28,6 @@ bool OwnMotion::onReport(const StatusReport& report, TimePoint latched, bool may
         return false;
     m_rested = false;
     return true;
-}
-
-bool OwnMotion::saysMoving(const StatusReport& report) const {
-    if (m_type == ModuleType::Stepper)
-        return report.stepperStatus().moving();
-    return !report.servoStatus().moveDone() || report.velocity.value_or(1) != 0;
 }
 
 bool OwnMotion::underPower(const StatusReport& report) const {

@@ -33,7 +33,6 @@ public:
     [[nodiscard]] bool commanded() const { return m_commanded; }
 
 private:
-    [[nodiscard]] bool saysMoving(const StatusReport& report) const;
     [[nodiscard]] bool underPower(const StatusReport& report) const;
 
     ModuleType m_type;

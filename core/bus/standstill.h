@@ -6,6 +6,7 @@
 
 #include "base/strong.h"
 #include "base/time.h"
+#include "protocol/status.h"
 
 namespace nmc {
 
@@ -15,6 +16,14 @@ inline constexpr std::int32_t kStillCounts = 4;
 [[nodiscard]] constexpr bool samePlace(std::int32_t a, std::int32_t b) {
     const std::int64_t between = countsBetween(a, b);
     return between >= -kStillCounts && between <= kStillCounts;
+}
+
+/// True if the report of a module shows motion, or a servo's does not contain its velocity.
+[[nodiscard]] inline bool showsMotion(ModuleType type, const StatusReport& report) {
+    if (type == ModuleType::Stepper)
+        return report.stepperStatus().moving();
+    return type == ModuleType::Servo &&
+           (!report.servoStatus().moveDone() || report.velocity.value_or(1) != 0);
 }
 
 /// Proves that a motor stands still, where certainty is required: it reports so, and its position has stayed

@@ -12,21 +12,12 @@ namespace {
 /// Number of consecutive unanswered stops after which the module is queried.
 constexpr unsigned kStopsInVain = 2;
 
+/// The velocity item has no fraction: slow motion shows only in the position.
 [[nodiscard]] bool standsStill(const StatusReport& report, ModuleType type,
                                const std::optional<std::int32_t>& before) {
-    switch (type) {
-        case ModuleType::Servo:
-            if (!report.servoStatus().moveDone() || report.velocity.value_or(1) != 0)
-                return false;
-            // The velocity item has no fraction: slow motion shows only in the position.
-            return !before || samePlace(*report.position, *before);
-        case ModuleType::Stepper:
-            return !report.stepperStatus().moving();
-        case ModuleType::Adc:
-        case ModuleType::Io:
-            break;
-    }
-    return true;
+    if (showsMotion(type, report))
+        return false;
+    return type != ModuleType::Servo || !before || samePlace(*report.position, *before);
 }
 
 }  // namespace

@@ -123,11 +123,13 @@ REPORTING = (
     )),
     Mutant("moving-servo-counts-as-stopped", "link.md 2.6: a motor that continues to move is not confirmed", (
         Edit("core/bus/stoptarget.cpp",
-             "            if (!report.servoStatus().moveDone() ||",
-             "            return true;\n            if (!report.servoStatus().moveDone() ||"),
+             "    if (showsMotion(type, report))\n",
+             "    if (type == ModuleType::Servo)\n        return true;\n    if (showsMotion(type, report))\n"),
     )),
     Mutant("moving-stepper-counts-as-stopped", "link.md 2.6: a motor that continues to move is not confirmed", (
-        Edit("core/bus/stoptarget.cpp", "return !report.stepperStatus().moving();", "return true;"),
+        Edit("core/bus/stoptarget.cpp",
+             "    if (showsMotion(type, report))\n",
+             "    if (type == ModuleType::Stepper)\n        return true;\n    if (showsMotion(type, report))\n"),
     )),
     Mutant("restarted-module-in-no-list", "types.h: each module is in one list of StopFinished", (
         Edit("core/bus/stoplane.cpp",
