@@ -18,8 +18,8 @@ namespace nmc {
 /// characters, which the name of a port or a module may contain, become '?'.
 [[nodiscard]] inline std::string oneLine(std::string_view text, std::size_t most) {
     std::string line(text.substr(0, most));
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
+    std::ranges::replace_if(
+        line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
     return line;
 }
 

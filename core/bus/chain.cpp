@@ -19,13 +19,11 @@ Chain::Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate, bool re
 }
 
 bool Chain::anythingMoves() const {
-    return std::any_of(m_modules.begin(), m_modules.end(),
-                       [](const Module& module) { return module.belief.moving(); });
+    return std::ranges::any_of(m_modules, [](const Module& module) { return module.belief.moving(); });
 }
 
 bool Chain::anyRestarted() const {
-    return std::any_of(m_modules.begin(), m_modules.end(),
-                       [](const Module& module) { return module.belief.restarted(); });
+    return std::ranges::any_of(m_modules, [](const Module& module) { return module.belief.restarted(); });
 }
 
 void Chain::forgetStates() {
@@ -233,8 +231,8 @@ std::optional<BusAddress> Chain::groupOf(const std::vector<Order>& stops) const 
         return payloadOf(s.command) == payloadOf(stops.front().command);
     };
     const auto isStopped = [&](const Module& module) {
-        return std::any_of(stops.begin(), stops.end(),
-                           [&](const Order& s) { return s.module == module.belief.info().index; });
+        return std::ranges::any_of(stops,
+                                   [&](const Order& s) { return s.module == module.belief.info().index; });
     };
     // Only if all groups are known: those left by another host may have a leader, or be different. And only
     // if all members answer: a module that restarted unnoticed is in group FF, off, and would be switched on.
@@ -246,8 +244,7 @@ std::optional<BusAddress> Chain::groupOf(const std::vector<Order>& stops) const 
         const bool member = other->group == place->group;
         return member == isStopped(module) && (!member || heard);
     };
-    if (!std::all_of(stops.begin(), stops.end(), same) ||
-        !std::all_of(m_modules.begin(), m_modules.end(), fits))
+    if (!std::ranges::all_of(stops, same) || !std::ranges::all_of(m_modules, fits))
         return std::nullopt;
     return BusAddress(place->group);
 }

@@ -20,7 +20,7 @@ constexpr unsigned kLastAddress = 34;
 
 template <typename T>
 void addNew(std::vector<T>& list, const T& value) {
-    if (std::find(list.begin(), list.end(), value) == list.end())
+    if (std::ranges::find(list, value) == list.end())
         list.push_back(value);
 }
 
@@ -37,10 +37,10 @@ ChainLook::ChainLook(const std::vector<std::uint32_t>& rates, std::vector<BusAdd
     for (std::size_t i = 0; i < m_known.size(); ++i)
         addNew(i < usual ? m_first : m_rest, m_known[i]);
     const auto asked = [this](BusAddress address) {
-        return std::find(m_first.begin(), m_first.end(), address) != m_first.end();
+        return std::ranges::find(m_first, address) != m_first.end();
     };
     std::erase_if(m_rest, asked);
-    std::sort(m_rest.begin(), m_rest.end());
+    std::ranges::sort(m_rest);
 }
 
 ChainLook::Next ChainLook::next() {
@@ -131,7 +131,7 @@ std::vector<BusAddress> ChainLook::missing() const {
 /// Adds those that have not answered yet.
 void ChainLook::add(std::uint32_t rate, const std::vector<BusAddress>& addresses) {
     for (const BusAddress address : addresses)
-        if (std::find(m_found.begin(), m_found.end(), address) == m_found.end())
+        if (std::ranges::find(m_found, address) == m_found.end())
             m_probes.push_back({rate, address});
 }
 

@@ -80,14 +80,14 @@ std::vector<Event> CommandLane::cancelAll() {
 
 bool CommandLane::concerns(const Waiting& waiting, const std::vector<ModuleIndex>& modules) {
     const auto toOne = [&](const Order& order) {
-        return std::find(modules.begin(), modules.end(), order.module) != modules.end();
+        return std::ranges::find(modules, order.module) != modules.end();
     };
-    return waiting.group || std::any_of(waiting.orders.begin(), waiting.orders.end(), toOne);
+    return waiting.group || std::ranges::any_of(waiting.orders, toOne);
 }
 
 bool CommandLane::concerns(ModuleIndex module) const {
-    return std::any_of(m_waiting.begin(), m_waiting.end(),
-                       [&](const Waiting& waiting) { return concerns(waiting, {module}); });
+    return std::ranges::any_of(m_waiting,
+                               [&](const Waiting& waiting) { return concerns(waiting, {module}); });
 }
 
 std::vector<Event> CommandLane::cancelFor(const std::vector<ModuleIndex>& modules) {

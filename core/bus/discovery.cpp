@@ -69,9 +69,9 @@ bool Discovery::resume() {
             if (!givesAddresses())
                 return false;
             // The last number sent may have been received, unless that has already been determined.
-            if (std::none_of(m_modules.begin(), m_modules.end(),
-                             [&](const ModuleInfo& m) { return m.address == BusAddress(m_number); }) &&
-                std::find(m_unheard.begin(), m_unheard.end(), BusAddress(m_number)) == m_unheard.end())
+            if (std::ranges::none_of(
+                    m_modules, [&](const ModuleInfo& m) { return m.address == BusAddress(m_number); }) &&
+                std::ranges::find(m_unheard, BusAddress(m_number)) == m_unheard.end())
                 m_phase = Phase::Probe;
             [[fallthrough]];
         case Phase::Probe:
@@ -342,8 +342,8 @@ void Discovery::onRecheck(const ReplyEnd& end) {
     const BusAddress address = m_unheard.back();
     m_unheard.pop_back();
     if (!end.bytes.empty()) {
-        const auto after = std::find_if(m_modules.begin(), m_modules.end(),
-                                        [&](const ModuleInfo& m) { return address < m.address; });
+        const auto after =
+            std::ranges::find_if(m_modules, [&](const ModuleInfo& m) { return address < m.address; });
         m_modules.insert(after, {{}, address, {}, GroupPlace{}});
         m_recheckFound = true;
     } else {

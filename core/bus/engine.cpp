@@ -933,7 +933,7 @@ void Engine::beginPath(const Operation& operation, TimePoint now) {
         return m_hold.holds(axis.module) || m_operations.swings(axis.module);
     };
     const auto& axes = operation.path->axes;
-    if (std::any_of(axes.begin(), axes.end(), motion) || !m_path.begin(operation))
+    if (std::ranges::any_of(axes, motion) || !m_path.begin(operation))
         m_events.emplace_back(rejected(operation, Outcome::Forbidden));
     else
         m_chain.schedule().unfocus();

@@ -108,7 +108,7 @@ enum class ReplyResult : std::uint8_t {
 [[nodiscard]] constexpr bool uniform(ByteSpan bytes) {
     if (bytes.empty() || (bytes.front() != 0x00 && bytes.front() != 0xFF))
         return false;
-    return std::all_of(bytes.begin(), bytes.end(), [&](std::uint8_t b) { return b == bytes.front(); });
+    return std::ranges::all_of(bytes, [&](std::uint8_t b) { return b == bytes.front(); });
 }
 
 /// It is unknown whether the command was carried out.

@@ -29,7 +29,7 @@ namespace {
 }
 
 [[nodiscard]] bool nullsOnly(const std::vector<std::uint8_t>& bytes) {
-    return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t b) { return b == 0; });
+    return std::ranges::all_of(bytes, [](std::uint8_t b) { return b == 0; });
 }
 
 }  // namespace

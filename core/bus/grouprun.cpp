@@ -116,14 +116,13 @@ std::vector<GroupMember> GroupRun::members() const {
 }
 
 const Belief& GroupRun::before(ModuleIndex module) const {
-    return std::find_if(m_members.begin(), m_members.end(),
-                        [&](const Member& m) { return m.before.info().index == module; })
+    return std::ranges::find_if(m_members, [&](const Member& m) { return m.before.info().index == module; })
         ->before;
 }
 
 bool GroupRun::partly() const {
     const auto any = [&](auto... outcomes) {
-        return std::any_of(m_members.begin(), m_members.end(), [&](const Member& member) {
+        return std::ranges::any_of(m_members, [&](const Member& member) {
             return ((member.outcome.value_or(MemberOutcome::NoAnswer) == outcomes) || ...);
         });
     };
@@ -133,8 +132,7 @@ bool GroupRun::partly() const {
 }
 
 GroupRun::Member& GroupRun::at(ModuleIndex module) {
-    return *std::find_if(m_members.begin(), m_members.end(),
-                         [&](const Member& m) { return m.before.info().index == module; });
+    return *std::ranges::find_if(m_members, [&](const Member& m) { return m.before.info().index == module; });
 }
 
 /// Returns nothing if this reply is not conclusive; another one may be.

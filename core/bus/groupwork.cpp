@@ -191,9 +191,8 @@ void GroupWork::reportUnknown() {
 void GroupWork::finish() {
     const GroupRun run = *std::exchange(m_run, std::nullopt);
     const std::vector<GroupMember> members = run.members();
-    const bool all = std::all_of(members.begin(), members.end(), [](const GroupMember& member) {
-        return member.outcome == MemberOutcome::Done;
-    });
+    const bool all = std::ranges::all_of(
+        members, [](const GroupMember& member) { return member.outcome == MemberOutcome::Done; });
     for (const GroupMember& member : members)
         if (member.outcome == MemberOutcome::NotDone)
             m_chain.at(member.module).belief.onNotExecuted(run.before(member.module));

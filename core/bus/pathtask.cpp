@@ -86,7 +86,7 @@ bool PathTask::possible() const {
     if (m_plan->axes.empty() || !together())
         return false;
     const std::size_t points = m_plan->axes.front().points.size();
-    return points > 0 && std::all_of(m_plan->axes.begin(), m_plan->axes.end(), [&](const PathAxis& axis) {
+    return points > 0 && std::ranges::all_of(m_plan->axes, [&](const PathAxis& axis) {
                return m_chain.has(axis.module) && axis.points.size() == points && !mayLeap(axis);
            });
 }
@@ -94,7 +94,7 @@ bool PathTask::possible() const {
 /// True if a segment is longer than a point can express.
 bool PathTask::mayLeap(const PathAxis& axis) const {
     std::int64_t before = axis.from;
-    return std::any_of(axis.points.begin(), axis.points.end(), [&](std::int32_t point) {
+    return std::ranges::any_of(axis.points, [&](std::int32_t point) {
         return std::abs(point - std::exchange(before, point)) > servo::maxPathCounts(m_plan->rate);
     });
 }
@@ -104,20 +104,18 @@ bool PathTask::together() const {
     if (!m_plan->group)
         return m_plan->axes.size() == 1;
     const auto isAxis = [&](ModuleIndex module) {
-        return std::any_of(m_plan->axes.begin(), m_plan->axes.end(),
-                           [&](const PathAxis& axis) { return axis.module == module; });
+        return std::ranges::any_of(m_plan->axes, [&](const PathAxis& axis) { return axis.module == module; });
     };
     return BusAddress(*m_plan->group) != kEverybody &&
-           std::all_of(m_chain.modules().begin(), m_chain.modules().end(), [&](const Chain::Module& module) {
+           std::ranges::all_of(m_chain.modules(), [&](const Chain::Module& module) {
                const ModuleInfo& info = module.belief.info();
                return info.group && (info.group->group == *m_plan->group) == isAxis(info.index);
            });
 }
 
 bool PathTask::isFor(const std::vector<ModuleIndex>& modules) const {
-    return std::any_of(m_axes.begin(), m_axes.end(), [&](const Axis& axis) {
-        return std::find(modules.begin(), modules.end(), axis.module()) != modules.end();
-    });
+    return std::ranges::any_of(
+        m_axes, [&](const Axis& axis) { return std::ranges::find(modules, axis.module()) != modules.end(); });
 }
 
 void PathTask::overtake(const std::vector<ModuleIndex>& modules) {
@@ -146,7 +144,7 @@ void PathTask::Axis::doubtFrame(std::size_t count) {
 bool PathTask::wants(TimePoint now) const {
     if (!active())
         return false;
-    return m_phase != Phase::Running || std::any_of(m_axes.begin(), m_axes.end(), [&](const Axis& axis) {
+    return m_phase != Phase::Running || std::ranges::any_of(m_axes, [&](const Axis& axis) {
                return axis.sending > 0 || axis.doubt > 0 || halts(axis) || stale(axis, now) ||
                       (axis.buffer.frame() > 0 && axis.buffer.roomAt() <= now);
            });
@@ -342,7 +340,7 @@ bool PathTask::Axis::confirms(StatusItems items) {
 
 PathTask::Axis* PathTask::find(ModuleIndex module) {
     const auto found =
-        std::find_if(m_axes.begin(), m_axes.end(), [&](const Axis& axis) { return axis.module() == module; });
+        std::ranges::find_if(m_axes, [&](const Axis& axis) { return axis.module() == module; });
     return found == m_axes.end() ? nullptr : &*found;
 }
 
@@ -471,7 +469,7 @@ void PathTask::standsStill(Axis& axis, const StatusReport& report) {
     if (axis.left > 0 || !axis.buffer.sentAll())
         return end(PathEnd::UnderRun, axis.module());
     axis.done = true;
-    if (std::all_of(m_axes.begin(), m_axes.end(), [](const Axis& other) { return other.done; }))
+    if (std::ranges::all_of(m_axes, [](const Axis& other) { return other.done; }))
         end(PathEnd::Done);
 }
 
@@ -553,7 +551,7 @@ void PathTask::end(PathEnd how, std::optional<ModuleIndex> by, const std::vector
     if (m_touched && how != PathEnd::Done) {
         m_stops.manner = m_plan->smoothStop ? StopManner::Smoothly : StopManner::Abruptly;
         for (const Axis& axis : m_axes)
-            if (std::find(stopped.begin(), stopped.end(), axis.module()) == stopped.end())
+            if (std::ranges::find(stopped, axis.module()) == stopped.end())
                 m_stops.modules.push_back(axis.module());
     }
     m_plan.reset();

@@ -377,9 +377,9 @@ void Plausibility::take(Known& known, const ReplyEnd& end) const {
     if (report.aux)
         known.aux = report.aux;
     if (report.pins)
-        known.allLow =
-            *report.pins == 0 && std::all_of(report.analogs.begin(), report.analogs.end(),
-                                             [](const auto& analog) { return analog.value_or(0) == 0; });
+        known.allLow = *report.pins == 0 && std::ranges::all_of(report.analogs, [](const auto& analog) {
+            return analog.value_or(0) == 0;
+        });
     if (report.home)
         known.home = report.home;
     if (report.velocity) {

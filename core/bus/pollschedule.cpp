@@ -135,7 +135,7 @@ void PollSchedule::recover(ModuleIndex index, TimePoint now) {
 
 std::size_t PollSchedule::answering() const {
     return static_cast<std::size_t>(
-        std::count_if(m_modules.begin(), m_modules.end(), [](const Module& m) { return !m.silent; }));
+        std::ranges::count_if(m_modules, [](const Module& m) { return !m.silent; }));
 }
 
 TimePoint PollSchedule::dueTime(const Module& module) const {

@@ -30,7 +30,7 @@ void RateTask::begin(std::uint32_t baud, bool busy) {
     }
     // FF comes last, and is always included: a module without an address is in it.
     groups.push_back(kEverybody);
-    std::sort(groups.begin(), groups.end());
+    std::ranges::sort(groups);
     groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
     m_change.emplace(std::move(chain), std::move(groups), m_chain.rate(), baud, RateChange::WayBack::Wanted);
 }

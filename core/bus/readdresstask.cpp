@@ -19,7 +19,7 @@ constexpr unsigned kLooks = 3;  ///< a query is harmless, and its answer may be 
 
 bool ReaddressTask::anythingMoves() const {
     const auto& modules = m_chain.modules();
-    return std::any_of(modules.begin(), modules.end(), [&](const Chain::Module& m) {
+    return std::ranges::any_of(modules, [&](const Chain::Module& m) {
         return !m.belief.restarted() && m_chain.answers(m.belief.info().index) && m.belief.seenMoving();
     });
 }

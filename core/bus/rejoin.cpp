@@ -19,8 +19,8 @@ bool sameModule(const ModuleInfo& one, const ModuleInfo& other) {
 
 std::optional<Rejoined> rejoin(const std::vector<ModuleInfo>& known, const std::vector<ModuleInfo>& found,
                                std::optional<ModuleIdentity> unaddressed) {
-    const bool ofIt = std::all_of(found.begin(), found.end(),
-                                  [&](const ModuleInfo& info) { return findIn(known, info) != known.end(); });
+    const bool ofIt = std::ranges::all_of(
+        found, [&](const ModuleInfo& info) { return findIn(known, info) != known.end(); });
     if (found.empty() || !ofIt)
         return std::nullopt;
     Rejoined rejoined;

@@ -99,9 +99,8 @@ void RestartSearch::onUnaddressed(const ReplyEnd& end) {
 void RestartSearch::name() {
     const ModuleIdentity identity = *std::exchange(m_unaddressed, std::nullopt);
     auto& modules = m_chain.modules();
-    const auto restarted = std::find_if(modules.begin(), modules.end(), [&](const Chain::Module& module) {
-        return !m_chain.answers(module.belief.info().index);
-    });
+    const auto restarted = std::ranges::find_if(
+        modules, [&](const Chain::Module& module) { return !m_chain.answers(module.belief.info().index); });
     if (restarted == modules.end() || restarted->belief.info().identity != identity)
         return;
     m_quiet = m_chain.rate() != kPowerUpBaud;

@@ -37,8 +37,8 @@ bool StrayFrames::takeForeign(TimePoint now) {
         endBurst();
     while (!m_bursts.empty() && now - m_bursts.front().time > kWithin)
         m_bursts.pop_front();
-    const auto frames = static_cast<std::size_t>(
-        std::count_if(m_bursts.begin(), m_bursts.end(), [](const Burst& run) { return run.frame; }));
+    const auto frames =
+        static_cast<std::size_t>(std::ranges::count_if(m_bursts, [](const Burst& run) { return run.frame; }));
     if (frames == 0)
         m_reported = false;
     if (m_reported || frames < kEnough || m_bursts.size() > frames * kRunsPerFrame)

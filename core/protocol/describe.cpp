@@ -168,12 +168,11 @@ std::string describeCommand(const ModuleIdentity& module, ByteSpan bytes) {
     Phrases parts("; ");
     while (!bytes.empty()) {
         // The modules skip any bytes in front of a header.
-        const auto header = std::find(bytes.begin(), bytes.end(), kHeader);
+        const auto header = std::ranges::find(bytes, kHeader);
         const auto before = static_cast<std::size_t>(header - bytes.begin());
         if (before > 0) {
             const ByteSpan skipped = bytes.first(before);
-            const bool nulls =
-                std::all_of(skipped.begin(), skipped.end(), [](std::uint8_t b) { return b == 0; });
+            const bool nulls = std::ranges::all_of(skipped, [](std::uint8_t b) { return b == 0; });
             parts.add(counted(before, nulls ? "null" : "byte") + (nulls ? "" : " outside a packet"));
             bytes = bytes.subspan(before);
         } else {

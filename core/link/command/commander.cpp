@@ -247,10 +247,10 @@ void Commander::noteTest(const ProcedureReport& report) {
 /// samples.
 void Commander::shareBus() {
     const std::vector<ModuleState>& modules = m_store.link().modules;
-    const bool alone = m_tested.size() == 1 &&
-                       std::none_of(modules.begin(), modules.end(), [this](const ModuleState& other) {
-                           return m_tested.count(other.info.index) == 0 && other.moving();
-                       });
+    const bool alone =
+        m_tested.size() == 1 && std::ranges::none_of(modules, [this](const ModuleState& other) {
+            return m_tested.count(other.info.index) == 0 && other.moving();
+        });
     const auto focused = alone ? std::optional(*m_tested.begin()) : std::nullopt;
     m_worker.focus(focused);
     m_store.noteFocus(focused);

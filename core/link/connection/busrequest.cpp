@@ -75,9 +75,8 @@ void OpenRequests::begin(const BusRequest& request) {
 }
 
 void OpenRequests::onEvent(const bus::Event& event) {
-    const auto ended = std::find_if(m_open.begin(), m_open.end(), [&event](const BusRequest& request) {
-        return std::visit(Ends{request}, event);
-    });
+    const auto ended = std::ranges::find_if(
+        m_open, [&event](const BusRequest& request) { return std::visit(Ends{request}, event); });
     if (ended != m_open.end())
         m_open.erase(ended);
 }

@@ -391,7 +391,7 @@ void BusStore::setModules(const bus::ChainFound& chain) {
             module.attached();
             record.feed.doubtServoRate();
         }
-        module.silent = std::find(chain.absent.begin(), chain.absent.end(), info.index) != chain.absent.end();
+        module.silent = std::ranges::find(chain.absent, info.index) != chain.absent.end();
         m_link.modules.push_back(module);
     }
     m_link.take(m_machine);

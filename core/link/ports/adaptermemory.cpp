@@ -12,8 +12,8 @@ bool sameAdapter(const PortEntry& a, const PortEntry& b) {
 }
 
 const PortEntry* find(const QString& port, const QList<PortEntry>& ports) {
-    const auto found = std::find_if(ports.begin(), ports.end(),
-                                    [&port](const PortEntry& entry) { return entry.name == port; });
+    const auto found =
+        std::ranges::find_if(ports, [&port](const PortEntry& entry) { return entry.name == port; });
     return found != ports.end() && found->vendor != 0 ? &*found : nullptr;
 }
 

@@ -8,7 +8,7 @@ namespace nmc {
 
 QList<PortEntry> serialPorts() {
     QList<QSerialPortInfo> infos = QSerialPortInfo::availablePorts();
-    std::stable_sort(infos.begin(), infos.end(), [](const QSerialPortInfo& a, const QSerialPortInfo& b) {
+    std::ranges::stable_sort(infos, [](const QSerialPortInfo& a, const QSerialPortInfo& b) {
         return a.hasVendorIdentifier() && !b.hasVendorIdentifier();
     });
     QList<PortEntry> ports;

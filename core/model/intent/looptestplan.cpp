@@ -56,8 +56,8 @@ std::optional<Refusal> whyNot(const intent::StepResponse& wanted, const ModuleSt
 std::optional<Refusal> whyNot(const intent::StepSeries& wanted, const ModuleState& module) {
     const intent::StepResponse& each = wanted.each;
     const auto& gains = each.gains ? each.gains : module.gains;
-    const bool stays = wanted.counts.empty() || std::any_of(wanted.counts.begin(), wanted.counts.end(),
-                                                            [](auto by) { return by == 0; });
+    const bool stays =
+        wanted.counts.empty() || std::ranges::any_of(wanted.counts, [](auto by) { return by == 0; });
     std::int64_t longest = 0;
     std::int64_t at = 0;
     std::int64_t low = stays ? 0 : wanted.counts.front();

@@ -15,7 +15,7 @@ bool isExpected(const ModuleState& module, const Machine& machine) {
 
 template <typename T>
 bool contains(const std::vector<T>& values, const T& value) {
-    return std::find(values.begin(), values.end(), value) != values.end();
+    return std::ranges::find(values, value) != values.end();
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ inline constexpr std::size_t kMaxQuoted = 40;
 }
 
 [[nodiscard]] inline bool printable(const std::string& text) {
-    return std::none_of(text.begin(), text.end(), [](char c) {
+    return std::ranges::none_of(text, [](char c) {
         const auto byte = static_cast<unsigned char>(c);
         return byte < 0x20 || byte == 0x7F;
     });
@@ -199,8 +199,8 @@ public:
         const JsonValue* value = typed(key, JsonValue::Kind::Text, Wanted::Text, Need::Required);
         if (value == nullptr)
             return;
-        const auto index = static_cast<std::size_t>(
-            std::distance(words.begin(), std::find(words.begin(), words.end(), value->text)));
+        const auto index =
+            static_cast<std::size_t>(std::distance(words.begin(), std::ranges::find(words, value->text)));
         if (index == words.size())
             return refuse(key, *value, {.kind = Kind::UnknownWord, .found = quoted(value->text)});
         std::size_t i = 0;

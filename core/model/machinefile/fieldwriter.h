@@ -17,8 +17,8 @@ inline constexpr int kIndent = 2;
 
 /// Replaces characters that the reader does not accept; they can only come from pasted text.
 [[nodiscard]] inline std::string withoutControls(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(),
+    std::ranges::replace_if(
+        text,
         [](char c) {
             const auto byte = static_cast<unsigned char>(c);
             return byte < 0x20 || byte == 0x7F;

@@ -73,8 +73,8 @@ std::string wordAt(std::string_view text, std::size_t place) {
 }
 
 bool isNoNumber(std::string word) {
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::ranges::transform(word, word.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return word == "nan" || word == "inf" || word == "infinity";
 }
 
@@ -219,7 +219,7 @@ int lineOf(std::string_view text, std::size_t place) {
 }  // namespace
 
 const JsonValue* JsonValue::find(std::string_view key) const {
-    const auto found = std::find(keys.begin(), keys.end(), key);
+    const auto found = std::ranges::find(keys, key);
     return found != keys.end() ? &items[static_cast<std::size_t>(found - keys.begin())] : nullptr;
 }
 

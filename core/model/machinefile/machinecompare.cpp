@@ -149,7 +149,7 @@ const ItemKey kItemKeys[] = {{"points", "point ", "name"},
 
 /// A pin that nobody has set has no name, and its flags are off.
 bool saysNothing(const Json& item) {
-    return item.is_object() && std::all_of(item.begin(), item.end(), [](const Json& member) {
+    return item.is_object() && std::ranges::all_of(item, [](const Json& member) {
                return member == false || inOneText(member).empty();
            });
 }
@@ -212,8 +212,8 @@ Fields fieldsOf(const PartMembers<Whole>& members, const Json& whole) {
 
 Fields differing(Fields fields, const Fields& now) {
     for (const FieldDifference& other : now) {
-        auto same = std::find_if(fields.begin(), fields.end(),
-                                 [&other](const FieldDifference& field) { return field.key == other.key; });
+        auto same = std::ranges::find_if(
+            fields, [&other](const FieldDifference& field) { return field.key == other.key; });
         if (same == fields.end())
             same = fields.insert(same, {other.key, other.quantity});
         same->now = other.file;
@@ -352,7 +352,7 @@ bool isUnset(AxisSettings axis) {
 /// Keeps the chosen rows that are possible.
 std::vector<Difference> chosenOf(std::vector<Difference> rows, const std::vector<PartId>& chosen) {
     std::erase_if(rows, [&chosen](const Difference& row) {
-        return !row.possible() || std::find(chosen.begin(), chosen.end(), row.id) == chosen.end();
+        return !row.possible() || std::ranges::find(chosen, row.id) == chosen.end();
     });
     return rows;
 }

@@ -12,7 +12,7 @@ constexpr std::uint8_t kNoGroup = 0xFF;
 
 [[nodiscard]] bus::GroupPlace placeOf(ModuleIndex module, const Machine& machine) {
     for (const GroupSettings& group : machine.groups)
-        if (std::find(group.members.begin(), group.members.end(), module) != group.members.end())
+        if (std::ranges::find(group.members, module) != group.members.end())
             return {group.address, group.leader == module};
     return {kNoGroup, false};
 }
@@ -38,8 +38,8 @@ std::vector<bus::GroupChange> groupChanges(const Machine& machine, const std::ve
         if (!module.readOnly && !module.lent && module.info.group != wanted)
             changes.push_back({module.info.index, wanted});
     }
-    std::stable_partition(changes.begin(), changes.end(),
-                          [](const bus::GroupChange& change) { return !change.place.leader; });
+    std::ranges::stable_partition(changes,
+                                  [](const bus::GroupChange& change) { return !change.place.leader; });
     return changes;
 }
 
@@ -52,7 +52,7 @@ void noteGroup(Machine& machine, const bus::GroupChange& change) {
     if (change.place.group != kNoGroup) {
         GroupSettings& group = settingsOf(machine, change.place.group);
         group.members.push_back(change.module);
-        std::sort(group.members.begin(), group.members.end());
+        std::ranges::sort(group.members);
         if (change.place.leader)
             group.leader = change.module;
     }

@@ -43,8 +43,7 @@ std::optional<FileProblem> contradiction(const Machine& machine, const JsonValue
                                    .line = line,
                                    .field = "modules",
                                    .found = std::to_string(member.value() + 1)};
-        if (group.leader &&
-            std::find(group.members.begin(), group.members.end(), *group.leader) == group.members.end())
+        if (group.leader && std::ranges::find(group.members, *group.leader) == group.members.end())
             return FileProblem{.kind = Kind::LeaderNotInGroup, .line = line, .field = "leader"};
     }
     return std::nullopt;

@@ -150,11 +150,10 @@ std::string idOf(const KeptResponse& run) {
 void dropOldest(std::vector<KeptResponse>& runs, const std::function<bool(const KeptResponse&)>& needed) {
     const auto free = [&](const KeptResponse& run) { return !needed || !needed(run); };
     while (runs.size() > kMaxKeptRuns) {
-        auto first = std::find_if(runs.begin(), runs.end(), [&](const KeptResponse& run) {
-            return free(run) && run.name.empty() && run.note.empty();
-        });
+        auto first = std::ranges::find_if(
+            runs, [&](const KeptResponse& run) { return free(run) && run.name.empty() && run.note.empty(); });
         if (first == runs.end())
-            first = std::find_if(runs.begin(), runs.end(), free);
+            first = std::ranges::find_if(runs, free);
         if (first == runs.end())
             return;
         runs.erase(first);
@@ -176,8 +175,8 @@ std::vector<KeptResponse> together(std::vector<KeptResponse> ours, const std::ve
         if (!numbers.insert(run.number).second)
             ours.back().number = *numbers.insert(*numbers.rbegin() + 1).first;
     }
-    std::stable_sort(ours.begin(), ours.end(),
-                     [](const KeptResponse& a, const KeptResponse& b) { return a.number < b.number; });
+    std::ranges::stable_sort(
+        ours, [](const KeptResponse& a, const KeptResponse& b) { return a.number < b.number; });
     dropOldest(ours);
     return ours;
 }

@@ -56,10 +56,10 @@ namespace {
     const auto& place = modules[table.columns.front().module.value()].info.group;
     if (!place || BusAddress(place->group) == bus::kEverybody)
         return std::nullopt;
-    const bool theirs = std::all_of(modules.begin(), modules.end(), [&](const ModuleState& module) {
-        const bool axis =
-            std::any_of(table.columns.begin(), table.columns.end(),
-                        [&](const PathTable::Column& column) { return column.module == module.info.index; });
+    const bool theirs = std::ranges::all_of(modules, [&](const ModuleState& module) {
+        const bool axis = std::ranges::any_of(table.columns, [&](const PathTable::Column& column) {
+            return column.module == module.info.index;
+        });
         return module.info.group && (module.info.group->group == place->group) == axis;
     });
     return theirs ? std::optional(place->group) : std::nullopt;
@@ -69,9 +69,8 @@ namespace {
     if (table.columns.empty() || table.columns.front().points.empty())
         return false;
     for (const PathTable::Column& column : table.columns) {
-        const auto same =
-            std::count_if(table.columns.begin(), table.columns.end(),
-                          [&](const PathTable::Column& other) { return other.module == column.module; });
+        const auto same = std::ranges::count_if(
+            table.columns, [&](const PathTable::Column& other) { return other.module == column.module; });
         if (same != 1 || moduleAt(column.module, modules) == nullptr ||
             column.points.size() != table.columns.front().points.size())
             return false;

@@ -202,7 +202,7 @@ std::string recordingOf(const RecordingHeader& header, const History& history) {
     std::string out = recordingHead(header);
     auto gains = history.gains().begin();
     for (;;) {
-        const auto next = std::min_element(modules.begin(), modules.end(), [](const Next& a, const Next& b) {
+        const auto next = std::ranges::min_element(modules, [](const Next& a, const Next& b) {
             return !a.over() && (b.over() || a.time() < b.time());
         });
         const bool over = next == modules.end() || next->over();

@@ -61,8 +61,7 @@ std::optional<Duration> exactTime(std::string_view cell) {
     const std::string_view seconds = cell.substr(0, mark);
     const std::string_view fraction = cell.substr(std::min(mark + 1, cell.size()));
     if (seconds.empty() || seconds.size() > kMaxDigits || fraction.size() > kMaxDigits ||
-        !std::all_of(seconds.begin(), seconds.end(), isDigit) ||
-        !std::all_of(fraction.begin(), fraction.end(), isDigit))
+        !std::ranges::all_of(seconds, isDigit) || !std::ranges::all_of(fraction, isDigit))
         return std::nullopt;
     std::int64_t ns = 0;
     for (const char digit : seconds)

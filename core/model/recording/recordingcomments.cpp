@@ -179,8 +179,8 @@ std::optional<servo::SetGain> gainValues(std::string_view text) {
 std::string shown(std::string_view text) {
     constexpr std::size_t kMax = 40;
     std::string cut(text.substr(0, kMax));
-    std::replace_if(
-        cut.begin(), cut.end(), [](char c) { return c < 0x20 || c > 0x7E; }, '?');
+    std::ranges::replace_if(
+        cut, [](char c) { return c < 0x20 || c > 0x7E; }, '?');
     return cut;
 }
 

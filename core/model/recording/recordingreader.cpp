@@ -137,7 +137,7 @@ void RecordingReader::takeColumns(std::string_view line) {
     m_separator = separator == std::string_view::npos ? ',' : line[separator];
     cells::split(line, m_separator, m_cells);
     for (std::size_t i = 0; i < kRecordingColumns.size(); ++i) {
-        const auto place = std::find(m_cells.begin(), m_cells.end(), kRecordingColumns[i]);
+        const auto place = std::ranges::find(m_cells, kRecordingColumns[i]);
         if (place != m_cells.end())
             m_placeOf[i] = static_cast<std::size_t>(place - m_cells.begin());
     }

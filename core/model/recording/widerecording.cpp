@@ -26,8 +26,8 @@ namespace {
 [[nodiscard]] std::string wordOf(std::string_view text) {
     std::string word(text);
     std::erase(word, '"');
-    std::replace_if(
-        word.begin(), word.end(),
+    std::ranges::replace_if(
+        word,
         [](char c) {
             const auto byte = static_cast<unsigned char>(c);
             return byte <= 0x20 || byte == 0x7F ||
@@ -121,8 +121,8 @@ private:
         return made;
     }
     [[nodiscard]] std::optional<double> madeAt(TimePoint time, ScopeSignal signal) const {
-        const auto found = std::find_if(m_made.begin(), m_made.end(),
-                                        [signal](const Made& made) { return made.signal == signal; });
+        const auto found =
+            std::ranges::find_if(m_made, [signal](const Made& made) { return made.signal == signal; });
         return found->values.valueAt(time, ScopeSignal::Error);
     }
     /// Column names as the user has named the inputs; the pins are the bits of one number, where IO1 is 1.
@@ -176,8 +176,7 @@ void appendSparse(std::string& out, const std::vector<WideModule>& modules, Time
     for (std::size_t i = 0; i < modules.size(); ++i)
         for (const ScopeSample& sample : modules[i].history().samples(TimePoint::min(), TimePoint::max()))
             rows.push_back({sample, i});
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const Row& a, const Row& b) { return a.sample.time < b.sample.time; });
+    std::ranges::stable_sort(rows, [](const Row& a, const Row& b) { return a.sample.time < b.sample.time; });
     for (const Row& row : rows) {
         appendTime(out, row.sample.time - zero);
         for (std::size_t i = 0; i < modules.size(); ++i)
@@ -221,8 +220,8 @@ std::string wideRecordingOf(const RecordingHeader& header, const History& histor
         const ModuleHistory& samples = *seen.module(index);
         if (samples.empty())
             continue;
-        const auto told = std::find_if(header.modules.begin(), header.modules.end(),
-                                       [&](const RecordingModule& module) { return module.index == index; });
+        const auto told = std::ranges::find_if(
+            header.modules, [&](const RecordingModule& module) { return module.index == index; });
         modules.emplace_back(told != header.modules.end() ? *told : RecordingModule{index, {}, {}, {}, {}},
                              samples, history);
     }
@@ -231,7 +230,7 @@ std::string wideRecordingOf(const RecordingHeader& header, const History& histor
         module.appendNames(out);
     const std::string names = aboutNames(header);
     out += names + '\n';
-    const auto columns = static_cast<std::size_t>(std::count(names.begin(), names.end(), ','));
+    const auto columns = static_cast<std::size_t>(std::ranges::count(names, ','));
     const std::string about = std::string(columns, ',') + '\n';
     if (interval > Duration::zero())
         appendEven(out, modules, header.zero, about, interval);

@@ -42,7 +42,7 @@ constexpr double kSamplesInPlace = 3.0;
         folded.seconds += point.seconds / static_cast<double>(points.size());
         positions.push_back(point.position);
     }
-    std::sort(positions.begin(), positions.end());
+    std::ranges::sort(positions);
     folded.position = quantile(positions, 0.5);
     folded.low = quantile(positions, 0.1);
     folded.high = quantile(positions, 0.9);
@@ -57,8 +57,8 @@ constexpr double kSamplesInPlace = 3.0;
             all.push_back({point.seconds, point.position - edge->taken.from});
     if (all.empty())
         return {};
-    std::sort(all.begin(), all.end(),
-              [](const ResponsePoint& a, const ResponsePoint& b) { return a.seconds < b.seconds; });
+    std::ranges::sort(all,
+                      [](const ResponsePoint& a, const ResponsePoint& b) { return a.seconds < b.seconds; });
     const double span = edges.front()->taken.record + toSeconds(kBeforeStep);
     const double width =
         std::max(toSeconds(kServoTick), kSamplesInPlace * span / static_cast<double>(all.size()));

@@ -140,9 +140,8 @@ CommandEnvelope::Curve CommandEnvelope::changedTrapezoid(Side side, double veloc
         return sign * curve.profile.position(curve.seconds(time));
     };
     const auto furthest = [&](TimePoint time) {
-        return *std::max_element(curves.begin(), curves.end(), [&](const Curve& a, const Curve& b) {
-            return position(a, time) < position(b, time);
-        });
+        return *std::ranges::max_element(
+            curves, [&](const Curve& a, const Curve& b) { return position(a, time) < position(b, time); });
     };
     Curve chosen = furthest(reached);
     const double missing = position(furthest(when.latest), when.latest) - position(chosen, when.latest);
@@ -185,7 +184,7 @@ bool CommandEnvelope::ended(ProfileCurve::Phase phase, TimePoint by) {
             return true;
         late[side] = m_curves[side].start + fromSeconds(length) - by;
     }
-    const auto [least, most] = std::minmax_element(late.begin(), late.end());
+    const auto [least, most] = std::ranges::minmax_element(late);
     const bool contradicts = *least > Duration{};
     for (const Side side : {Low, Likely, High})
         m_curves[side].moveStart(-(contradicts ? *most : std::max(Duration{}, late[side])));
@@ -200,7 +199,7 @@ bool CommandEnvelope::goesOn(ProfileCurve::Phase phase, TimePoint yet) {
             return true;
         early[side] = yet - (m_curves[side].start + fromSeconds(length));
     }
-    const auto [least, most] = std::minmax_element(early.begin(), early.end());
+    const auto [least, most] = std::ranges::minmax_element(early);
     const bool contradicts = *least > Duration{};
     for (const Side side : {Low, Likely, High})
         m_curves[side].moveStart(contradicts ? *most : std::max(Duration{}, early[side]));

@@ -39,12 +39,10 @@ DerivedSignals& DerivedSignals::operator=(DerivedSignals&&) noexcept = default;
 
 void DerivedSignals::want(const std::vector<ModuleSignal>& wanted) {
     const auto has = [this](const ModuleSignal& signal) {
-        return std::any_of(m_tracks.begin(), m_tracks.end(),
-                           [&](const auto& track) { return track->of() == signal; });
+        return std::ranges::any_of(m_tracks, [&](const auto& track) { return track->of() == signal; });
     };
-    std::erase_if(m_tracks, [&](const auto& track) {
-        return std::find(wanted.begin(), wanted.end(), track->of()) == wanted.end();
-    });
+    std::erase_if(m_tracks,
+                  [&](const auto& track) { return std::ranges::find(wanted, track->of()) == wanted.end(); });
     for (const ModuleSignal& signal : wanted)
         if (isDerived(signal.signal) && !has(signal))
             m_tracks.push_back(std::make_unique<Track>(signal));

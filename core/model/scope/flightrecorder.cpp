@@ -30,8 +30,8 @@ void FlightRecorder::keepAll(const History& history) {
 }
 
 const FlightRecorder::Incident* FlightRecorder::find(const std::string& key, const History& history) {
-    const auto found = std::find_if(m_incidents.begin(), m_incidents.end(),
-                                    [&key](const Incident& incident) { return incident.key == key; });
+    const auto found =
+        std::ranges::find_if(m_incidents, [&key](const Incident& incident) { return incident.key == key; });
     if (found == m_incidents.end())
         return nullptr;
     if (!found->whole)

@@ -94,9 +94,8 @@ std::optional<double> frequency(const std::vector<SignalPoint>& points, const Si
     double mean = 0;
     for (const double period : periods)
         mean += period / static_cast<double>(periods.size());
-    const bool regular = std::all_of(periods.begin(), periods.end(), [mean](double period) {
-        return std::abs(period - mean) <= kRegular * mean;
-    });
+    const bool regular = std::ranges::all_of(
+        periods, [mean](double period) { return std::abs(period - mean) <= kRegular * mean; });
     const double spacing =
         (points.back().seconds - points.front().seconds) / static_cast<double>(points.size() - 1);
     if (!regular || mean < kFewestPoints * spacing)
@@ -130,9 +129,8 @@ std::optional<StretchFigures> figuresOf(const std::vector<SignalPoint>& points, 
         return std::nullopt;
     StretchFigures figures;
     takeMeans(points, figures);
-    const auto [low, high] =
-        std::minmax_element(points.begin(), points.end(),
-                            [](const SignalPoint& a, const SignalPoint& b) { return a.value < b.value; });
+    const auto [low, high] = std::ranges::minmax_element(
+        points, [](const SignalPoint& a, const SignalPoint& b) { return a.value < b.value; });
     figures.peakToPeak = high->value - low->value;
     if (const auto line = lineThrough(points)) {
         figures.slope = line->slope;
