@@ -49,12 +49,11 @@ inline constexpr StatusItems kAllItems{StatusItems::All};
 
 /// The standing items of a module: one that reports its position error does so in every reply.
 [[nodiscard]] constexpr StatusItems standingItems(const ModuleIdentity& module) {
-    const unsigned more = hasPathBuffer(module) ? StatusItems::PositionError : 0U;
-    return StatusItems(static_cast<std::uint8_t>(kStandingItems.mask() | more));
+    return hasPathBuffer(module) ? kStandingItems | StatusItems(StatusItems::PositionError) : kStandingItems;
 }
 /// The items requested by every second poll.
 [[nodiscard]] constexpr StatusItems fullItems(const ModuleIdentity& module) {
-    return StatusItems(static_cast<std::uint8_t>(kAllItems.mask() | standingItems(module).mask()));
+    return kAllItems | standingItems(module);
 }
 /// Items of every second poll of a module in focus; alternating with the standing items, it makes two lengths
 /// (link.md 2.2).

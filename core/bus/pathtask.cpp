@@ -308,8 +308,7 @@ Ask PathTask::look(Axis& axis) const {
     const ModuleIdentity identity = m_chain.belief(axis.module()).info().identity;
     axis.second = !axis.second;
     const StatusItems items = axis.second ? standingItems(identity) : fullItems(identity);
-    return m_chain.status(Purpose::Check, axis.module(),
-                          StatusItems(static_cast<std::uint8_t>(items.mask() | StatusItems::PathPoints)));
+    return m_chain.status(Purpose::Check, axis.module(), items | StatusItems(StatusItems::PathPoints));
 }
 
 Next PathTask::addPoints(Axis& axis) {

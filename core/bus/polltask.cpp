@@ -16,8 +16,7 @@ Next PollTask::next(TimePoint now) {
     else if (turn->brief)
         items = kBriefItems;
     if (m_chain.belief(turn->module).onPath())
-        items = StatusItems(static_cast<std::uint8_t>(items.value_or(standingItems(identity)).mask() |
-                                                      StatusItems::PathPoints));
+        items = items.value_or(standingItems(identity)) | StatusItems(StatusItems::PathPoints);
     Ask ask = m_chain.status(Purpose::Poll, turn->module, items);
     ask.silentRepeats = 0;  // its turn comes again
     ask.request.framing = Framing::Pipelined;

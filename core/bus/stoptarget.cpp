@@ -47,15 +47,14 @@ std::optional<ModuleCommand> stopFor(const Belief& belief, StopManner manner) {
 }
 
 StatusItems standstillItems(ModuleType type, bool second) {
-    const unsigned more = second ? StatusItems::Identity : 0U;
+    const StatusItems more = second ? kIdentityItems : StatusItems();
     switch (type) {
         case ModuleType::Servo:
-            return StatusItems(static_cast<std::uint8_t>(StatusItems::Position | StatusItems::Velocity |
-                                                         StatusItems::Aux | more));
+            return more | StatusItems(StatusItems::Position | StatusItems::Velocity | StatusItems::Aux);
         case ModuleType::Stepper:
-            return StatusItems(static_cast<std::uint8_t>(StatusItems::Position | StatusItems::Inputs | more));
+            return more | StatusItems(StatusItems::Position | StatusItems::Inputs);
         case ModuleType::Io:
-            return StatusItems(static_cast<std::uint8_t>(StatusItems::Pins | more));
+            return more | StatusItems(StatusItems::Pins);
         case ModuleType::Adc:
             break;
     }

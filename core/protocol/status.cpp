@@ -71,10 +71,10 @@ std::span<const StatusItemRow> statusItemTable(const ModuleIdentity& module) {
 }
 
 StatusItems allItems(const ModuleIdentity& module) {
-    unsigned mask = 0;
+    StatusItems all;
     for (const StatusItemRow& row : statusItemTable(module))
-        mask |= row.bit;
-    return StatusItems(static_cast<std::uint8_t>(mask));
+        all = all | StatusItems(row.bit);
+    return all;
 }
 
 std::size_t replyLength(const ModuleIdentity& module, StatusItems items) {
@@ -87,7 +87,7 @@ std::size_t replyLength(const ModuleIdentity& module, StatusItems items) {
 
 void merge(const ModuleIdentity& module, StatusReport& into, const StatusReport& from) {
     into.status = from.status;
-    into.items = StatusItems(static_cast<std::uint8_t>(into.items.mask() | from.items.mask()));
+    into.items = into.items | from.items;
     const auto take = [](auto& to, const auto& value) {
         if (value)
             to = value;

@@ -44,6 +44,9 @@ public:
 
     [[nodiscard]] constexpr std::uint8_t mask() const { return m_mask; }
     [[nodiscard]] constexpr bool has(std::uint8_t item) const { return (m_mask & item) != 0; }
+    [[nodiscard]] constexpr StatusItems operator|(StatusItems more) const {
+        return StatusItems(static_cast<std::uint8_t>(m_mask | more.m_mask));
+    }
     constexpr bool operator==(const StatusItems&) const = default;
 
 private:
