@@ -17,13 +17,10 @@ servo::SetGain gainsFor(const ModuleState& module, servo::SetGain gains) {
 std::optional<Refusal> whyNot(const intent::TryGains& /*wanted*/, const ModuleState& module) {
     if (const auto refusal = whyNot(IntentKind::ApplyGains, module))
         return refusal;
-    if (!module.gains)
-        return Refusal::GainsUnknown;
-    if (!module.latest || !module.latest->position)
-        return Refusal::PositionUnknown;
-    if (!module.servoOn())
-        return Refusal::ServoOff;
-    return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+    return firstUnmet({{module.gains.has_value(), Refusal::GainsUnknown},
+                       {module.latest && module.latest->position, Refusal::PositionUnknown},
+                       {module.servoOn(), Refusal::ServoOff},
+                       {!module.moving(), Refusal::Moving}});
 }
 
 }  // namespace nmc

@@ -13,24 +13,18 @@ namespace {
 }
 
 [[nodiscard]] std::optional<Refusal> whyNotHomeServo(const ModuleState& module) {
-    if (!module.latest->servoStatus().powerOn())
-        return Refusal::NoPower;
-    if (!module.servoOn())
-        return Refusal::ServoOff;
-    if (!module.speedsKnown())
-        return Refusal::ServoRateUnknown;
-    return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+    return firstUnmet({{module.latest->servoStatus().powerOn(), Refusal::NoPower},
+                       {module.servoOn(), Refusal::ServoOff},
+                       {module.speedsKnown(), Refusal::ServoRateUnknown},
+                       {!module.moving(), Refusal::Moving}});
 }
 
 [[nodiscard]] std::optional<Refusal> whyNotHomeStep(const ModuleState& module) {
     const stepper::StatusByte status = module.latest->stepperStatus();
-    if (!status.powerOn())
-        return Refusal::NoPower;
-    if (!module.stepper.parameters())
-        return Refusal::ParametersUnknown;
-    if (!status.amplifierEnabled())
-        return Refusal::AmplifierOff;
-    return status.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+    return firstUnmet({{status.powerOn(), Refusal::NoPower},
+                       {module.stepper.parameters().has_value(), Refusal::ParametersUnknown},
+                       {status.amplifierEnabled(), Refusal::AmplifierOff},
+                       {!status.moving(), Refusal::Moving}});
 }
 
 }  // namespace
@@ -58,14 +52,13 @@ std::optional<Refusal> whyNotHome(const HomingRecipe& recipe, const ModuleState&
     if (const auto refusal = whyNotHome(module))
         return refusal;
     const HomingRecipe r = effective(recipe, module.info.identity);
-    if (!hasCondition(r))
-        return Refusal::NothingToFind;
-    if (r.velocity <= 0.0 || (r.thenIndex && r.indexVelocity <= 0.0))
-        return Refusal::NoVelocity;
-    if (r.acceleration <= 0.0)
-        return Refusal::NoAcceleration;
-    if (r.travelLimit <= 0.0 || r.timeLimit <= 0.0)
-        return Refusal::NoSearchLimits;
+    const bool fast = r.velocity > 0.0 && (!r.thenIndex || r.indexVelocity > 0.0);
+    if (const auto refusal =
+            firstUnmet({{hasCondition(r), Refusal::NothingToFind},
+                        {fast, Refusal::NoVelocity},
+                        {r.acceleration > 0.0, Refusal::NoAcceleration},
+                        {r.travelLimit > 0.0 && r.timeLimit > 0.0, Refusal::NoSearchLimits}}))
+        return refusal;
     if (const auto problem = travelProblem(intent::Home{r}, module))
         return problem->refusal;
     const bool output =

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent/intent.h"
 
+#include <algorithm>
+
 #include "model/intent/directplan.h"
 #include "model/intent/gainsplan.h"
 #include "model/intent/ioplan.h"
@@ -179,6 +181,11 @@ bool isStop(const Intent& intent) {
         intent);
 }
 
+std::optional<Refusal> firstUnmet(std::initializer_list<Need> needs) {
+    const auto* unmet = std::ranges::find(needs, false, &Need::met);
+    return unmet != needs.end() ? std::optional(unmet->otherwise) : std::nullopt;
+}
+
 Plan plan(const Intent& intent, const ModuleState& module) {
     if (std::holds_alternative<intent::AskAnew>(intent))
         return Planner{module}.unless({}, Nop{});
@@ -221,35 +228,35 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
     if (const auto refusal = whyInaccessible(kind, module))
         return refusal;
 
+    const ModuleIdentity& chip = module.info.identity;
+    const bool powered = module.latest && module.latest->servoStatus().powerOn();
+    const bool placed = module.latest && module.latest->position;
+    const Need on{module.servoOn(), Refusal::ServoOff};
+    const Need off{!module.servoOn(), Refusal::ServoOn};
+    const Need still{!module.moving(), Refusal::Moving};
+    const Need turnsNot{!module.moving() && module.activity() != Activity::Turned, Refusal::Moving};
+    const Need speedsKnown{module.speedsKnown(), Refusal::ServoRateUnknown};
     switch (kind) {
         case IntentKind::Enable:
-            if (!module.latest->servoStatus().powerOn())
-                return Refusal::NoPower;
-            return gainsAct(module) ? std::nullopt : std::optional(Refusal::GainsUnknown);
+            return firstUnmet({{powered, Refusal::NoPower}, {gainsAct(module), Refusal::GainsUnknown}});
         case IntentKind::Move:
             if (const auto refusal = whyNot(IntentKind::Run, module))
                 return refusal;
-            return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+            return firstUnmet({still});
         case IntentKind::Load:  // changes nothing until it is started (DS-V 5.1, note 1)
-            if (!module.speedsKnown())
-                return Refusal::ServoRateUnknown;
-            return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
+            return firstUnmet({speedsKnown, on});
         case IntentKind::GoHome:
             if (!module.home.place())
                 return Refusal::HomeUnknown;
             return whyNot(IntentKind::Move, module);
         case IntentKind::Run:
         case IntentKind::Hold:
-            if (!module.servoOn())
-                return Refusal::ServoOff;
-            if (!module.speedsKnown())
-                return Refusal::ServoRateUnknown;
-            return limitStopDue(module) ? std::optional(Refusal::LimitStopDue) : std::nullopt;
+            return firstUnmet({on, speedsKnown, {!limitStopDue(module), Refusal::LimitStopDue}});
         case IntentKind::StopMotion:  // a stop would switch on a servo that is off
-            return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
+            return firstUnmet({on});
         case IntentKind::ResetPosition:
         case IntentKind::ResetModule:
-            return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+            return firstUnmet({still});
         case IntentKind::DeclarePosition:
             return whyNotDeclare(module);
         case IntentKind::StartLoaded:
@@ -259,37 +266,21 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
                 return problem->refusal;
             return whyNot(IntentKind::Move, module);
         case IntentKind::StopHere:
-            if (module.info.identity.version < servo::kStopHereVersion)
-                return Refusal::VersionLacksIt;
-            if (!module.latest->position)
-                return Refusal::PositionUnknown;
-            return module.servoOn() ? std::nullopt : std::optional(Refusal::ServoOff);
+            return firstUnmet({{chip.version >= servo::kStopHereVersion, Refusal::VersionLacksIt},
+                               {placed, Refusal::PositionUnknown},
+                               on});
         case IntentKind::DrivePwm:
-            if (!module.latest->servoStatus().powerOn())
-                return Refusal::NoPower;
-            return module.servoOn() ? std::optional(Refusal::ServoOn) : std::nullopt;
+            return firstUnmet({{powered, Refusal::NoPower}, off});
         case IntentKind::CheckDirection:
             if (const auto refusal = whyNot(IntentKind::DrivePwm, module))
                 return refusal;
-            if (!module.latest->position || !module.latest->aux)
-                return Refusal::PositionUnknown;
-            return module.moving() || module.activity() == Activity::Turned ? std::optional(Refusal::Moving)
-                                                                            : std::nullopt;
+            return firstUnmet({{placed && module.latest->aux, Refusal::PositionUnknown}, turnsNot});
         case IntentKind::ControlIo:
-            return module.info.identity.version < servo::kOtherIoVersion
-                       ? std::nullopt
-                       : std::optional(Refusal::VersionLacksIt);
+            return firstUnmet({{chip.version < servo::kOtherIoVersion, Refusal::VersionLacksIt}});
         case IntentKind::ControlSc:
-            if (!isSc(module.info.identity))
-                return Refusal::VersionLacksIt;
-            if (module.servoOn())
-                return Refusal::ServoOn;
-            return module.moving() || module.activity() == Activity::Turned ? std::optional(Refusal::Moving)
-                                                                            : std::nullopt;
+            return firstUnmet({{isSc(chip), Refusal::VersionLacksIt}, off, turnsNot});
         case IntentKind::ArmLimitStop:
-            return module.info.identity.version < servo::kAutoStopVersion
-                       ? std::optional(Refusal::VersionLacksIt)
-                       : std::nullopt;
+            return firstUnmet({{chip.version >= servo::kAutoStopVersion, Refusal::VersionLacksIt}});
         case IntentKind::Home:  // handled above
         case IntentKind::SaveAsHome:
         case IntentKind::SetAmplifier:
@@ -310,32 +301,24 @@ std::optional<MotionSpec> motionOf(const intent::GoHome& goHome, const ModuleSta
 }
 
 std::optional<Refusal> whyNotDeclare(const ModuleState& module) {
-    if (!module.latest || !module.latest->position)
-        return Refusal::PositionUnknown;
-    return module.moving() ? std::optional(Refusal::Moving) : std::nullopt;
+    return firstUnmet({{module.latest && module.latest->position, Refusal::PositionUnknown},
+                       {!module.moving(), Refusal::Moving}});
 }
 
 std::optional<Refusal> whyInaccessible(IntentKind kind, const ModuleState& module) {
-    if (module.lent)
-        return Refusal::Lent;
-    if (module.readOnly)
-        return Refusal::ReadOnly;
-    if (module.rights && !allows(*module.rights, kind))
-        return Refusal::OperatorMode;
-    if (module.lookedFor && !isStop(kind))
-        return Refusal::Looking;
     const bool heard = !module.silent && module.latest;
-    return heard || kind == IntentKind::MotorOff ? std::nullopt : std::optional(Refusal::Unresponsive);
+    return firstUnmet({{!module.lent, Refusal::Lent},
+                       {!module.readOnly, Refusal::ReadOnly},
+                       {!module.rights || allows(*module.rights, kind), Refusal::OperatorMode},
+                       {!module.lookedFor || isStop(kind), Refusal::Looking},
+                       {heard || kind == IntentKind::MotorOff, Refusal::Unresponsive}});
 }
 
 std::optional<Refusal> whyInaccessible(const LinkState& link) {
-    if (link.phase == LinkPhase::Disconnected)
-        return Refusal::NotConnected;
-    if (link.lent)
-        return Refusal::Lent;
-    if (link.readOnly)
-        return Refusal::ReadOnly;
-    return link.rights ? std::optional(Refusal::OperatorMode) : std::nullopt;
+    return firstUnmet({{link.phase != LinkPhase::Disconnected, Refusal::NotConnected},
+                       {!link.lent, Refusal::Lent},
+                       {!link.readOnly, Refusal::ReadOnly},
+                       {!link.rights, Refusal::OperatorMode}});
 }
 
 std::optional<Refusal> whyNoChain(const LinkState& link) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -248,6 +249,14 @@ enum class Refusal : std::uint8_t {
     TooHot,        ///< the A/D value is below the thermal limit
     TooFar,        ///< a move of more than 0x7FFFFFFF steps
 };
+
+/// What a request needs, and its refusal otherwise.
+struct Need {
+    bool met;
+    Refusal otherwise;
+};
+/// The refusal for the first need that is not met.
+[[nodiscard]] std::optional<Refusal> firstUnmet(std::initializer_list<Need> needs);
 
 using Orders = std::vector<bus::Order>;
 using Plan = tl::expected<Orders, Refusal>;

@@ -21,18 +21,13 @@ namespace {
                                                 std::int64_t error, std::int64_t low, std::int64_t high) {
     if (const auto refusal = whyNot(IntentKind::Move, module))
         return refusal;
-    if (!gains)
-        return Refusal::GainsUnknown;
-    if (!module.latest->position)
-        return Refusal::PositionUnknown;
-    if (!module.goal())
-        return Refusal::CommandUnknown;
-    if (error == 0)
-        return Refusal::StepTooShort;
-    if (error > kLongestStep)
-        return Refusal::StepTooLong;
-    if (wouldTrip(error, gains->el))
-        return Refusal::StepWouldTrip;
+    if (const auto refusal = firstUnmet({{gains.has_value(), Refusal::GainsUnknown},
+                                         {module.latest->position.has_value(), Refusal::PositionUnknown},
+                                         {module.goal().has_value(), Refusal::CommandUnknown},
+                                         {error != 0, Refusal::StepTooShort},
+                                         {error <= kLongestStep, Refusal::StepTooLong},
+                                         {!gains || !wouldTrip(error, gains->el), Refusal::StepWouldTrip}}))
+        return refusal;
     for (const std::int64_t off : {low, high}) {
         const std::int64_t goal = *module.goal() + off;
         if (goal < servo::kPositionRange.min || goal > servo::kPositionRange.max)

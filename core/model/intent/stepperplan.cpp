@@ -22,15 +22,10 @@ namespace {
     const StepperState& stepper = module.stepper;
     if (const auto refusal = whyInaccessible(as, module))
         return refusal;
-    if (!stepper.powered())
-        return Refusal::NoPower;
-    if (!stepper.parameters())
-        return Refusal::ParametersUnknown;
-    if (!stepper.amplifierOn())
-        return Refusal::AmplifierOff;
-    if (stepper.estopActs())
-        return Refusal::EstopActive;
-    return std::nullopt;
+    return firstUnmet({{stepper.powered(), Refusal::NoPower},
+                       {stepper.parameters().has_value(), Refusal::ParametersUnknown},
+                       {stepper.amplifierOn(), Refusal::AmplifierOff},
+                       {!stepper.estopActs(), Refusal::EstopActive}});
 }
 
 [[nodiscard]] std::optional<Refusal> whyNotThatFar(const StepperMotion& motion, const ModuleState& module) {
@@ -154,14 +149,11 @@ private:
 
 [[nodiscard]] std::optional<Refusal> whyNotEnable(const ModuleState& module) {
     const StepperState& stepper = module.stepper;
-    if (!stepper.powered())
-        return Refusal::NoPower;
     // Before the parameters are set, the holding current is 0, so nothing would hold.
-    if (!stepper.parameters())
-        return Refusal::ParametersUnknown;
-    if (stepper.tooHot())
-        return Refusal::TooHot;
-    return stepper.moving() ? std::optional(Refusal::NeedsStop) : std::nullopt;
+    return firstUnmet({{stepper.powered(), Refusal::NoPower},
+                       {stepper.parameters().has_value(), Refusal::ParametersUnknown},
+                       {!stepper.tooHot(), Refusal::TooHot},
+                       {!stepper.moving(), Refusal::NeedsStop}});
 }
 
 }  // namespace
