@@ -6,7 +6,6 @@
 #include <functional>
 #include <mutex>
 
-#include "base/boundedqueue.h"
 #include "base/eventqueue.h"
 #include "bus/exchangerecord.h"
 #include "bus/types.h"
@@ -32,7 +31,7 @@ public:
 
     RequestBox requests;
     EventQueue<WorkerEvent> events;
-    BoundedQueue<bus::ExchangeRecord> records;
+    EventQueue<bus::ExchangeRecord> records;  ///< all of them samples
     std::atomic<bool> recording{false};
     Heartbeat heartbeat;
 

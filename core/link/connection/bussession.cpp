@@ -317,7 +317,7 @@ void BusSession::publishStatistics(TimePoint now, std::optional<TimePoint> next)
 void BusSession::publishRecords() {
     if (m_engineRecords)
         for (bus::ExchangeRecord& exchange : m_engine.takeRecords())
-            m_channel.records.push(std::move(exchange));
+            m_channel.records.pushSample(std::move(exchange));
     const bool wanted = m_channel.recording.load(std::memory_order_relaxed);
     if (wanted != std::exchange(m_engineRecords, wanted))
         m_engine.setRecording(wanted);
