@@ -124,12 +124,13 @@ TEST(AxisCopy, LimitPinsOfAnScStayWithScs) {
 /// another one does not compile without a value of its own.
 AxisSettings everySetting() {
     AxisSettings axis = servoAxis();
-    auto& [name, expected, unit, motion, travel, backlash, arrival, homing, limitStop, analog, gains, io,
-           fastPath, parameters, accelerationTime, outputNames, inputNames, pins] = axis;
+    auto& [name, expected, unit, motion, travel, backlash, arrival, homing, limitStop, workOffsets, analog, gains,
+           io, fastPath, parameters, accelerationTime, outputNames, inputNames, pins] = axis;
     travel = {-5, 5, 4.0};
     backlash = {20, true};
     arrival = {5, 0.25};
     limitStop.eachMotion = true;
+    workOffsets = {{"fixture A", 1'000}};
     analog.unit = "A";
     fastPath = true;
     parameters = testing_support::stepAxis().parameters;
@@ -169,10 +170,10 @@ TEST(AxisCopy, EveryKeyOfAnAxisIsInExactlyOnePart) {
     const nlohmann::json file = fileOf(everySetting());
     for (const auto& [key, value] : file.items())
         EXPECT_EQ(parts[key], key == "expected" ? 0 : 1) << key;
-    EXPECT_EQ(file.size(), 18U) << "as many as an axis has members";
+    EXPECT_EQ(file.size(), 19U) << "as many as an axis has members";
 }
 
-TEST(AxisCopy, EverySettingButTheNameCanBeCopied) {
+TEST(AxisCopy, EverySettingButNameAndWorkOffsetsCanBeCopied) {
     const auto modules = chainOf({kServo, kServo});
     Machine machine;
     machine.axes = {everySetting(), {}};
@@ -183,6 +184,7 @@ TEST(AxisCopy, EverySettingButTheNameCanBeCopied) {
     const Machine result = applied(withCopy(copy, machine, modules), machine, modules, ids(rows));
     AxisSettings wanted = everySetting();
     wanted.name = "Y axis";
+    wanted.workOffsets.clear();  // a place of the other axis
     EXPECT_EQ(result.axes[1], wanted);
 }
 

@@ -361,6 +361,18 @@ TEST(BadMachineFile, LimitsThatLeaveNoPlaceToBe) {
     EXPECT_EQ(problemOf(axisWith("\"travel\": {\"lowest_counts\": 2147483648}")).kind, FileFault::OutOfRange);
 }
 
+TEST(BadMachineFile, WorkOffsetsThatCannotBeToldApart) {
+    const std::string a = R"({"name": "A", "from_home": 1})";
+    EXPECT_TRUE(parseMachine(axisWith("\"work_offsets\": [" + a + "]")).has_value());
+    EXPECT_EQ(problemOf(axisWith("\"work_offsets\": [" + a + ", " + a + "]")),
+              (FileProblem{.kind = FileFault::NameTwice, .line = 4, .field = "work_offsets", .found = "A"}));
+    EXPECT_EQ(problemOf(axisWith(R"("work_offsets": [{"name": "", "from_home": 1}])")),
+              (FileProblem{.kind = FileFault::NameMissing, .line = 4, .field = "work_offsets"}));
+    EXPECT_EQ(problemOf(axisWith(R"("work_offsets": [{"name": "A"}])")).kind, FileFault::Missing);
+    EXPECT_EQ(problemOf(axisWith(R"("work_offsets": [{"name": "A", "from_home": 2147483648}])")).kind,
+              FileFault::OutOfRange);
+}
+
 TEST(BadMachineFile, GroupsThatContradictEachOther) {
     const auto groups = [](const std::string& a, const std::string& b) {
         return problemOf(fileWith("\"groups\": [{" + a + "},\n{" + b + "}]"));

@@ -148,5 +148,110 @@ TEST(HomeFact, ARestartAndAJumpOfTheCounterLoseIt) {
     EXPECT_EQ(jumped.home(), std::nullopt);
 }
 
+// ---- the work offset in use ----
+
+const WorkOffset kFixture{"fixture A", 1'000};
+
+/// A servo at rest that counts from 1000 counts above its home, which is at 200.
+Holding atFixture() {
+    Holding servo;
+    servo.stands(500);
+    servo.foundAt(200);
+    servo.module.home.useWork(kFixture, 200);
+    return servo;
+}
+
+TEST(WorkOffsetInUse, CountsFromHomeAndMovesWithIt) {
+    Holding servo = atFixture();
+    EXPECT_EQ(servo.module.home.workZero(), (WorkZero{"fixture A", 1'200.0}));
+    EXPECT_EQ(countedFrom(servo.module.home.workZero(), 500), -700.0);
+    servo.does(ResetPosition{}, 0);
+    EXPECT_EQ(servo.home(), -300);
+    EXPECT_EQ(servo.module.home.workZero()->counts, 700.0) << "still 700 counts ahead";
+    servo.module.home.useWork(std::nullopt, std::nullopt);
+    EXPECT_EQ(servo.module.home.workZero(), std::nullopt);
+    EXPECT_EQ(countedFrom(servo.module.home.workZero(), 500), 500.0);
+}
+
+TEST(WorkOffsetInUse, IsNotKnownAfterAnythingThatMakesHomeAnotherOne) {
+    const std::pair<const char*, void (*)(Holding&)> losses[] = {
+        {"a search", [](Holding& servo) { servo.foundAt(200); }},
+        {"confirmed", [](Holding& servo) { servo.module.home.declare(atSeconds(servo.time)); }},
+        {"in doubt", [](Holding& servo) { servo.module.home.forget(); }},
+        {"saved", [](Holding& servo) { servo.does(SaveAsHome{}, 500); }},
+        {"restart", [](Holding& servo) { servo.module.restarted(); }},
+        {"zero while it turns",
+         [](Holding& servo) {
+             servo.says(600);
+             servo.does(ResetPosition{}, 0);
+         }},
+        {"jump",
+         [](Holding& servo) {
+             bus::Sample sample = sampleOf(servo.time + 1, kMoveDone | kPower, kServoOn, 0);
+             sample.jumped = true;
+             servo.module.apply(sample);
+         }},
+        {"deleted", [](Holding& servo) { servo.module.home.keepWork({}); }},
+        {"changed", [](Holding& servo) {
+             servo.module.home.keepWork({{"fixture A", 999}});
+         }}};
+    for (const auto& [what, lose] : losses) {
+        Holding servo = atFixture();
+        servo.module.home.keepWork({kFixture});
+        ASSERT_TRUE(servo.module.home.workZero()->counts) << what;
+        lose(servo);
+        EXPECT_EQ(servo.module.home.workZero(), (WorkZero{"fixture A", std::nullopt})) << what;
+        EXPECT_EQ(countedFrom(servo.module.home.workZero(), 500), std::nullopt) << what;
+        servo.foundAt(200);
+        EXPECT_EQ(servo.module.home.workZero()->counts, std::nullopt) << what << ": never by itself";
+        servo.module.home.useWork(kFixture, 200);
+        EXPECT_EQ(servo.module.home.workZero()->counts, 1'200.0) << what;
+    }
+}
+
+TEST(WorkOffsetInUse, IsNotKnownAfterARestoredHome) {
+    Holding servo;
+    servo.stands(500);
+    servo.module.home.offer(200);
+    servo.module.home.useWork(kFixture, std::nullopt);
+    servo.module.home.takeOffer(atSeconds(servo.time));
+    EXPECT_EQ(servo.home(), 200);
+    EXPECT_EQ(servo.module.home.workZero()->counts, std::nullopt);
+}
+
+TEST(WorkOffsetInUse, CountsByTheCounterUntilThatIsSetWhileHomeIsUnknown) {
+    Holding servo;
+    servo.stands(500);
+    servo.module.home.useWork(kFixture, std::nullopt);
+    EXPECT_EQ(servo.module.home.workZero()->counts, 1'000.0);
+    servo.module.home.keepWork({});
+    EXPECT_TRUE(servo.module.home.workZero()->counts) << "it is not one of the machine's";
+    servo.does(ResetPosition{}, 0);
+    EXPECT_EQ(servo.module.home.workZero(), (WorkZero{"fixture A", std::nullopt}));
+}
+
+TEST(WorkOffsetInUse, WasChosenForTheHomeThatIsThere) {
+    Holding servo = atFixture();
+    servo.module.home.useWork(std::nullopt, std::nullopt);
+    for (const std::optional<std::int32_t>& home : {std::optional<std::int32_t>(), std::optional(199)}) {
+        servo.module.home.useWork(kFixture, home);
+        EXPECT_EQ(servo.module.home.workZero(), std::nullopt);
+    }
+}
+
+TEST(WorkOffsetInUse, FollowsFromWhatAPositionIsCalled) {
+    Holding servo;
+    servo.stands(5'000);
+    const auto called = [&](double counts) { return servo.module.home.workOffset("A", 5'000, counts); };
+    EXPECT_EQ(called(0), (WorkOffset{"A", 5'000})) << "by the counter";
+    EXPECT_EQ(called(5'000.0 - kLastCount), (WorkOffset{"A", kLastCount}));
+    EXPECT_EQ(called(4'999.0 - kLastCount), std::nullopt);
+    servo.foundAt(-200);
+    EXPECT_EQ(called(0), (WorkOffset{"A", 5'200})) << "from home";
+    EXPECT_EQ(called(-700), (WorkOffset{"A", 5'900}));
+    servo.module.home.useWork(called(700), -200);
+    EXPECT_EQ(countedFrom(servo.module.home.workZero(), 5'000), 700.0) << "as it was called";
+}
+
 }  // namespace
 }  // namespace nmc

@@ -104,6 +104,7 @@ TEST(MachineCompare, AFieldsQuantityTellsItsUnitAndItsKeyDoesNot) {
         axis.unit = {UnitKind::Turns, 2'000.0, ""};
         axis.motion = {8.0, 0.02, 0.0, 0.0, 0.0, 1'000.0};
         axis.travel = {-5, 0, 4.0};
+        axis.workOffsets = {{"A", 0}};
         axis.homing.emplace().timeLimit = 30.0;
         axis.gains = servo::SetGain{200, 2'000, 0, 200, 255, 0, 8'000, 1, std::nullopt, std::nullopt};
         const auto rows = compare(file, {}, {});
@@ -119,6 +120,8 @@ TEST(MachineCompare, AFieldsQuantityTellsItsUnitAndItsKeyDoesNot) {
                     ElementsAre(FieldsAre("lowest", Quantity::Place, FieldValue(-5.0)),
                                 FieldsAre("highest", Quantity::Place, FieldValue(0.0)),
                                 FieldsAre("fastest", Quantity::Velocity, FieldValue(4.0))));
+        EXPECT_THAT(fields(MachinePart::WorkOffsets),
+                    ElementsAre(FieldsAre("offset A", Quantity::Place, FieldValue(0.0))));
         EXPECT_THAT(fields(MachinePart::Homing),
                     testing::Contains(FieldsAre("time_limit", Quantity::Seconds, FieldValue(30.0))));
         EXPECT_THAT(fields(MachinePart::Gains),

@@ -295,6 +295,8 @@ QString machinePart(MachinePart part) {
             return Common::tr("Homing");
         case MachinePart::LimitStop:
             return Common::tr("Limit stop");
+        case MachinePart::WorkOffsets:
+            return Common::tr("Work offsets");
         case MachinePart::Analog:
             return Texts::tr("A/D scale");
         case MachinePart::PinNames:
@@ -421,6 +423,8 @@ QString machineField(const QString& key, bool reversed) {
         return Common::tr("Group %1").arg(QString::number(key.mid(5).toInt(), 16).toUpper());
     if (key.startsWith(u"leader"_s))
         return Texts::tr("Leader of group %1").arg(QString::number(key.mid(6).toInt(), 16).toUpper());
+    if (key.startsWith(u"offset "_s))
+        return Texts::tr("\"%1\", from home").arg(key.mid(7));
     if (key.startsWith(u"point "_s))
         return Texts::tr("Point %1").arg(key.mid(6));
     if (key.startsWith(u"sequence "_s))

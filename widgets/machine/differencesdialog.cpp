@@ -52,6 +52,7 @@ bool hasFields(MachinePart part) {
         case MachinePart::Backlash:
         case MachinePart::Arrival:
         case MachinePart::LimitStop:
+        case MachinePart::WorkOffsets:
         case MachinePart::Homing:
         case MachinePart::Analog:
         case MachinePart::PinNames:

@@ -19,6 +19,15 @@ constexpr int kDrainIntervalMs = 16;
            now.roundTripSum < before.roundTripSum;
 }
 
+/// Nothing is known of the module but which work offset positions were counted from, which the user must hear
+/// is not known any more.
+[[nodiscard]] ModuleState anew(const ModuleState& before) {
+    ModuleState module;
+    module.home = before.home;
+    module.home.restarted();
+    return module;
+}
+
 }  // namespace
 
 BusStore::BusStore(BusWorker& worker, QObject* parent) : QObject(parent), m_worker(worker) {
@@ -253,6 +262,14 @@ void BusStore::dropHome(ModuleIndex module) {
     change(module, [](ModuleState& state) { state.home.dropOffer(); });
 }
 
+void BusStore::useWorkOffset(ModuleIndex module, const std::optional<WorkOffset>& offset,
+                             const std::optional<std::int32_t>& home) {
+    if (!known(module))
+        return;
+    m_link.modules[module.value()].home.useWork(offset, home);
+    emit linkChanged();
+}
+
 void BusStore::setRights(const std::optional<OperatorRights>& rights) {
     m_link.rights = rights;
     for (ModuleState& module : m_link.modules)
@@ -283,7 +300,7 @@ void BusStore::note(const bus::Readdressed& readdressed) {
     if (!known(readdressed.module.index))
         return;
     ModuleState& module = m_link.modules[readdressed.module.index.value()];
-    module = {};
+    module = anew(module);
     module.info = readdressed.module;
     module.readOnly = m_link.readOnly;
     m_link.take(m_machine);
@@ -375,7 +392,8 @@ void BusStore::setModules(const bus::ChainFound& chain) {
             return bus::sameModule(old.info, info) && !old.hasRestarted;
         });
         const bool again = chain.attached && same != before.end();
-        ModuleState module = again ? *same : ModuleState{};
+        const std::size_t index = info.index.value();
+        ModuleState module = again ? *same : index < before.size() ? anew(before[index]) : ModuleState{};
         module.info = info;
         module.readOnly = chain.readOnly;
         module.lent = m_link.lent.has_value();

@@ -59,6 +59,9 @@ public:
     /// Called when the user accepts, or declines, the offered home.
     void takeHome(ModuleIndex module);
     void dropHome(ModuleIndex module);
+    /// Displayed positions count from there, or by the counter; see HomeFact::useWork().
+    void useWorkOffset(ModuleIndex module, const std::optional<WorkOffset>& offset,
+                       const std::optional<std::int32_t>& home);
     /// Called when the panel is locked for an operator, or unlocked (nothing).
     void setRights(const std::optional<OperatorRights>& rights);
 

@@ -42,6 +42,7 @@ Machine withCopy(const AxisCopy& copy, Machine now, const std::vector<ModuleStat
         const AxisSettings before = std::exchange(axis, copy.settings);
         axis.name = before.name;
         axis.expected = before.expected;
+        axis.workOffsets = before.workOffsets;
         if (isSc(modules[to.value()].info.identity) != isSc(modules[copy.from.value()].info.identity)) {
             axis.io = before.io;
             axis.fastPath = before.fastPath;

@@ -8,8 +8,8 @@
 namespace nmc {
 
 /// Settings of one axis that others are to get. Numbers are copied as those of the chip: an axis with another
-/// unit shows the same counts as another length. Never copied: the name of an axis, its expected module, and
-/// the limit pins of an SC to another PIC-SERVO or the other way round.
+/// unit shows the same counts as another length. Never copied: the name of an axis, its expected module, its
+/// work offsets, and the limit pins of an SC to another PIC-SERVO or the other way round.
 struct AxisCopy {
     ModuleIndex from;
     AxisSettings settings;           ///< of that axis, when the user chose

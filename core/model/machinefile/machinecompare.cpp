@@ -47,6 +47,7 @@ constexpr PartMembers<AxisSettings> kAxisParts[] = {
     {MachinePart::Arrival, {"arrival"}, takeMembers<&AxisSettings::arrival>},
     {MachinePart::Homing, {"homing"}, takeMembers<&AxisSettings::homing>},
     {MachinePart::LimitStop, {"limit_stop"}, takeMembers<&AxisSettings::limitStop>},
+    {MachinePart::WorkOffsets, {"work_offsets"}, takeMembers<&AxisSettings::workOffsets>},
     {MachinePart::Analog, {"analog"}, takeMembers<&AxisSettings::analog>},
     {MachinePart::PinNames,
      {"output_names", "input_names", "pins"},
@@ -193,6 +194,10 @@ void addFields(Fields& fields, MachinePart part, const std::string& key, const J
     else if (key == "groups")
         for (const Json& group : value)
             addGroup(fields, group);
+    else if (key == "work_offsets")
+        for (const Json& offset : value)
+            fields.push_back(
+                {"offset " + inOneText(offset["name"]), Quantity::Place, offset["from_home"].get<double>()});
     else if (value.is_number())
         fields.push_back(numberField(part, key, value.get<double>()));
     else if (value.is_boolean())

@@ -29,6 +29,7 @@ enum class MachinePart : std::uint8_t {
     Arrival,
     Homing,
     LimitStop,
+    WorkOffsets,
     Analog,
     PinNames,
     AccelerationTime,

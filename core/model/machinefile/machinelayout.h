@@ -164,6 +164,13 @@ void fields(Form& form, T& stop) {
     form.choice("stop", manner, kStopWords);
 }
 
+template <typename Form, As<WorkOffset> T>
+void fields(Form& form, T& offset) {
+    auto& [name, counts] = offset;
+    form.text("name", name);
+    form.whole("from_home", counts, kPlace);
+}
+
 template <typename Form, As<HomingRecipe> T>
 void fields(Form& form, T& recipe) {
     auto& [onLimit1, onLimit2, onIndex, onPositionError, onCurrentLimit, onHomeSwitch, thenIndex, reverse,
@@ -258,8 +265,8 @@ void fields(Form& form, T& settings) {
 
 template <typename Form, As<AxisSettings> T>
 void fields(Form& form, T& axis) {
-    auto& [name, expected, unit, motion, travel, backlash, arrival, homing, limitStop, analog, gains, io,
-           fastPath, parameters, accelerationTime, outputNames, inputNames, pins] = axis;
+    auto& [name, expected, unit, motion, travel, backlash, arrival, homing, limitStop, workOffsets, analog, gains,
+           io, fastPath, parameters, accelerationTime, outputNames, inputNames, pins] = axis;
     form.text("name", name);
     form.part("expected", expected);
     // From here on, the names of the numbers depend on the chip's units.
@@ -271,6 +278,7 @@ void fields(Form& form, T& axis) {
     form.part("arrival", arrival);
     form.part("homing", homing);
     form.part("limit_stop", limitStop);
+    form.list("work_offsets", workOffsets, kMaxWorkOffsets);
     form.part("analog", analog);
     form.part("gains", gains);
     form.part("io", io);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "model/machinefile/fieldreader.h"
 #include "model/sequence/sequencecheck.h"
@@ -21,6 +22,20 @@ std::optional<FileProblem> crossedLimits(const Machine& machine, const JsonValue
             return FileProblem{.kind = Kind::LimitsCrossed,
                                .line = file.find("axes")->items[i].find("travel")->line,
                                .field = "travel"};
+    }
+    return std::nullopt;
+}
+
+/// Finds a work offset without a name, or with that of another one.
+std::optional<FileProblem> offsetProblem(const Machine& machine, const JsonValue& file) {
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        std::set<std::string> names;
+        for (const WorkOffset& offset : machine.axes[i].workOffsets)
+            if (offset.name.empty() || !names.insert(offset.name).second)
+                return FileProblem{.kind = offset.name.empty() ? Kind::NameMissing : Kind::NameTwice,
+                                   .line = file.find("axes")->items[i].find("work_offsets")->line,
+                                   .field = "work_offsets",
+                                   .found = layout::quoted(offset.name)};
     }
     return std::nullopt;
 }
@@ -140,6 +155,8 @@ tl::expected<ParsedMachine, FileProblem> parseMachine(std::string_view text) {
         problem = orderProblem(machine, *file);
     if (!problem)
         problem = crossedLimits(machine, *file);
+    if (!problem)
+        problem = offsetProblem(machine, *file);
     if (problem)
         return tl::unexpected(*problem);
     return ParsedMachine{std::move(machine), {std::string(text)}};

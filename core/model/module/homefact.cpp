@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/module/homefact.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bus/standstill.h"
@@ -31,12 +34,49 @@ void HomeFact::offer(std::int32_t counts) {
 }
 
 void HomeFact::takeOffer(TimePoint time) {
-    if (m_offered)
-        m_place = Place{*m_offered, time, Source::Remembered};
+    if (!m_offered)
+        return;
+    loseWork();
+    m_place = Place{*m_offered, time, Source::Remembered};
     m_offered.reset();
 }
 
+void HomeFact::restarted() {
+    loseWork();
+    HomeFact anew;
+    anew.m_work = std::move(m_work);
+    *this = std::move(anew);
+}
+
+std::optional<WorkZero> HomeFact::workZero() const {
+    if (!m_work)
+        return std::nullopt;
+    const double zero = counts().value_or(0) + static_cast<double>(m_work->offset.counts);
+    return WorkZero{m_work->offset.name, m_work->known ? std::optional(zero) : std::nullopt};
+}
+
+std::optional<WorkOffset> HomeFact::workOffset(const std::string& name, std::int32_t position,
+                                               double called) const {
+    const double zero = std::round(position - static_cast<double>(counts().value_or(0)) - called);
+    if (std::abs(zero) > std::numeric_limits<std::int32_t>::max())
+        return std::nullopt;
+    return WorkOffset{name, static_cast<std::int32_t>(zero)};
+}
+
+void HomeFact::useWork(const std::optional<WorkOffset>& offset, const std::optional<std::int32_t>& home) {
+    if (!offset)
+        m_work.reset();
+    else if (home == counts())
+        m_work = Work{*offset};
+}
+
+void HomeFact::keepWork(const std::vector<WorkOffset>& offsets) {
+    if (m_place && m_work && std::ranges::find(offsets, m_work->offset) == offsets.end())
+        loseWork();
+}
+
 void HomeFact::forget() {
+    loseWork();
     m_place.reset();
     m_offered.reset();
     m_saved.reset();
@@ -64,6 +104,8 @@ std::optional<std::int32_t> HomeFact::shift(const ModuleCommand& command) const 
 }
 
 void HomeFact::counterMoved(TimePoint time, std::optional<std::int32_t> by) {
+    if (!m_place)
+        loseWork();
     const bool stood = m_latest && m_latest->still && m_latest->time < time && time - m_latest->time < kFresh;
     if (!stood || !by)
         forget();

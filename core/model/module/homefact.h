@@ -3,10 +3,28 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "bus/types.h"
+#include "model/settings/machine.h"
 
 namespace nmc {
+
+/// The work offset that positions of an axis are counted from where a user reads and types them.
+struct WorkZero {
+    std::string name;
+    std::optional<double> counts;  ///< in terms of the chip's present counter; empty: not known any more
+    bool operator==(const WorkZero&) const = default;
+};
+
+/// A position as the user reads it, in counts (steps) from the work zero, or by the chip's counter if there
+/// is none. Empty: it is not known how far the work zero is.
+[[nodiscard]] inline std::optional<double> countedFrom(const std::optional<WorkZero>& zero, double counts) {
+    if (!zero)
+        return counts;
+    return zero->counts ? std::optional(counts - *zero->counts) : std::nullopt;
+}
 
 /// The home position of an axis, as far as this connection knows it; counts (steps) in terms of the chip's
 /// present counter.
@@ -17,6 +35,10 @@ namespace nmc {
 /// Home is therefore what a search has found, or what the user has saved or declared. It is adjusted when the
 /// counter is set while the motor stands still, and becomes unknown after anything that may have set the
 /// counter unseen.
+///
+/// A work offset in use counts from home and moves with it, or, if home is unknown, from counter 0. It is not
+/// known any more once home is lost or determined again, or the counter is set while home is unknown: then it
+/// has to be chosen again, because the same offset may now be another place.
 class HomeFact {
 public:
     enum class Source : std::uint8_t {
@@ -35,6 +57,9 @@ public:
 
     /// Empty if unknown.
     [[nodiscard]] const std::optional<Place>& place() const { return m_place; }
+    [[nodiscard]] std::optional<std::int32_t> counts() const {
+        return m_place ? std::optional(m_place->counts) : std::nullopt;
+    }
 
     /// Home was saved, and its position has not been read back yet.
     [[nodiscard]] bool awaited() const { return m_saved.has_value(); }
@@ -51,6 +76,21 @@ public:
     void takeOffer(TimePoint time);
     void dropOffer() { m_offered.reset(); }
     void forget();
+    /// The module counts from 0 again.
+    void restarted();
+
+    /// Empty: no work offset is in use.
+    [[nodiscard]] std::optional<WorkZero> workZero() const;
+    /// The work offset with which `position` reads `called` counts (steps); empty: outside the counter's
+    /// range.
+    [[nodiscard]] std::optional<WorkOffset> workOffset(const std::string& name, std::int32_t position,
+                                                       double called) const;
+    /// Uses an offset that was chosen while home was there, or none; has no effect if home is not there any
+    /// more.
+    void useWork(const std::optional<WorkOffset>& offset, const std::optional<std::int32_t>& home);
+    /// The offsets of the machine are these now: one that has been changed or deleted is not known any more.
+    void keepWork(const std::vector<WorkOffset>& offsets);
+
     void apply(const bus::CommandExecuted& executed);
     void apply(const bus::Sample& sample);
 
@@ -65,7 +105,17 @@ private:
         bool still = false;  ///< at the same position as in the previous reading
     };
 
+    struct Work {
+        WorkOffset offset;
+        bool known = true;
+    };
+    void loseWork() {
+        if (m_work)
+            m_work->known = false;
+    }
+
     std::optional<Place> m_place;
+    std::optional<Work> m_work;
     std::optional<std::int32_t> m_offered;
     /// Time at which Save as Home was carried out; the position is taken from the home register, once two
     /// readings agree.

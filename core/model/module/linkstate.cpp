@@ -15,6 +15,7 @@ void LinkState::take(const Machine& machine) {
         module.travel = axis.travel;
         module.backlash = axis.backlash;
         module.limitStop = axis.limitStop;
+        module.home.keepWork(axis.workOffsets);
     }
 }
 

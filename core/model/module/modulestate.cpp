@@ -242,7 +242,7 @@ void ModuleState::restarted() {
     m_commandPosition.reset();
     homing = {};
     limits = {};
-    home = {};
+    home.restarted();
     m_held.reset();
     m_goal.reset();
     m_looksWhileOff = 0;

@@ -96,6 +96,16 @@ struct LimitStopSettings {
     bool operator==(const LimitStopSettings&) const = default;
 };
 
+/// A named place that displayed and typed positions of an axis can be counted from, such as a fixture.
+struct WorkOffset {
+    std::string name;         ///< not empty, and unique on its axis
+    std::int32_t counts = 0;  ///< counts (steps) from home
+
+    bool operator==(const WorkOffset&) const = default;
+};
+
+inline constexpr std::size_t kMaxWorkOffsets = 50;  ///< of an axis
+
 /// The settings of one module.
 struct AxisSettings {
     std::string name;                        ///< UTF-8, as the user typed it; empty: "Module 1"
@@ -107,6 +117,7 @@ struct AxisSettings {
     ArrivalSettings arrival;
     std::optional<HomingRecipe> homing;
     LimitStopSettings limitStop;
+    std::vector<WorkOffset> workOffsets;
     AnalogScale analog;
     // PIC-SERVO
     std::optional<servo::SetGain> gains;  ///< as entered in the fields, sent or not
