@@ -155,6 +155,7 @@ void Composition::wireWindow() {
     });
     connect(requests, &Requests::holdReleased, &m_worker, &BusWorker::release);
     connect(requests, &Requests::axisEdited, &m_machine, &MachineController::edit);
+    connect(requests, &Requests::workOffset, &m_store, &BusStore::useWorkOffset);
     connect(requests, &Requests::copyAxis, &m_machine, &MachineController::copy);
     connect(requests, &Requests::scan, &m_connection, &Connection::searchAgain);
     connect(requests, &Requests::lend, &m_connection, &Connection::lend);

@@ -103,5 +103,48 @@ TEST_F(Quantities, ARangeThatBeginsAboveZeroDoesNotSayZero) {
         << field.problemText().toStdString();
 }
 
+/// 100 counts per mm; the zero is at 1000 counts.
+TEST_F(Quantities, APositionCountsFromItsZeroAndStaysTheSamePlace) {
+    QuantityField& field =
+        shown(QuantityField::Kind::Position, AxisScale::servo({UnitKind::Millimetres, 100}, 1));
+    field.setName(u"goalField"_s, u"Goal"_s);
+    field.setNativeRange(-5'000, 5'000);
+    const WorkZero fixture{"A", 1'000};
+    field.showNative(2'500);
+    field.setZero(fixture);
+    EXPECT_EQ(field.text(), u"15"_s);
+    EXPECT_EQ(field.native(), 2'500);
+    EXPECT_EQ(field.otherView()->text(), u"from \"A\""_s);
+    EXPECT_EQ(field.accessibleName(), u"Goal, from \"A\""_s);
+    field.selectAll();
+    QTest::keyClicks(&field, u"-2"_s);
+    EXPECT_EQ(field.native(), 800);
+    QTest::keyClicks(&field, u"000"_s);
+    EXPECT_TRUE(field.problemText().endsWith(u"-60 to 40 mm from \"A\"."_s))
+        << field.problemText().toStdString();
+    field.setZero({});
+    EXPECT_EQ(field.text(), QString()) << "-2000 would be allowed from elsewhere";
+    EXPECT_EQ(field.otherView()->text(), u"–"_s);
+    field.showNative(800);
+    field.setZero(fixture, true);
+    EXPECT_EQ(field.text(), u"8"_s) << "the number stays";
+    EXPECT_EQ(field.native(), 1'800);
+}
+
+TEST_F(Quantities, WithoutAKnownZeroThereIsNoPosition) {
+    QuantityField& field = shown(QuantityField::Kind::Position, AxisScale::servo({}, 1));
+    field.setNativeRange(-5'000, 5'000);
+    field.showNative(2'500);
+    field.setZero(WorkZero{"A", std::nullopt});
+    QTest::keyClicks(&field, u"7"_s);
+    EXPECT_EQ(field.text(), QString());
+    EXPECT_FALSE(field.native());
+    EXPECT_TRUE(field.problemText().startsWith(u"It is not known any more where \"A\" is."_s));
+    field.setZero(WorkZero{"A", 1'000});
+    EXPECT_EQ(field.text(), QString()) << "it is not the place of before";
+    QTest::keyClicks(&field, u"7"_s);
+    EXPECT_EQ(field.native(), 1'007);
+}
+
 }  // namespace
 }  // namespace nmc

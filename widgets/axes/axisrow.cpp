@@ -13,6 +13,7 @@
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/common/workwords.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/holdbutton.h"
 
@@ -149,10 +150,12 @@ void AxisRow::refresh() {
     m_state->setToolTip(texts::activityMeaning(module, scale));
     const auto position = module.latest ? module.latest->position : std::nullopt;
     const bool old = m_context.age().has_value();
-    QString where = position ? texts::fixedPosition(scale, *position) + u' ' + texts::unitOf(scale) : u"–"_s;
+    const texts::Zero zero = module.home.workZero();
+    QString where = position ? texts::marked(zero, scale, *position) + u' ' + texts::unitOf(scale) : u"–"_s;
     if (position && old)
         where += u", "_s + texts::age(0, module.positionDoubtful());  // no updates while the age grows
     look::setReadout(m_position, where);
+    m_position->setToolTip(texts::zeroInUse(zero));
     look::setOld(m_position, old);
     look::setPossible(m_holdForward, whyNotHeld(false), Common::tr("Moves forward while held, then stops."));
     look::setPossible(m_holdReverse, whyNotHeld(true),

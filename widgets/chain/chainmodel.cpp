@@ -9,6 +9,7 @@
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/unitwords.h"
+#include "widgets/common/workwords.h"
 
 namespace nmc {
 
@@ -31,6 +32,7 @@ ChainModel::Facts ChainModel::factsOf(const ModuleState& module, const Machine& 
     facts.scale = scaleOf(module, settings);
     facts.word = texts::activity(module, facts.scale);
     facts.home = module.home.place();
+    facts.zero = module.home.workZero();
     return facts;
 }
 
@@ -55,7 +57,7 @@ bool ChainModel::show(Row& row, Facts facts, const LinkState& link, const Module
     }
     if (moved) {
         row.counts = counts;
-        row.position = counts ? texts::fixedPosition(row.facts.scale, *counts) : u"–"_s;
+        row.position = counts ? texts::marked(row.facts.zero, row.facts.scale, *counts) : u"–"_s;
     }
     return news;
 }
@@ -97,7 +99,9 @@ QString ChainModel::spoken(const Row& row) const {
     QString where = row.counts ? row.position + u' ' + row.unit : tr("unknown");
     if (row.counts && row.old)
         where += u", "_s + texts::age(m_now ? toSeconds(*m_now - row.seen) : 0, row.doubtful);
-    return tr("%1, position %2").arg(who, where) + u". "_s + texts::home(row.facts.home, row.facts.scale);
+    return tr("%1, position %2").arg(who, where) + u". "_s + texts::zeroInUse(row.facts.zero) +
+           (row.facts.zero ? u" "_s : QString()) +
+           texts::home(row.facts.home, row.facts.zero, row.facts.scale);
 }
 
 int ChainModel::rowCount(const QModelIndex& parent) const {
@@ -141,7 +145,7 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
                    : row.facts.scale.native() ? row.position
                                               : row.position + u' ' + row.unit;
         case HomeIsKnown:
-            return row.facts.home && row.facts.home->verified();
+            return row.facts.home && row.facts.home->verified() && !row.facts.zero;
         case PositionIsOld:
             return row.old;
         case Qt::AccessibleTextRole:
@@ -152,8 +156,10 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
                        .arg(row.facts.name, row.type)
                        .arg(row.facts.address) +
                    u'\n' + row.activity + u": "_s + texts::activityMeaning(row.facts.activity) +
-                   (row.facts.motor ? u'\n' + texts::homeMeaning(row.facts.home, row.seen, row.facts.scale)
-                                    : QString());
+                   (row.facts.motor ? u'\n' + texts::homeMeaning(row.facts.home, row.facts.zero, row.seen,
+                                                                 row.facts.scale)
+                                    : QString()) +
+                   (row.facts.zero ? u'\n' + texts::zeroInUse(row.facts.zero) : QString());
         default:
             return {};
     }

@@ -25,8 +25,9 @@ public:
         TypeText,  ///< "PIC-SERVO v4"
         ActivityValue,
         ActivityText,  ///< "Holding · 92/s", with the status replies per second; or the stage of a procedure
-        Position,      ///< "12 345", "1.250 mm", or a dash; empty where there is no motor
-        HomeIsKnown,
+        Position,     ///< "12 345", "1.250 mm", "◇ 1.250 mm" from a work offset, or a dash; empty without a
+                      ///< motor
+        HomeIsKnown,  ///< and the position does not count from a work offset
         PositionIsOld  ///< the position is out of date or doubtful
     };
 
@@ -56,6 +57,7 @@ private:
         std::optional<ProcedureReport> procedure;  ///< while it runs
         AxisScale scale;
         std::optional<HomeFact::Place> home;
+        std::optional<WorkZero> zero;
         bool operator==(const Facts&) const = default;
     };
     struct Row {

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "widgets/common/unitwords.h"
+#include "widgets/common/workwords.h"
 
 namespace nmc::texts {
 
@@ -20,19 +20,19 @@ class HomeTexts {
 
 }  // namespace
 
-QString home(const Place& place, const AxisScale& scale) {
+QString home(const Place& place, const Zero& zero, const AxisScale& scale) {
     if (!place)
         return HomeTexts::tr("Home: unknown");
-    const QString where = position(scale, place->counts);
+    const QString where = texts::place(zero, scale, place->counts);
     return place->verified() ? HomeTexts::tr("Home: %1").arg(where)
                              : HomeTexts::tr("Home: %1, not verified").arg(where);
 }
 
-QString homeMeaning(const Place& place, TimePoint seen, const AxisScale& scale) {
+QString homeMeaning(const Place& place, const Zero& zero, TimePoint seen, const AxisScale& scale) {
     if (!place)
         return HomeTexts::tr(
             "Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.");
-    const QString where = position(scale, place->counts);
+    const QString where = texts::place(zero, scale, place->counts);
     // Counted up to the last status, whose age is shown beside it.
     const double minutes = std::floor(toSeconds(seen - place->since) / 60.0);
     switch (place->source) {
@@ -59,9 +59,11 @@ QString zeroMeaning(const ModuleState& module, const AxisScale& scale) {
     if (!module.home.place() || !module.latest || !module.latest->position)
         return act;
     const std::int32_t now = module.home.place()->counts;
-    return act + u' ' +
-           HomeTexts::tr("This moves home from %1 to %2.")
-               .arg(position(scale, now), position(scale, countsBetween(*module.latest->position, now)));
+    const Zero zero = module.home.workZero();
+    const QString home = HomeTexts::tr("This moves home from %1 to %2.")
+                             .arg(byCounter(zero, scale, now),
+                                  byCounter(zero, scale, countsBetween(*module.latest->position, now)));
+    return act + u' ' + home;
 }
 
 QString homeRegisterMeaning() {

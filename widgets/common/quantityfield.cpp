@@ -9,6 +9,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/common/workwords.h"
 
 namespace nmc {
 
@@ -37,6 +38,7 @@ QuantityField::QuantityField(Kind kind, QWidget* parent)
 }
 
 void QuantityField::setName(const QString& objectName, const QString& accessibleName) {
+    m_accessible = accessibleName;
     look::name(this, objectName, accessibleName);
     m_unit->setObjectName(objectName + u"Unit"_s);
     m_other->setObjectName(objectName + u"PerSecond"_s);
@@ -72,6 +74,24 @@ void QuantityField::setScale(const AxisScale& scale) {
         showNative(*m_native);
 }
 
+void QuantityField::setZero(const std::optional<WorkZero>& zero, bool keepsNumber) {
+    if (zero == m_zero)
+        return;
+    const std::optional<double> before = countsOfZero();
+    m_zero = zero;
+    const std::optional<double> after = countsOfZero();
+    if (!before || !after)
+        m_native.reset();
+    else if (m_native && keepsNumber)
+        *m_native += *after - *before;
+    setAccessibleName(zero ? m_accessible + u", "_s + texts::from(*zero) : m_accessible);
+    refresh();
+    if (m_native)
+        showNative(*m_native);
+    else
+        showNothing();
+}
+
 void QuantityField::showNative(double native) {
     m_native = native;
     if (tellable())
@@ -102,11 +122,14 @@ void QuantityField::takeText() {
 }
 
 void QuantityField::refresh() {
-    setWords(m_quantity, unitText());
+    setWords(m_quantity, m_zero ? unitText() + u' ' + texts::from(*m_zero) : unitText());
     look::setText(m_unit, unitText());
-    setUnavailable(tellable() ? QString() : texts::refusal(Refusal::ServoRateUnknown));
+    setUnavailable(tellable()       ? QString()
+                   : countsOfZero() ? texts::refusal(Refusal::ServoRateUnknown)
+                                    : texts::zeroInUse(m_zero));
     const std::optional<double> now = tellable() ? native() : m_native;
-    look::setText(m_other, now ? otherText(*now) : u"–"_s);
+    // In counts it would be the place by the counter, which is another number.
+    look::setText(m_other, m_zero ? texts::from(*m_zero) : now ? otherText(*now) : u"–"_s);
     if (!tellable())
         return;
     setDecimals(decimalsWanted());
@@ -119,7 +142,7 @@ void QuantityField::refresh() {
 double QuantityField::toUser(double native) const {
     switch (m_kind) {
         case Kind::Position:
-            return m_scale.position(native);
+            return m_scale.position(native - *countsOfZero());
         case Kind::Distance:
             return m_scale.distance(native);
         case Kind::Velocity:
@@ -134,7 +157,7 @@ double QuantityField::toNative(double user) const {
     switch (m_kind) {
         case Kind::Position:
             // The chip knows only whole counts.
-            return std::round(m_scale.counts(user));
+            return std::round(m_scale.counts(user)) + *countsOfZero();
         case Kind::Distance:
             return std::round(m_scale.countsOfDistance(user));
         case Kind::Velocity:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/module/homefact.h"
 #include "model/settings/axisscale.h"
 #include "widgets/common/numberfield.h"
 
@@ -29,6 +30,11 @@ public:
     /// is not timed(), a field for a velocity or acceleration is empty, has no value and cannot be edited.
     void setScale(const AxisScale& scale);
     [[nodiscard]] const AxisScale& scale() const { return m_scale; }
+    /// The work offset from which a position counts. Emits nothing. The position that was typed stays the
+    /// same place and is shown as another number, or, with `keepsNumber`, the number stays. Any other text is
+    /// cleared, and so is all text if the old or the new zero is not known: the same text would be another
+    /// place. While it is not known, the field cannot be edited.
+    void setZero(const std::optional<WorkZero>& zero, bool keepsNumber = false);
 
     /// Emits nothing.
     void showNative(double native);
@@ -53,7 +59,10 @@ signals:
 private:
     void takeText();
     void refresh();
-    [[nodiscard]] bool tellable() const { return m_kind <= Kind::Distance || m_scale.timed(); }
+    [[nodiscard]] bool tellable() const {
+        return m_kind <= Kind::Distance ? countsOfZero().has_value() : m_scale.timed();
+    }
+    [[nodiscard]] std::optional<double> countsOfZero() const { return m_zero ? m_zero->counts : 0.0; }
     /// toUser() and toNative() require tellable().
     [[nodiscard]] double toUser(double native) const;
     [[nodiscard]] double toNative(double user) const;
@@ -67,7 +76,9 @@ private:
     double m_max = 0;
     double m_step = 1;
     std::optional<double> m_native;  ///< exact, even if it is shown rounded
+    std::optional<WorkZero> m_zero;
     QString m_quantity;
+    QString m_accessible;
     QLabel* m_unit;
     QLabel* m_other;
 };

@@ -40,6 +40,11 @@ signals:
     /// The user has changed the settings of an axis; this sends nothing.
     void axisEdited(nmc::ModuleIndex module, const nmc::AxisSettings& settings);
 
+    /// Positions are read and typed from this work offset, which was chosen while home was there, or by the
+    /// counter; nothing is sent.
+    void workOffset(nmc::ModuleIndex module, const std::optional<nmc::WorkOffset>& offset,
+                    const std::optional<std::int32_t>& home);
+
     // ---- of the chain ----
 
     /// Another search for the chain; nothing is reset.

@@ -5,6 +5,7 @@
 
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/common/workwords.h"
 
 namespace nmc::texts {
 
@@ -34,14 +35,15 @@ TravelPlace fromOtherSide(TravelPlace place) {
 
 }  // namespace
 
-QString travelProblem(const TravelProblem& problem, const AxisScale& scale) {
+QString travelProblem(const TravelProblem& problem, const ModuleState& module, const AxisScale& scale) {
     if (problem.refusal == Refusal::TooFast)
         return TravelTexts::tr("That is %1; the highest velocity of this axis is %2 (Axis page).")
             .arg(velocity(scale, problem.velocity, 6), velocity(scale, problem.fastest, 6));
-    const QString limit = position(scale, problem.limit);
+    const Zero zero = module.home.workZero();
+    const QString limit = place(zero, scale, problem.limit);
     const bool lowest = problem.lowest != scale.reversed();
     if (problem.turn) {
-        const QString turn = position(scale, *problem.turn);
+        const QString turn = place(zero, scale, *problem.turn);
         return lowest
                    ? TravelTexts::tr(
                          "To take up the backlash, the move would reverse at %1, below the lowest position %2. Lower that position, or change the backlash or its direction (Axis page).")
@@ -70,7 +72,7 @@ QString jogReason() {
 
 QString refusal(Refusal reason, const Intent& intent, const ModuleState& module, const AxisScale& scale) {
     const auto problem = nmc::travelProblem(intent, module);
-    return problem && problem->refusal == reason ? travelProblem(*problem, scale) : refusal(reason);
+    return problem && problem->refusal == reason ? travelProblem(*problem, module, scale) : refusal(reason);
 }
 
 QString travelState(const ModuleState& module, const AxisScale& scale) {
@@ -84,14 +86,15 @@ QString travelState(const ModuleState& module, const AxisScale& scale) {
         case TravelForce::InForce:
             break;
     }
+    const Zero zero = module.home.workZero();
     const TravelRange range = travelRange(module).value_or(TravelRange{});
     const auto [lowest, highest] = scale.ordered(range.lowest, range.highest);
     if (!highest)
-        return u"● "_s + TravelTexts::tr("In force: not below %1.").arg(position(scale, *lowest));
+        return u"● "_s + TravelTexts::tr("In force: not below %1.").arg(place(zero, scale, *lowest));
     if (!lowest)
-        return u"● "_s + TravelTexts::tr("In force: not above %1.").arg(position(scale, *highest));
+        return u"● "_s + TravelTexts::tr("In force: not above %1.").arg(place(zero, scale, *highest));
     return u"● "_s + TravelTexts::tr("In force: from %1 to %2.")
-                         .arg(position(scale, *lowest), position(scale, *highest));
+                         .arg(place(zero, scale, *lowest), place(zero, scale, *highest));
 }
 
 QString travelSign(const ModuleState& module, const AxisScale& scale) {
@@ -118,7 +121,8 @@ QString declareQuestion(const ModuleState& module, const AxisScale& scale) {
         return {};
     return TravelTexts::
         tr("Look at the axis first: is %1 really at %2? If so, home is at position 0, and the travel limits apply from there. If not, they protect the wrong range.")
-            .arg(moduleName(module.info.index), position(scale, *module.latest->position));
+            .arg(moduleName(module.info.index),
+                 byCounter(module.home.workZero(), scale, *module.latest->position));
 }
 
 }  // namespace nmc::texts

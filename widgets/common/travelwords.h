@@ -10,7 +10,8 @@
 namespace nmc::texts {
 
 /// Why a motion is refused, with the limit or the speed that prevents it.
-[[nodiscard]] QString travelProblem(const TravelProblem& problem, const AxisScale& scale);
+[[nodiscard]] QString travelProblem(const TravelProblem& problem, const ModuleState& module,
+                                    const AxisScale& scale);
 /// Why the range of a velocity ends where it does; empty if the module determines it.
 [[nodiscard]] QString fastestReason(const TravelSettings& travel);
 /// Why the range of the jog speed ends where it does.

@@ -133,6 +133,10 @@ void ModuleContext::ask(const Intent& intent) {
     emit m_requests.intent(m_state.info.index, intent);
 }
 
+void ModuleContext::useWorkOffset(const std::optional<WorkOffset>& offset) {
+    emit m_requests.workOffset(m_state.info.index, offset, m_state.home.counts());
+}
+
 void ModuleContext::hold(const bus::HoldToMove& hold) {
     emit m_requests.hold(hold);
 }

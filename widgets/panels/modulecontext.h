@@ -60,6 +60,9 @@ public:
     /// Changes the settings of the axis; sends nothing. Has no effect while boxes are refreshed, because what
     /// a field says then does not come from the user.
     void edit(const SettingsEdit& edit);
+    /// Positions count from that work offset, which itself counts from the present home, or by the counter.
+    /// Sends nothing.
+    void useWorkOffset(const std::optional<WorkOffset>& offset);
     void hold(const bus::HoldToMove& hold);
     void release();
 

@@ -15,6 +15,7 @@
 #include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/common/workwords.h"
 #include "widgets/panels/command.h"
 
 namespace nmc {
@@ -128,7 +129,10 @@ void MotionBox::buildMove(FormGrid* grid) {
                                        m_start->button(), m_go->button()}));
     connect(m_goal, &QuantityField::nativeEdited, this, &MotionBox::refresh);
     connect(m_goal, &QuantityField::returnPressed, m_go, &Command::act);
-    connect(m_goalKind, &QComboBox::currentIndexChanged, this, &MotionBox::refresh);
+    connect(m_goalKind, &QComboBox::currentIndexChanged, this, [this] {
+        m_goal->setZero(zero(), true);
+        refresh();
+    });
 }
 
 void MotionBox::buildRun(FormGrid* grid) {
@@ -155,6 +159,10 @@ void MotionBox::buildRun(FormGrid* grid) {
             module.motion == MotionMode::Velocity && module.moving() && module.goalVelocity < 0;
         (reverse ? m_runReverse : m_runForward)->act();
     });
+}
+
+std::optional<WorkZero> MotionBox::zero() const {
+    return relative() ? std::nullopt : m_context.state().home.workZero();
 }
 
 bool MotionBox::relative() const {
@@ -208,6 +216,7 @@ void MotionBox::showModule() {
     const MotionSettings before = std::exchange(m_motion, servodefaults::motionOf(m_context.settings()));
     for (QuantityField* field : {m_goal, m_velocity, m_acceleration, m_runVelocity})
         field->setScale(m_context.scale());
+    m_goal->setZero(zero());
     for (QuantityField* field : {m_velocity, m_runVelocity}) {
         field->setNativeRange(servodefaults::kSmallest, servodefaults::fastest(m_context.settings()));
         field->setRangeReason(texts::fastestReason(m_context.settings().travel));
@@ -272,7 +281,8 @@ void MotionBox::offerNearest() {
     m_nearest->setVisible(offers);
     if (!offers)
         return;
-    m_nearest->setText(Common::tr("Use %1").arg(texts::position(m_goal->scale(), problem->nearest)));
+    m_nearest->setText(Common::tr("Use %1").arg(
+        texts::place(m_context.state().home.workZero(), m_goal->scale(), problem->nearest)));
     m_nearest->setPossible({}, Common::tr("Sets the goal to the nearest allowed position. Nothing moves."));
 }
 
@@ -353,7 +363,7 @@ void MotionBox::refresh() {
             hint = field->problemText();
     if (const auto problem = wanted ? travelProblem(intent::Move{*wanted}, module) : std::nullopt;
         problem && hint.isEmpty())
-        hint = texts::travelProblem(*problem, m_goal->scale());
+        hint = texts::travelProblem(*problem, module, m_goal->scale());
     look::setText(m_hint, hint);
 }
 

@@ -53,6 +53,8 @@ private:
     void refresh();
     void refreshForecast();
     [[nodiscard]] bool relative() const;
+    /// What the goal counts from; a distance does not.
+    [[nodiscard]] std::optional<WorkZero> zero() const;
     [[nodiscard]] QString reasonFor(IntentKind kind,
                                     std::initializer_list<const QuantityField*> fields) const;
     [[nodiscard]] QString reasonNow(IntentKind kind,

@@ -17,6 +17,7 @@
 #include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/common/workwords.h"
 #include "widgets/panels/command.h"
 
 namespace nmc {
@@ -41,6 +42,7 @@ PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
       m_position(new QLabel(this)),
       m_positionUnit(look::newMutedLabel({}, this)),
       m_otherPosition(look::newMutedLabel({}, this)),
+      m_work(new ElidedLabel(1, this)),
       m_velocity(new QLabel(this)),
       m_home(new ElidedLabel(1, this)),
       m_current(new QLabel(this)) {
@@ -53,6 +55,7 @@ PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
     m_position->setObjectName(m_context.named(u"positionLabel"_s));
     m_positionUnit->setObjectName(m_context.named(u"positionUnit"_s));
     m_otherPosition->setObjectName(m_context.named(u"otherPosition"_s));
+    m_work->setObjectName(m_context.named(u"headWork"_s));
     look::nameText(m_velocity, m_context.named(u"velocityLabel"_s), tr("Measured velocity"));
     m_velocity->setToolTip(tr("Velocity measured from positions over 0.2 s."));
     m_home->setObjectName(m_context.named(u"homeState"_s));
@@ -183,6 +186,7 @@ void PanelHead::arrangeWide(QGridLayout& grid, QHBoxLayout* what) {
     buttons->addSpacing(unit);
     buttons->addWidget(m_motorOff->button());
     buttons->addStretch(1);
+    buttons->addWidget(m_work);
     buttons->addWidget(m_otherPosition);
     grid.addLayout(what, 1, 0);
     grid.addLayout(all, 2, 0);
@@ -194,7 +198,7 @@ void PanelHead::arrangeWide(QGridLayout& grid, QHBoxLayout* what) {
 
 void PanelHead::arrangeNarrow(QGridLayout& grid, QHBoxLayout* what) {
     what->addStretch(1);
-    QHBoxLayout* where = row({m_otherPosition});
+    QHBoxLayout* where = row({m_otherPosition, m_work});
     where->addStretch(1);
     where->addWidget(m_position);
     where->addWidget(m_positionUnit);
@@ -261,17 +265,27 @@ void PanelHead::refreshPosition() {
     const std::optional<std::int32_t>& position = report.position;
     const std::optional<double> age = m_context.age();
     const QString unit = texts::unitOf(scale);
-    const QString number = !position        ? u"–"_s
-                           : scale.native() ? texts::grouped(*position)
-                                            : texts::fixedPosition(scale, *position);
+    const texts::Zero zero = module.home.workZero();
+    const auto shown = position ? countedFrom(zero, *position) : std::nullopt;
+    const QString number = !shown           ? u"–"_s
+                           : scale.native() ? texts::grouped(static_cast<qint64>(*shown))
+                                            : texts::fixedPosition(scale, *shown);
     look::setReadout(m_position, number);
     m_position->setProperty("counts", position ? QVariant(*position) : QVariant());
     const QString unitAndAge = age ? unit + u", "_s + texts::age(*age, module.positionDoubtful()) : unit;
-    m_position->setAccessibleName(position ? tr("Position %1 %2").arg(number, unitAndAge)
-                                           : tr("Position unknown"));
+    const QString from = zero ? texts::from(*zero) : QString();
+    m_position->setAccessibleName(!shown ? tr("Position unknown")
+                                         : tr("Position %1 %2").arg(number, unitAndAge) +
+                                               (zero ? u", "_s + from : QString()));
     look::setOld(m_position, age.has_value());
     look::setText(m_positionUnit, unitAndAge);
-    look::setReadout(m_otherPosition, position ? texts::otherPosition(scale, *position) : QString());
+    look::setReadout(m_otherPosition, !position ? QString()
+                                      : zero    ? tr("counter: %1").arg(texts::position(scale, *position))
+                                                : texts::otherPosition(scale, *position));
+    look::setText(m_work, !zero          ? QString()
+                          : zero->counts ? u"◇ "_s + from
+                                         : u"◇ "_s + tr("%1: not known").arg(from));
+    m_work->setToolTip(texts::zeroInUse(zero));
     const auto velocity = age ? std::nullopt : module.speed.perSecond();
     look::setReadout(m_velocity, velocity ? texts::measuredVelocity(scale, *velocity) : u"–"_s);
 }
@@ -310,8 +324,9 @@ void PanelHead::refreshSigns() {
         current = isServo() ? tr("Current %1").arg(current) : Common::tr("A/D %1").arg(current);
     look::setReadout(m_current, current);
     const auto& home = module.home.place();
-    look::setText(m_home, texts::home(home, m_context.scale()));
-    m_home->setToolTip(texts::homeMeaning(home, module.latestTime, m_context.scale()));
+    look::setText(m_home, texts::home(home, module.home.workZero(), m_context.scale()));
+    m_home->setToolTip(
+        texts::homeMeaning(home, module.home.workZero(), module.latestTime, m_context.scale()));
     look::setText(m_travel, texts::travelSign(module, m_context.scale()));
     m_travel->setToolTip(texts::travelState(module, m_context.scale()));
     if (m_limitStop != nullptr) {

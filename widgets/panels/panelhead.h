@@ -61,6 +61,7 @@ private:
     QLabel* m_position;
     QLabel* m_positionUnit;
     QLabel* m_otherPosition;
+    QLabel* m_work;  ///< what the position counts from
     QLabel* m_velocity;
     QLabel* m_home;
     QLabel* m_current;

@@ -23,6 +23,7 @@
 #include "widgets/panels/panelhead.h"
 #include "widgets/panels/pwmbox.h"
 #include "widgets/panels/travelbox.h"
+#include "widgets/panels/workbox.h"
 
 namespace nmc {
 
@@ -52,6 +53,7 @@ ServoPanel::ServoPanel(const PanelView& view, Requests& requests, QWidget* paren
     m_pages->addTab(new PwmBox(m_context, this), Common::tr("PWM"));
     auto* axis = new AxisBox(m_context, this);
     axis->addBelowUnit(new DirectionCheckBox(m_context, axis));
+    axis->addBelow(new WorkBox(m_context, axis));
     axis->addBelow(new TravelBox(m_context, axis));
     m_pages->addTab(axis, Common::tr("Axis"));
     if (isSc(m_context.state().info.identity))

@@ -15,6 +15,7 @@
 #include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/common/workwords.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/steppermodechoice.h"
 #include "widgets/panels/stepperwords.h"
@@ -133,7 +134,10 @@ void StepperMotionBox::connectControls() {
     connect(m_mode, &StepperModeChoice::chosen, this, &StepperMotionBox::chooseMode);
     connect(m_goal, &QuantityField::nativeEdited, this, &StepperMotionBox::refresh);
     connect(m_goal, &NumberField::returnPressed, m_go, &Command::act);
-    connect(m_relative, &QCheckBox::toggled, this, &StepperMotionBox::refresh);
+    connect(m_relative, &QCheckBox::toggled, this, [this] {
+        m_goal->setZero(zero(), true);
+        refresh();
+    });
     connect(m_speed, &QuantityField::nativeEdited, this, &StepperMotionBox::keepSpeed);
     connect(m_loadOnly, &QCheckBox::toggled, this, &StepperMotionBox::refresh);
     connect(&m_context, &ModuleContext::lookedForAnew, this, &StepperMotionBox::lookedForAnew);
@@ -186,8 +190,13 @@ void StepperMotionBox::keepSpeed() {
     refresh();
 }
 
+std::optional<WorkZero> StepperMotionBox::zero() const {
+    return m_relative->isChecked() ? std::nullopt : m_context.state().home.workZero();
+}
+
 void StepperMotionBox::showModule() {
     m_goal->setScale(m_context.scale());
+    m_goal->setZero(zero());
     m_speed->setScale(m_context.scale());
     if (m_shownSpeeds != stepperdefaults::speedMode(m_context.state().stepper, m_context.settings()) ||
         m_shownSpeed != m_context.settings().motion.*speedSetting() ||
@@ -279,7 +288,8 @@ void StepperMotionBox::offerNearest() {
     m_nearest->setVisible(goal.has_value());
     if (!goal)
         return;
-    m_nearest->setText(Common::tr("Use %1").arg(texts::position(m_goal->scale(), *goal)));
+    m_nearest->setText(
+        Common::tr("Use %1").arg(texts::place(m_context.state().home.workZero(), m_goal->scale(), *goal)));
     m_nearest->setPossible({}, Common::tr("Sets the goal to the nearest allowed position. Nothing moves."));
 }
 

@@ -46,6 +46,8 @@ private:
     void showSpeed();
     void keepSpeed();
     void request(bool reverse);
+    /// What the goal counts from; a distance does not.
+    [[nodiscard]] std::optional<WorkZero> zero() const;
     /// The nearest position within the travel limits if the goal is beyond them; otherwise empty.
     [[nodiscard]] std::optional<std::int32_t> nearest() const;
     void takeNearest();

@@ -18,6 +18,7 @@
 #include "widgets/panels/steppermotionbox.h"
 #include "widgets/panels/stepperparametersbox.h"
 #include "widgets/panels/travelbox.h"
+#include "widgets/panels/workbox.h"
 
 namespace nmc {
 
@@ -43,6 +44,7 @@ StepperPanel::StepperPanel(const PanelView& view, Requests& requests, QWidget* p
     pages->addTab(new StepperIoBox(m_context, this), tr("I/O"));
     pages->addTab(new HomingBox(m_context, this), Common::tr("Homing"));
     auto* axis = new AxisBox(m_context, this);
+    axis->addBelow(new WorkBox(m_context, axis));
     axis->addBelow(new TravelBox(m_context, axis));
     pages->addTab(axis, Common::tr("Axis"));
     pages->addTab(new StepperDetailsBox(m_context, this), Common::tr("Details"));

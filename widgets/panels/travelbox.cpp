@@ -13,6 +13,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
+#include "widgets/common/texts.h"
 #include "widgets/common/travelwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
@@ -47,7 +48,7 @@ TravelBox::TravelBox(ModuleContext& context, QWidget* parent)
 
 void TravelBox::buildLimit(FormGrid* grid, Limit limit) {
     const bool lowest = limit == Lowest;
-    const QString name = lowest ? tr("Lowest position") : tr("Highest position");
+    const QString name = texts::machineField(lowest ? u"lowest"_s : u"highest"_s);
     QuantityField* field = form::newQuantity(
         {.kind = QuantityField::Kind::Position,
          .name = m_context.named(lowest ? u"lowestField"_s : u"highestField"_s),
