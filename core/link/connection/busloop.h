@@ -56,8 +56,8 @@ public:
     [[nodiscard]] bool isOpen() const { return m_thread.joinable(); }
 
     void stopAll() { m_channel.requests.stopAll(); }
-    /// What is wanted at present, as opposed to what ask() requests.
-    [[nodiscard]] RequestBox& wishes() { return m_channel.requests; }
+    /// Requests of which only the latest counts, unlike those that ask() queues.
+    [[nodiscard]] RequestBox& requestBox() { return m_channel.requests; }
     /// Every request ends in its event (busrequest.h): a refusal comes at once when too many requests are
     /// waiting, or when nothing is connected.
     void ask(BusRequest request);

@@ -20,12 +20,12 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
 
 void BusWorker::connectAgain() {
     qCDebug(requestLog) << "find the chain anew";
-    m_loop.wishes().search(RequestBox::Search::Again);
+    m_loop.requestBox().search(RequestBox::Search::Again);
 }
 
 void BusWorker::restart() {
     qCDebug(requestLog) << "restart the network";
-    m_loop.wishes().search(RequestBox::Search::Restart);
+    m_loop.requestBox().search(RequestBox::Search::Restart);
 }
 
 void BusWorker::submit(bus::Operation operation) {
@@ -65,27 +65,27 @@ void BusWorker::control(std::string line) {
 
 void BusWorker::hold(const bus::HoldToMove& hold) {
     qCDebug(requestLog) << "hold to move, module" << hold.module.value() + 1;
-    m_loop.wishes().hold(hold);
+    m_loop.requestBox().hold(hold);
 }
 
 void BusWorker::release() {
     qCDebug(requestLog) << "release";
-    m_loop.wishes().release();
+    m_loop.requestBox().release();
 }
 
 void BusWorker::lend(std::string path) {
     qCDebug(requestLog) << "lend the line at" << path.c_str();
-    m_loop.wishes().lend(std::move(path));
+    m_loop.requestBox().lend(std::move(path));
 }
 
 void BusWorker::letThrough() {
     qCDebug(requestLog) << "let the program through";
-    m_loop.wishes().letThrough();
+    m_loop.requestBox().letThrough();
 }
 
 void BusWorker::endLending() {
     qCDebug(requestLog) << "end lending";
-    m_loop.wishes().endLending();
+    m_loop.requestBox().endLending();
 }
 
 std::vector<WorkerEvent> BusWorker::takeEvents() {

@@ -42,19 +42,19 @@ public:
     /// Restarts the network, which loses positions and gains. Motors are stopped first.
     void restart();
     /// Polls the modules on display more often (Engine::watch).
-    void watch(std::vector<ModuleIndex> modules) { m_loop.wishes().watch(std::move(modules)); }
+    void watch(std::vector<ModuleIndex> modules) { m_loop.requestBox().watch(std::move(modules)); }
     /// Polls one module as fast as the line allows, for at most 5 s; nothing ends it (Engine::focus).
-    void focus(std::optional<ModuleIndex> module) { m_loop.wishes().focus(module); }
+    void focus(std::optional<ModuleIndex> module) { m_loop.requestBox().focus(module); }
     /// Keeps the gains being tried on a module (Engine::keepTrial).
-    void keepTrial(ModuleIndex module) { m_loop.wishes().keepTrial(module); }
+    void keepTrial(ModuleIndex module) { m_loop.requestBox().keepTrial(module); }
     /// Sets, for each module, the PIC-I/O outputs that a stop of everything takes low
     /// (Engine::setStopOutputs).
     void setStopOutputs(std::vector<bus::StopOutputs> outputs) {
-        m_loop.wishes().setStopOutputs(std::move(outputs));
+        m_loop.requestBox().setStopOutputs(std::move(outputs));
     }
     /// Sets the travel limits of each axis in its chip's present counts (Engine::setTravelLimits).
     void setTravelLimits(std::vector<bus::TravelLimits> limits) {
-        m_loop.wishes().setTravelLimits(std::move(limits));
+        m_loop.requestBox().setTravelLimits(std::move(limits));
     }
     /// Ends in exactly one bus::OperationFinished: at once with Cancelled when too many requests are waiting,
     /// or when nothing is connected.
