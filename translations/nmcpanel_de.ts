@@ -925,6 +925,14 @@
         <source>Asks for the PIN.</source>
         <translation>Fragt nach der PIN.</translation>
     </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Ankunft</translation>
+    </message>
+    <message>
+        <source>Work offsets</source>
+        <translation>Nullpunktversätze</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -5374,6 +5382,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>At this speed the motor would reverse. Raise the speed, or lower the amplitude or the highest frequency.</source>
         <translation>Bei dieser Geschwindigkeit würde der Motor die Richtung wechseln. Die Geschwindigkeit erhöhen oder die Amplitude oder die höchste Frequenz verringern.</translation>
     </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, from home</source>
+        <translation>„%1“, ab Referenz</translation>
+    </message>
+    <message>
+        <source>%1 did not stay within its arrival tolerance. Check its gains, or change the tolerance (Axis page).</source>
+        <translation>%1 blieb nicht innerhalb der Ankunftstoleranz. Die Reglerwerte prüfen oder die Toleranz ändern (Seite Achse).</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5519,6 +5543,25 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
         <translation>%1 neben der Position, die zu halten ist: Reibung, eine Last oder ein Hindernis ist stärker. Ein größeres Kp oder ein Integralanteil (Ki, IL) drückt mehr.</translation>
+    </message>
+</context>
+<context>
+    <name>WorkTexts</name>
+    <message>
+        <source>from &quot;%1&quot;</source>
+        <translation>ab „%1“</translation>
+    </message>
+    <message>
+        <source>%1 by the counter</source>
+        <translation>%1 nach dem Zähler</translation>
+    </message>
+    <message>
+        <source>Positions count from &quot;%1&quot;.</source>
+        <translation>Positionen zählen ab „%1“.</translation>
+    </message>
+    <message>
+        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
+        <translation>Es ist nicht mehr bekannt, wo „%1“ ist. Den Nullpunktversatz neu wählen oder aufheben (Seite Achse).</translation>
     </message>
 </context>
 <context>
@@ -5893,6 +5936,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>LENT at %1 — no program yet.</source>
         <translation>VERLIEHEN bei %1 — noch kein Programm.</translation>
+    </message>
+    <message>
+        <source>The motor did not stay within the arrival tolerance of its axis.</source>
+        <translation>Der Motor blieb nicht innerhalb der Ankunftstoleranz seiner Achse.</translation>
     </message>
 </context>
 <context>
@@ -6873,6 +6920,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Shows at which frequencies a signal oscillates between the cursors.</source>
         <translation>Zeigt, bei welchen Frequenzen ein Signal zwischen den Cursorn schwingt.</translation>
+    </message>
+    <message>
+        <source>XY view…</source>
+        <translation>XY-Ansicht…</translation>
+    </message>
+    <message>
+        <source>Shows one signal over another between the cursors.</source>
+        <translation>Zeigt ein Signal über einem anderen, zwischen den Cursorn.</translation>
     </message>
 </context>
 <context>
@@ -10183,6 +10238,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Limit switch 2: high blocks the way to it.</source>
         <translation>Endschalter 2: high sperrt den Weg dorthin.</translation>
     </message>
+    <message>
+        <source>counter: %1</source>
+        <translation>Zähler: %1</translation>
+    </message>
+    <message>
+        <source>%1: not known</source>
+        <translation>%1: nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>nmc::PathPlot</name>
@@ -11545,6 +11608,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>%1 (simulator)</source>
         <translation>%1 (Simulator)</translation>
     </message>
+    <message>
+        <source>Saves and restores arrangements of the scope by name.</source>
+        <translation>Speichert Anordnungen des Oszilloskops unter Namen und stellt sie wieder her.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ScopePlot</name>
@@ -11559,6 +11626,45 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The band exceeds the strip: %1 to %2</source>
         <translation>Das Band ist breiter als der Streifen: %1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ScopePresets</name>
+    <message>
+        <source>Presets</source>
+        <translation>Anordnungen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove preset</source>
+        <translation>Anordnung &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Remove preset</source>
+        <translation>Anordnung entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation>Als Anordnung &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Keeps the present signals, strips, bits and time under a name.</source>
+        <translation>Behält die jetzigen Signale, Streifen, Bits und die Zeit unter einem Namen.</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Als Anordnung speichern</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Replaces the preset of that name.</source>
+        <translation>Ersetzt die Anordnung mit diesem Namen.</translation>
+    </message>
+    <message>
+        <source>There are %1 presets, which is the most. Remove one first.</source>
+        <translation>Es gibt schon %1 Anordnungen, mehr sind nicht möglich. Zuerst eine entfernen.</translation>
     </message>
 </context>
 <context>
@@ -11997,18 +12103,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>&amp;Signal</source>
         <translation>&amp;Signal</translation>
-    </message>
-    <message>
-        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
-        <translation>Diese Messwerte sind nicht mehr einzeln vorhanden. Die Cursor zu neueren ziehen.</translation>
-    </message>
-    <message>
-        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
-        <translation>Zwischen den Cursorn liegen %1 Messwerte, höchstens %2 sind möglich. Die Cursor näher zusammenziehen.</translation>
-    </message>
-    <message>
-        <source>Too few samples are between the cursors. Move them farther apart.</source>
-        <translation>Zwischen den Cursorn liegen zu wenige Messwerte. Die Cursor weiter auseinanderziehen.</translation>
     </message>
     <message>
         <source>Peak: %1 Hz, amplitude %2 %3</source>
@@ -12640,6 +12734,21 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
 </context>
 <context>
+    <name>nmc::StretchDialog</name>
+    <message>
+        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
+        <translation>Diese Messwerte sind nicht mehr einzeln vorhanden. Die Cursor zu neueren ziehen.</translation>
+    </message>
+    <message>
+        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
+        <translation>Zwischen den Cursorn liegen %1 Messwerte, höchstens %2 sind möglich. Die Cursor näher zusammenziehen.</translation>
+    </message>
+    <message>
+        <source>Too few samples are between the cursors. Move them farther apart.</source>
+        <translation>Zwischen den Cursorn liegen zu wenige Messwerte. Die Cursor weiter auseinanderziehen.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::TestForm</name>
     <message>
         <source>End test</source>
@@ -12663,14 +12772,6 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>State of the travel limits</source>
         <translation>Zustand der Fahrweggrenzen</translation>
-    </message>
-    <message>
-        <source>Lowest position</source>
-        <translation>Tiefste Position</translation>
-    </message>
-    <message>
-        <source>Highest position</source>
-        <translation>Höchste Position</translation>
     </message>
     <message>
         <source>Counted from home. No motion passes it while home is known. Empty: no limit.</source>
@@ -12763,6 +12864,30 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>With this backlash, no move can end at home: it would reverse beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
         <translation>Mit diesem Spiel kann keine Fahrt an der Referenz enden: Sie würde jenseits der Grenze umkehren. Die Grenze von der Referenz wegsetzen, oder das Spiel oder seine Richtung ändern.</translation>
+    </message>
+    <message>
+        <source>Arrival tolerance</source>
+        <translation>Ankunftstoleranz</translation>
+    </message>
+    <message>
+        <source>Sequences, and programs that wait, go on when the motor has stayed this close to its goal for the time beside it. Empty: when it stands still.</source>
+        <translation>Abläufe und wartende Programme gehen weiter, wenn der Motor so lange wie daneben angegeben so nah am Ziel geblieben ist. Leer: wenn er stillsteht.</translation>
+    </message>
+    <message>
+        <source>Time within the arrival tolerance</source>
+        <translation>Zeit innerhalb der Ankunftstoleranz</translation>
+    </message>
+    <message>
+        <source>How long the motor must stay within the tolerance.</source>
+        <translation>Wie lange der Motor innerhalb der Toleranz bleiben muss.</translation>
+    </message>
+    <message>
+        <source>Arrival within</source>
+        <translation>Ankunft innerhalb</translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation>für</translation>
     </message>
 </context>
 <context>
@@ -12892,6 +13017,41 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
 </context>
 <context>
+    <name>nmc::TriggerRecords</name>
+    <message>
+        <source>Save each picture…</source>
+        <translation>Jedes Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Save each picture</source>
+        <translation>Jedes Bild speichern</translation>
+    </message>
+    <message>
+        <source>Saves the samples of each picture to a folder that you choose.</source>
+        <translation>Speichert die Messwerte jedes Bildes in einem Ordner, der gewählt wird.</translation>
+    </message>
+    <message>
+        <source>Keep the last</source>
+        <translation>Behalten werden die letzten</translation>
+    </message>
+    <message>
+        <source>How many files are kept. Then the oldest is replaced.</source>
+        <translation>Wie viele Dateien behalten werden. Danach wird die älteste ersetzt.</translation>
+    </message>
+    <message>
+        <source>Saved pictures</source>
+        <translation>Gespeicherte Bilder</translation>
+    </message>
+    <message>
+        <source>Save each picture to a folder</source>
+        <translation>Jedes Bild in einem Ordner speichern</translation>
+    </message>
+    <message>
+        <source>%1 saved to %2</source>
+        <translation>%1 gespeichert in %2</translation>
+    </message>
+</context>
+<context>
     <name>nmc::UnitDialog</name>
     <message>
         <source>Calculate the unit</source>
@@ -12992,6 +13152,159 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>Sets this unit for the axis. Keeps every physical value and sends nothing.</source>
         <translation>Setzt diese Einheit für die Achse. Jede physikalische Größe bleibt erhalten; es wird nichts gesendet.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::WorkBox</name>
+    <message>
+        <source>Positions count from this work offset</source>
+        <translation>Positionen zählen ab diesem Nullpunktversatz</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Aufheben</translation>
+    </message>
+    <message>
+        <source>Clear work offset: positions count by the counter</source>
+        <translation>Aufheben: Positionen zählen nach dem Zähler</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete work offset</source>
+        <translation>Löschen: Nullpunktversatz löschen</translation>
+    </message>
+    <message>
+        <source>Count from</source>
+        <translation>Zählen ab</translation>
+    </message>
+    <message>
+        <source>Number for the present position</source>
+        <translation>Zahl für die jetzige Position</translation>
+    </message>
+    <message>
+        <source>What the present position is to be called, in the unit of the axis.</source>
+        <translation>Wie die jetzige Position heißen soll, in der Einheit der Achse.</translation>
+    </message>
+    <message>
+        <source>Name of the work offset</source>
+        <translation>Name des Nullpunktversatzes</translation>
+    </message>
+    <message>
+        <source>The name by which you choose it later.</source>
+        <translation>Der Name, unter dem er später gewählt wird.</translation>
+    </message>
+    <message>
+        <source>For example: fixture A</source>
+        <translation>Zum Beispiel: Vorrichtung A</translation>
+    </message>
+    <message>
+        <source>Call this position</source>
+        <translation>Position so nennen</translation>
+    </message>
+    <message>
+        <source>Call this position: make a work offset</source>
+        <translation>Position so nennen: einen Nullpunktversatz anlegen</translation>
+    </message>
+    <message>
+        <source>This position is</source>
+        <translation>Diese Position ist</translation>
+    </message>
+    <message>
+        <source>The motor is moving. Stop it first, and call its position then.</source>
+        <translation>Der Motor bewegt sich. Zuerst anhalten, dann seine Position benennen.</translation>
+    </message>
+    <message>
+        <source>Enter a name for the work offset, for example of a fixture.</source>
+        <translation>Einen Namen für den Nullpunktversatz eingeben, zum Beispiel den einer Vorrichtung.</translation>
+    </message>
+    <message>
+        <source>Another work offset of this axis has this name. Delete that one, or enter another name.</source>
+        <translation>Ein anderer Nullpunktversatz dieser Achse heißt so. Diesen löschen oder einen anderen Namen eingeben.</translation>
+    </message>
+    <message>
+        <source>This axis has as many work offsets as it can have. Delete one first.</source>
+        <translation>Diese Achse hat schon so viele Nullpunktversätze wie möglich. Zuerst einen löschen.</translation>
+    </message>
+    <message>
+        <source>With this number, the work offset would be outside the position range.</source>
+        <translation>Mit dieser Zahl läge der Nullpunktversatz außerhalb des Positionsbereichs.</translation>
+    </message>
+    <message>
+        <source>the counter</source>
+        <translation>dem Zähler</translation>
+    </message>
+    <message>
+        <source>%1: not known</source>
+        <translation>%1: nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Where the positions on the screen count from. Nothing moves, and nothing is sent.</source>
+        <translation>Ab wo die Positionen am Bildschirm zählen. Nichts bewegt sich, und nichts wird gesendet.</translation>
+    </message>
+    <message>
+        <source>No work offset is in use.</source>
+        <translation>Kein Nullpunktversatz ist in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>Positions count by the counter again. Nothing moves.</source>
+        <translation>Positionen zählen wieder nach dem Zähler. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Choose the work offset first.</source>
+        <translation>Zuerst den Nullpunktversatz wählen.</translation>
+    </message>
+    <message>
+        <source>Deletes the work offset from the machine. Nothing moves.</source>
+        <translation>Löscht den Nullpunktversatz aus der Maschine. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Positions then count from there. Nothing moves; counter and home stay.</source>
+        <translation>Positionen zählen dann von dort. Nichts bewegt sich; Zähler und Referenz bleiben.</translation>
+    </message>
+    <message>
+        <source>Home is unknown: an offset lasts only until home or the counter changes, and is not kept.</source>
+        <translation>Die Referenz ist unbekannt: ein Versatz gilt nur, bis sich Referenz oder Zähler ändern, und wird nicht behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::XyDialog</name>
+    <message>
+        <source>One signal over another, between the cursors</source>
+        <translation>Ein Signal über einem anderen, zwischen den Cursorn</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Waagerecht</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Senkrecht</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontal</source>
+        <translation>&amp;Waagerecht</translation>
+    </message>
+    <message>
+        <source>&amp;Vertical</source>
+        <translation>&amp;Senkrecht</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::XyPlot</name>
+    <message>
+        <source>One signal over another</source>
+        <translation>Ein Signal über einem anderen</translation>
+    </message>
+    <message>
+        <source>Each sample of the vertical signal, over the value of the horizontal one at the same time. The dot marks the last one. Double-click to show everything. Scroll to zoom horizontally, or vertically with Ctrl; drag to pan.</source>
+        <translation>Jeder Messwert des senkrechten Signals über dem Wert des waagerechten zur selben Zeit. Der Punkt markiert den letzten. Ein Doppelklick zeigt alles. Das Mausrad zoomt waagerecht, mit Strg senkrecht; Ziehen verschiebt.</translation>
     </message>
 </context>
 </TS>

@@ -925,6 +925,14 @@
         <source>Asks for the PIN.</source>
         <translation>Pide el PIN.</translation>
     </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Llegada</translation>
+    </message>
+    <message>
+        <source>Work offsets</source>
+        <translation>Desplazamientos de trabajo</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -5374,6 +5382,22 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>At this speed the motor would reverse. Raise the speed, or lower the amplitude or the highest frequency.</source>
         <translation>A esta velocidad, el motor invertiría el sentido. Aumente la velocidad, o reduzca la amplitud o la frecuencia más alta.</translation>
     </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Duración</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, from home</source>
+        <translation>«%1», desde la referencia</translation>
+    </message>
+    <message>
+        <source>%1 did not stay within its arrival tolerance. Check its gains, or change the tolerance (Axis page).</source>
+        <translation>%1 no permaneció dentro de su tolerancia de llegada. Compruebe sus ganancias o cambie la tolerancia (página Eje).</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5519,6 +5543,25 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
         <translation>A %1 de la posición que debe mantener: la fricción, una carga o un obstáculo es más fuerte. Un Kp mayor, o una integral (Ki, IL), empuja más.</translation>
+    </message>
+</context>
+<context>
+    <name>WorkTexts</name>
+    <message>
+        <source>from &quot;%1&quot;</source>
+        <translation>desde «%1»</translation>
+    </message>
+    <message>
+        <source>%1 by the counter</source>
+        <translation>%1 según el contador</translation>
+    </message>
+    <message>
+        <source>Positions count from &quot;%1&quot;.</source>
+        <translation>Las posiciones se cuentan desde «%1».</translation>
+    </message>
+    <message>
+        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
+        <translation>Ya no se sabe dónde está «%1». Elija de nuevo el desplazamiento de trabajo o bórrelo (página Eje).</translation>
     </message>
 </context>
 <context>
@@ -5893,6 +5936,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>LENT at %1 — no program yet.</source>
         <translation>PRESTADA en %1 — todavía ningún programa.</translation>
+    </message>
+    <message>
+        <source>The motor did not stay within the arrival tolerance of its axis.</source>
+        <translation>El motor no permaneció dentro de la tolerancia de llegada de su eje.</translation>
     </message>
 </context>
 <context>
@@ -6873,6 +6920,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Shows at which frequencies a signal oscillates between the cursors.</source>
         <translation>Muestra a qué frecuencias oscila una señal entre los cursores.</translation>
+    </message>
+    <message>
+        <source>XY view…</source>
+        <translation>Vista XY…</translation>
+    </message>
+    <message>
+        <source>Shows one signal over another between the cursors.</source>
+        <translation>Muestra una señal en función de otra, entre los cursores.</translation>
     </message>
 </context>
 <context>
@@ -10183,6 +10238,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Limit switch 2: high blocks the way to it.</source>
         <translation>Final de carrera 2: alto bloquea el avance hacia él.</translation>
     </message>
+    <message>
+        <source>counter: %1</source>
+        <translation>contador: %1</translation>
+    </message>
+    <message>
+        <source>%1: not known</source>
+        <translation>%1: desconocido</translation>
+    </message>
 </context>
 <context>
     <name>nmc::PathPlot</name>
@@ -11545,6 +11608,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>%1 (simulator)</source>
         <translation>%1 (simulador)</translation>
     </message>
+    <message>
+        <source>Saves and restores arrangements of the scope by name.</source>
+        <translation>Guarda y restaura disposiciones del osciloscopio por su nombre.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ScopePlot</name>
@@ -11559,6 +11626,45 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>The band exceeds the strip: %1 to %2</source>
         <translation>La banda supera la franja: de %1 a %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ScopePresets</name>
+    <message>
+        <source>Presets</source>
+        <translation>Preajustes</translation>
+    </message>
+    <message>
+        <source>&amp;Remove preset</source>
+        <translation>&amp;Quitar preajuste</translation>
+    </message>
+    <message>
+        <source>Remove preset</source>
+        <translation>Quitar preajuste</translation>
+    </message>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation>&amp;Guardar como preajuste…</translation>
+    </message>
+    <message>
+        <source>Keeps the present signals, strips, bits and time under a name.</source>
+        <translation>Conserva las señales, franjas, bits y tiempo actuales con un nombre.</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Guardar como preajuste</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Replaces the preset of that name.</source>
+        <translation>Sustituye el preajuste con ese nombre.</translation>
+    </message>
+    <message>
+        <source>There are %1 presets, which is the most. Remove one first.</source>
+        <translation>Ya hay %1 preajustes, que es el máximo. Quite uno primero.</translation>
     </message>
 </context>
 <context>
@@ -11997,18 +12103,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>&amp;Signal</source>
         <translation>&amp;Señal</translation>
-    </message>
-    <message>
-        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
-        <translation>Estas muestras ya no se conservan individualmente. Mueva los cursores a otras más recientes.</translation>
-    </message>
-    <message>
-        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
-        <translation>Hay %1 muestras entre los cursores, y %2 son el máximo. Acerque los cursores.</translation>
-    </message>
-    <message>
-        <source>Too few samples are between the cursors. Move them farther apart.</source>
-        <translation>Hay muy pocas muestras entre los cursores. Sepárelos más.</translation>
     </message>
     <message>
         <source>Peak: %1 Hz, amplitude %2 %3</source>
@@ -12640,6 +12734,21 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
     </message>
 </context>
 <context>
+    <name>nmc::StretchDialog</name>
+    <message>
+        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
+        <translation>Estas muestras ya no se conservan individualmente. Mueva los cursores a otras más recientes.</translation>
+    </message>
+    <message>
+        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
+        <translation>Hay %1 muestras entre los cursores, y %2 son el máximo. Acerque los cursores.</translation>
+    </message>
+    <message>
+        <source>Too few samples are between the cursors. Move them farther apart.</source>
+        <translation>Hay muy pocas muestras entre los cursores. Sepárelos más.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::TestForm</name>
     <message>
         <source>End test</source>
@@ -12663,14 +12772,6 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
     <message>
         <source>State of the travel limits</source>
         <translation>Estado de los límites de recorrido</translation>
-    </message>
-    <message>
-        <source>Lowest position</source>
-        <translation>Posición mínima</translation>
-    </message>
-    <message>
-        <source>Highest position</source>
-        <translation>Posición máxima</translation>
     </message>
     <message>
         <source>Counted from home. No motion passes it while home is known. Empty: no limit.</source>
@@ -12763,6 +12864,30 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
     <message>
         <source>With this backlash, no move can end at home: it would reverse beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
         <translation>Con esta holgura, ningún movimiento puede terminar en la referencia: daría la vuelta más allá del límite. Aleje el límite de la referencia, o cambie la holgura o su sentido.</translation>
+    </message>
+    <message>
+        <source>Arrival tolerance</source>
+        <translation>Tolerancia de llegada</translation>
+    </message>
+    <message>
+        <source>Sequences, and programs that wait, go on when the motor has stayed this close to its goal for the time beside it. Empty: when it stands still.</source>
+        <translation>Las secuencias, y los programas que esperan, continúan cuando el motor ha permanecido así de cerca de su destino durante el tiempo indicado al lado. Vacío: cuando está parado.</translation>
+    </message>
+    <message>
+        <source>Time within the arrival tolerance</source>
+        <translation>Tiempo dentro de la tolerancia de llegada</translation>
+    </message>
+    <message>
+        <source>How long the motor must stay within the tolerance.</source>
+        <translation>Cuánto tiempo debe permanecer el motor dentro de la tolerancia.</translation>
+    </message>
+    <message>
+        <source>Arrival within</source>
+        <translation>Llegada a menos de</translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation>durante</translation>
     </message>
 </context>
 <context>
@@ -12892,6 +13017,41 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
     </message>
 </context>
 <context>
+    <name>nmc::TriggerRecords</name>
+    <message>
+        <source>Save each picture…</source>
+        <translation>Guardar cada imagen…</translation>
+    </message>
+    <message>
+        <source>Save each picture</source>
+        <translation>Guardar cada imagen</translation>
+    </message>
+    <message>
+        <source>Saves the samples of each picture to a folder that you choose.</source>
+        <translation>Guarda las muestras de cada imagen en una carpeta que usted elige.</translation>
+    </message>
+    <message>
+        <source>Keep the last</source>
+        <translation>Conservar los últimos</translation>
+    </message>
+    <message>
+        <source>How many files are kept. Then the oldest is replaced.</source>
+        <translation>Cuántos archivos se conservan. Después se sustituye el más antiguo.</translation>
+    </message>
+    <message>
+        <source>Saved pictures</source>
+        <translation>Imágenes guardadas</translation>
+    </message>
+    <message>
+        <source>Save each picture to a folder</source>
+        <translation>Guardar cada imagen en una carpeta</translation>
+    </message>
+    <message>
+        <source>%1 saved to %2</source>
+        <translation>%1 guardadas en %2</translation>
+    </message>
+</context>
+<context>
     <name>nmc::UnitDialog</name>
     <message>
         <source>Calculate the unit</source>
@@ -12992,6 +13152,159 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
     <message>
         <source>Sets this unit for the axis. Keeps every physical value and sends nothing.</source>
         <translation>Pone esta unidad al eje. Conserva todas las magnitudes físicas y no envía nada.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::WorkBox</name>
+    <message>
+        <source>Positions count from this work offset</source>
+        <translation>Las posiciones se cuentan desde este desplazamiento de trabajo</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Clear work offset: positions count by the counter</source>
+        <translation>Borrar el desplazamiento de trabajo: las posiciones siguen el contador</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Delete work offset</source>
+        <translation>Eliminar el desplazamiento de trabajo</translation>
+    </message>
+    <message>
+        <source>Count from</source>
+        <translation>Contar desde</translation>
+    </message>
+    <message>
+        <source>Number for the present position</source>
+        <translation>Número para la posición actual</translation>
+    </message>
+    <message>
+        <source>What the present position is to be called, in the unit of the axis.</source>
+        <translation>El valor que debe tener la posición actual, en la unidad del eje.</translation>
+    </message>
+    <message>
+        <source>Name of the work offset</source>
+        <translation>Nombre del desplazamiento de trabajo</translation>
+    </message>
+    <message>
+        <source>The name by which you choose it later.</source>
+        <translation>El nombre con el que lo elegirá más tarde.</translation>
+    </message>
+    <message>
+        <source>For example: fixture A</source>
+        <translation>Por ejemplo: utillaje A</translation>
+    </message>
+    <message>
+        <source>Call this position</source>
+        <translation>Llamar así a esta posición</translation>
+    </message>
+    <message>
+        <source>Call this position: make a work offset</source>
+        <translation>Llamar así a esta posición: crear un desplazamiento de trabajo</translation>
+    </message>
+    <message>
+        <source>This position is</source>
+        <translation>Esta posición es</translation>
+    </message>
+    <message>
+        <source>The motor is moving. Stop it first, and call its position then.</source>
+        <translation>El motor está en movimiento. Deténgalo primero y luego asigne su posición.</translation>
+    </message>
+    <message>
+        <source>Enter a name for the work offset, for example of a fixture.</source>
+        <translation>Introduzca un nombre para el desplazamiento de trabajo, por ejemplo el de un utillaje.</translation>
+    </message>
+    <message>
+        <source>Another work offset of this axis has this name. Delete that one, or enter another name.</source>
+        <translation>Otro desplazamiento de trabajo de este eje tiene este nombre. Elimínelo o introduzca otro nombre.</translation>
+    </message>
+    <message>
+        <source>This axis has as many work offsets as it can have. Delete one first.</source>
+        <translation>Este eje ya tiene el máximo de desplazamientos de trabajo. Elimine uno primero.</translation>
+    </message>
+    <message>
+        <source>With this number, the work offset would be outside the position range.</source>
+        <translation>Con este número, el desplazamiento de trabajo quedaría fuera del rango de posiciones.</translation>
+    </message>
+    <message>
+        <source>the counter</source>
+        <translation>el contador</translation>
+    </message>
+    <message>
+        <source>%1: not known</source>
+        <translation>%1: desconocido</translation>
+    </message>
+    <message>
+        <source>Where the positions on the screen count from. Nothing moves, and nothing is sent.</source>
+        <translation>Desde dónde se cuentan las posiciones en pantalla. Nada se mueve y no se envía nada.</translation>
+    </message>
+    <message>
+        <source>No work offset is in use.</source>
+        <translation>No se usa ningún desplazamiento de trabajo.</translation>
+    </message>
+    <message>
+        <source>Positions count by the counter again. Nothing moves.</source>
+        <translation>Las posiciones vuelven a seguir el contador. Nada se mueve.</translation>
+    </message>
+    <message>
+        <source>Choose the work offset first.</source>
+        <translation>Elija primero el desplazamiento de trabajo.</translation>
+    </message>
+    <message>
+        <source>Deletes the work offset from the machine. Nothing moves.</source>
+        <translation>Elimina el desplazamiento de trabajo de la máquina. Nada se mueve.</translation>
+    </message>
+    <message>
+        <source>Positions then count from there. Nothing moves; counter and home stay.</source>
+        <translation>Las posiciones se cuentan entonces desde ahí. Nada se mueve; el contador y la referencia quedan igual.</translation>
+    </message>
+    <message>
+        <source>Home is unknown: an offset lasts only until home or the counter changes, and is not kept.</source>
+        <translation>La referencia es desconocida: un desplazamiento solo dura hasta que cambie la referencia o el contador, y no se conserva.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::XyDialog</name>
+    <message>
+        <source>One signal over another, between the cursors</source>
+        <translation>Una señal en función de otra, entre los cursores</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Vertical</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontal</source>
+        <translation>&amp;Horizontal</translation>
+    </message>
+    <message>
+        <source>&amp;Vertical</source>
+        <translation>&amp;Vertical</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 en función de %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::XyPlot</name>
+    <message>
+        <source>One signal over another</source>
+        <translation>Una señal en función de otra</translation>
+    </message>
+    <message>
+        <source>Each sample of the vertical signal, over the value of the horizontal one at the same time. The dot marks the last one. Double-click to show everything. Scroll to zoom horizontally, or vertically with Ctrl; drag to pan.</source>
+        <translation>Cada muestra de la señal vertical, en función del valor de la horizontal en el mismo instante. El punto marca la última. Doble clic para mostrar todo. Rueda para ampliar en horizontal, o en vertical con Ctrl; arrastre para desplazar.</translation>
     </message>
 </context>
 </TS>

@@ -925,6 +925,14 @@
         <source>Asks for the PIN.</source>
         <translation>Demande le code PIN.</translation>
     </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Arrivée</translation>
+    </message>
+    <message>
+        <source>Work offsets</source>
+        <translation>Décalages de travail</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -5374,6 +5382,22 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>At this speed the motor would reverse. Raise the speed, or lower the amplitude or the highest frequency.</source>
         <translation>À cette vitesse, le moteur changerait de sens. Augmentez la vitesse, ou réduisez l’amplitude ou la fréquence la plus élevée.</translation>
     </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, from home</source>
+        <translation>«&#xa0;%1&#xa0;», depuis l’origine</translation>
+    </message>
+    <message>
+        <source>%1 did not stay within its arrival tolerance. Check its gains, or change the tolerance (Axis page).</source>
+        <translation>%1 n’est pas resté dans sa tolérance d’arrivée. Vérifiez ses gains ou modifiez la tolérance (page Axe).</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5519,6 +5543,25 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
         <translation>À %1 de la position à maintenir : un frottement, une charge ou un obstacle est plus fort. Un Kp plus grand, ou une intégrale (Ki, IL), pousse davantage.</translation>
+    </message>
+</context>
+<context>
+    <name>WorkTexts</name>
+    <message>
+        <source>from &quot;%1&quot;</source>
+        <translation>depuis «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 by the counter</source>
+        <translation>%1 d’après le compteur</translation>
+    </message>
+    <message>
+        <source>Positions count from &quot;%1&quot;.</source>
+        <translation>Les positions sont comptées depuis «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
+        <translation>On ne sait plus où se trouve «&#xa0;%1&#xa0;». Choisissez de nouveau le décalage de travail ou effacez-le (page Axe).</translation>
     </message>
 </context>
 <context>
@@ -5893,6 +5936,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>LENT at %1 — no program yet.</source>
         <translation>PRÊTÉE sur %1 — aucun programme pour l’instant.</translation>
+    </message>
+    <message>
+        <source>The motor did not stay within the arrival tolerance of its axis.</source>
+        <translation>Le moteur n’est pas resté dans la tolérance d’arrivée de son axe.</translation>
     </message>
 </context>
 <context>
@@ -6873,6 +6920,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Shows at which frequencies a signal oscillates between the cursors.</source>
         <translation>Affiche les fréquences auxquelles un signal oscille entre les curseurs.</translation>
+    </message>
+    <message>
+        <source>XY view…</source>
+        <translation>Vue XY…</translation>
+    </message>
+    <message>
+        <source>Shows one signal over another between the cursors.</source>
+        <translation>Affiche un signal en fonction d’un autre, entre les curseurs.</translation>
     </message>
 </context>
 <context>
@@ -10183,6 +10238,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Limit switch 2: high blocks the way to it.</source>
         <translation>Fin de course 2&#xa0;: l’état haut bloque la marche vers lui.</translation>
     </message>
+    <message>
+        <source>counter: %1</source>
+        <translation>compteur&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1: not known</source>
+        <translation>%1&#xa0;: inconnu</translation>
+    </message>
 </context>
 <context>
     <name>nmc::PathPlot</name>
@@ -11545,6 +11608,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>%1 (simulator)</source>
         <translation>%1 (simulateur)</translation>
     </message>
+    <message>
+        <source>Saves and restores arrangements of the scope by name.</source>
+        <translation>Enregistre et rétablit des dispositions de l’oscilloscope par leur nom.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ScopePlot</name>
@@ -11559,6 +11626,45 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>The band exceeds the strip: %1 to %2</source>
         <translation>Le tracé dépasse la bande&#xa0;: %1 à %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ScopePresets</name>
+    <message>
+        <source>Presets</source>
+        <translation>Préréglages</translation>
+    </message>
+    <message>
+        <source>&amp;Remove preset</source>
+        <translation>&amp;Supprimer le préréglage</translation>
+    </message>
+    <message>
+        <source>Remove preset</source>
+        <translation>Supprimer le préréglage</translation>
+    </message>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation>&amp;Enregistrer comme préréglage…</translation>
+    </message>
+    <message>
+        <source>Keeps the present signals, strips, bits and time under a name.</source>
+        <translation>Conserve les signaux, bandes, bits et durée actuels sous un nom.</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Enregistrer comme préréglage</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Replaces the preset of that name.</source>
+        <translation>Remplace le préréglage de ce nom.</translation>
+    </message>
+    <message>
+        <source>There are %1 presets, which is the most. Remove one first.</source>
+        <translation>Il y a déjà %1 préréglages, c’est le maximum. Supprimez-en un d’abord.</translation>
     </message>
 </context>
 <context>
@@ -11997,18 +12103,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>&amp;Signal</source>
         <translation>&amp;Signal</translation>
-    </message>
-    <message>
-        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
-        <translation>Ces échantillons ne sont plus conservés individuellement. Déplacez les curseurs vers de plus récents.</translation>
-    </message>
-    <message>
-        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
-        <translation>Il y a %1 échantillons entre les curseurs, et %2 au plus sont possibles. Rapprochez les curseurs.</translation>
-    </message>
-    <message>
-        <source>Too few samples are between the cursors. Move them farther apart.</source>
-        <translation>Il y a trop peu d’échantillons entre les curseurs. Éloignez-les.</translation>
     </message>
     <message>
         <source>Peak: %1 Hz, amplitude %2 %3</source>
@@ -12640,6 +12734,21 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
     </message>
 </context>
 <context>
+    <name>nmc::StretchDialog</name>
+    <message>
+        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
+        <translation>Ces échantillons ne sont plus conservés individuellement. Déplacez les curseurs vers de plus récents.</translation>
+    </message>
+    <message>
+        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
+        <translation>Il y a %1 échantillons entre les curseurs, et %2 au plus sont possibles. Rapprochez les curseurs.</translation>
+    </message>
+    <message>
+        <source>Too few samples are between the cursors. Move them farther apart.</source>
+        <translation>Il y a trop peu d’échantillons entre les curseurs. Éloignez-les.</translation>
+    </message>
+</context>
+<context>
     <name>nmc::TestForm</name>
     <message>
         <source>End test</source>
@@ -12663,14 +12772,6 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
     <message>
         <source>State of the travel limits</source>
         <translation>État des limites de course</translation>
-    </message>
-    <message>
-        <source>Lowest position</source>
-        <translation>Position minimale</translation>
-    </message>
-    <message>
-        <source>Highest position</source>
-        <translation>Position maximale</translation>
     </message>
     <message>
         <source>Counted from home. No motion passes it while home is known. Empty: no limit.</source>
@@ -12763,6 +12864,30 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
     <message>
         <source>With this backlash, no move can end at home: it would reverse beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
         <translation>Avec ce jeu, aucun déplacement ne peut finir à l’origine : il ferait demi-tour au-delà de la limite. Éloignez la limite de l’origine, ou modifiez le jeu ou son sens.</translation>
+    </message>
+    <message>
+        <source>Arrival tolerance</source>
+        <translation>Tolérance d’arrivée</translation>
+    </message>
+    <message>
+        <source>Sequences, and programs that wait, go on when the motor has stayed this close to its goal for the time beside it. Empty: when it stands still.</source>
+        <translation>Les séquences, et les programmes qui attendent, continuent lorsque le moteur est resté aussi près de sa cible pendant la durée indiquée à côté. Vide&#xa0;: lorsqu’il est à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>Time within the arrival tolerance</source>
+        <translation>Durée dans la tolérance d’arrivée</translation>
+    </message>
+    <message>
+        <source>How long the motor must stay within the tolerance.</source>
+        <translation>Durée pendant laquelle le moteur doit rester dans la tolérance.</translation>
+    </message>
+    <message>
+        <source>Arrival within</source>
+        <translation>Arrivée à moins de</translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation>pendant</translation>
     </message>
 </context>
 <context>
@@ -12892,6 +13017,41 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
     </message>
 </context>
 <context>
+    <name>nmc::TriggerRecords</name>
+    <message>
+        <source>Save each picture…</source>
+        <translation>Enregistrer chaque image…</translation>
+    </message>
+    <message>
+        <source>Save each picture</source>
+        <translation>Enregistrer chaque image</translation>
+    </message>
+    <message>
+        <source>Saves the samples of each picture to a folder that you choose.</source>
+        <translation>Enregistre les échantillons de chaque image dans un dossier que vous choisissez.</translation>
+    </message>
+    <message>
+        <source>Keep the last</source>
+        <translation>Conserver les derniers</translation>
+    </message>
+    <message>
+        <source>How many files are kept. Then the oldest is replaced.</source>
+        <translation>Nombre de fichiers conservés. Ensuite, le plus ancien est remplacé.</translation>
+    </message>
+    <message>
+        <source>Saved pictures</source>
+        <translation>Images enregistrées</translation>
+    </message>
+    <message>
+        <source>Save each picture to a folder</source>
+        <translation>Enregistrer chaque image dans un dossier</translation>
+    </message>
+    <message>
+        <source>%1 saved to %2</source>
+        <translation>%1 enregistrées dans %2</translation>
+    </message>
+</context>
+<context>
     <name>nmc::UnitDialog</name>
     <message>
         <source>Calculate the unit</source>
@@ -12992,6 +13152,159 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
     <message>
         <source>Sets this unit for the axis. Keeps every physical value and sends nothing.</source>
         <translation>Définit cette unité pour l’axe. Conserve chaque valeur physique et n’envoie rien.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::WorkBox</name>
+    <message>
+        <source>Positions count from this work offset</source>
+        <translation>Les positions sont comptées depuis ce décalage de travail</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Clear work offset: positions count by the counter</source>
+        <translation>Effacer le décalage de travail&#xa0;: les positions suivent le compteur</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Delete work offset</source>
+        <translation>Supprimer le décalage de travail</translation>
+    </message>
+    <message>
+        <source>Count from</source>
+        <translation>Compter depuis</translation>
+    </message>
+    <message>
+        <source>Number for the present position</source>
+        <translation>Nombre pour la position actuelle</translation>
+    </message>
+    <message>
+        <source>What the present position is to be called, in the unit of the axis.</source>
+        <translation>La valeur à donner à la position actuelle, dans l’unité de l’axe.</translation>
+    </message>
+    <message>
+        <source>Name of the work offset</source>
+        <translation>Nom du décalage de travail</translation>
+    </message>
+    <message>
+        <source>The name by which you choose it later.</source>
+        <translation>Le nom sous lequel vous le choisirez plus tard.</translation>
+    </message>
+    <message>
+        <source>For example: fixture A</source>
+        <translation>Par exemple&#xa0;: montage A</translation>
+    </message>
+    <message>
+        <source>Call this position</source>
+        <translation>Nommer cette position</translation>
+    </message>
+    <message>
+        <source>Call this position: make a work offset</source>
+        <translation>Nommer cette position&#xa0;: créer un décalage de travail</translation>
+    </message>
+    <message>
+        <source>This position is</source>
+        <translation>Cette position est</translation>
+    </message>
+    <message>
+        <source>The motor is moving. Stop it first, and call its position then.</source>
+        <translation>Le moteur est en mouvement. Arrêtez-le d’abord, puis nommez sa position.</translation>
+    </message>
+    <message>
+        <source>Enter a name for the work offset, for example of a fixture.</source>
+        <translation>Saisissez un nom pour le décalage de travail, par exemple celui d’un montage.</translation>
+    </message>
+    <message>
+        <source>Another work offset of this axis has this name. Delete that one, or enter another name.</source>
+        <translation>Un autre décalage de travail de cet axe porte ce nom. Supprimez-le ou saisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>This axis has as many work offsets as it can have. Delete one first.</source>
+        <translation>Cet axe a déjà le nombre maximal de décalages de travail. Supprimez-en un d’abord.</translation>
+    </message>
+    <message>
+        <source>With this number, the work offset would be outside the position range.</source>
+        <translation>Avec ce nombre, le décalage de travail serait hors de la plage des positions.</translation>
+    </message>
+    <message>
+        <source>the counter</source>
+        <translation>le compteur</translation>
+    </message>
+    <message>
+        <source>%1: not known</source>
+        <translation>%1&#xa0;: inconnu</translation>
+    </message>
+    <message>
+        <source>Where the positions on the screen count from. Nothing moves, and nothing is sent.</source>
+        <translation>D’où sont comptées les positions à l’écran. Rien ne bouge et rien n’est envoyé.</translation>
+    </message>
+    <message>
+        <source>No work offset is in use.</source>
+        <translation>Aucun décalage de travail n’est utilisé.</translation>
+    </message>
+    <message>
+        <source>Positions count by the counter again. Nothing moves.</source>
+        <translation>Les positions suivent de nouveau le compteur. Rien ne bouge.</translation>
+    </message>
+    <message>
+        <source>Choose the work offset first.</source>
+        <translation>Choisissez d’abord le décalage de travail.</translation>
+    </message>
+    <message>
+        <source>Deletes the work offset from the machine. Nothing moves.</source>
+        <translation>Supprime le décalage de travail de la machine. Rien ne bouge.</translation>
+    </message>
+    <message>
+        <source>Positions then count from there. Nothing moves; counter and home stay.</source>
+        <translation>Les positions sont alors comptées depuis là. Rien ne bouge&#xa0;; le compteur et l’origine restent.</translation>
+    </message>
+    <message>
+        <source>Home is unknown: an offset lasts only until home or the counter changes, and is not kept.</source>
+        <translation>L’origine est inconnue&#xa0;: un décalage ne dure que jusqu’à ce que l’origine ou le compteur change, et n’est pas conservé.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::XyDialog</name>
+    <message>
+        <source>One signal over another, between the cursors</source>
+        <translation>Un signal en fonction d’un autre, entre les curseurs</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Vertical</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontal</source>
+        <translation>&amp;Horizontal</translation>
+    </message>
+    <message>
+        <source>&amp;Vertical</source>
+        <translation>&amp;Vertical</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 en fonction de %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::XyPlot</name>
+    <message>
+        <source>One signal over another</source>
+        <translation>Un signal en fonction d’un autre</translation>
+    </message>
+    <message>
+        <source>Each sample of the vertical signal, over the value of the horizontal one at the same time. The dot marks the last one. Double-click to show everything. Scroll to zoom horizontally, or vertically with Ctrl; drag to pan.</source>
+        <translation>Chaque échantillon du signal vertical, en fonction de la valeur du signal horizontal au même instant. Le point marque le dernier. Double-cliquez pour tout afficher. La molette zoome horizontalement, ou verticalement avec Ctrl&#xa0;; faites glisser pour déplacer la vue.</translation>
     </message>
 </context>
 </TS>

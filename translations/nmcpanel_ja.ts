@@ -925,6 +925,14 @@
         <source>Asks for the PIN.</source>
         <translation>PINの入力が必要です。</translation>
     </message>
+    <message>
+        <source>Arrival</source>
+        <translation>到着</translation>
+    </message>
+    <message>
+        <source>Work offsets</source>
+        <translation>ワークオフセット</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -5357,6 +5365,22 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>At this speed the motor would reverse. Raise the speed, or lower the amplitude or the highest frequency.</source>
         <translation>この速度ではモーターが反転します。速度を上げるか、振幅または最高周波数を下げてください。</translation>
     </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>許容差</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, from home</source>
+        <translation>「%1」、原点から</translation>
+    </message>
+    <message>
+        <source>%1 did not stay within its arrival tolerance. Check its gains, or change the tolerance (Axis page).</source>
+        <translation>%1は到着許容差内にとどまりませんでした。ゲインを確認するか、許容差を変更してください（軸ページ）。</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -5502,6 +5526,25 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
         <translation>保持すべき位置から%1ずれています。摩擦、負荷、または障害物の力が上回っています。Kpを上げるか、積分（Ki、IL）を使うと、より強く押します。</translation>
+    </message>
+</context>
+<context>
+    <name>WorkTexts</name>
+    <message>
+        <source>from &quot;%1&quot;</source>
+        <translation>「%1」から</translation>
+    </message>
+    <message>
+        <source>%1 by the counter</source>
+        <translation>カウンター値%1</translation>
+    </message>
+    <message>
+        <source>Positions count from &quot;%1&quot;.</source>
+        <translation>位置は「%1」から数えます。</translation>
+    </message>
+    <message>
+        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
+        <translation>「%1」の位置が不明になりました。ワークオフセットを選択し直すか、解除してください（軸ページ）。</translation>
     </message>
 </context>
 <context>
@@ -5876,6 +5919,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>LENT at %1 — no program yet.</source>
         <translation>貸出中 %1 — まだプログラムはありません。</translation>
+    </message>
+    <message>
+        <source>The motor did not stay within the arrival tolerance of its axis.</source>
+        <translation>モーターが軸の到着許容差内にとどまりませんでした。</translation>
     </message>
 </context>
 <context>
@@ -6856,6 +6903,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Shows at which frequencies a signal oscillates between the cursors.</source>
         <translation>カーソル間で信号が振動している周波数を表示します。</translation>
+    </message>
+    <message>
+        <source>XY view…</source>
+        <translation>XY表示…</translation>
+    </message>
+    <message>
+        <source>Shows one signal over another between the cursors.</source>
+        <translation>カーソル間で、ある信号を別の信号に対して表示します。</translation>
     </message>
 </context>
 <context>
@@ -10164,6 +10219,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Limit switch 2: high blocks the way to it.</source>
         <translation>リミットスイッチ2：Highでそこへ向かう動作を禁止。</translation>
     </message>
+    <message>
+        <source>counter: %1</source>
+        <translation>カウンター：%1</translation>
+    </message>
+    <message>
+        <source>%1: not known</source>
+        <translation>%1：不明</translation>
+    </message>
 </context>
 <context>
     <name>nmc::PathPlot</name>
@@ -11525,6 +11588,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>%1 (simulator)</source>
         <translation>%1（シミュレーター）</translation>
     </message>
+    <message>
+        <source>Saves and restores arrangements of the scope by name.</source>
+        <translation>スコープの配置を名前で保存および復元します。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ScopePlot</name>
@@ -11539,6 +11606,45 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>The band exceeds the strip: %1 to %2</source>
         <translation>帯が表示欄を超えています：%1～%2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::ScopePresets</name>
+    <message>
+        <source>Presets</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>&amp;Remove preset</source>
+        <translation>プリセットを削除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove preset</source>
+        <translation>プリセットを削除</translation>
+    </message>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation>プリセットとして保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Keeps the present signals, strips, bits and time under a name.</source>
+        <translation>現在の信号、表示欄、ビット、時間を名前を付けて保存します。</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>プリセットとして保存</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Replaces the preset of that name.</source>
+        <translation>同じ名前のプリセットを置き換えます。</translation>
+    </message>
+    <message>
+        <source>There are %1 presets, which is the most. Remove one first.</source>
+        <translation>プリセットが上限の%1個あります。先に1つ削除してください。</translation>
     </message>
 </context>
 <context>
@@ -11977,18 +12083,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>&amp;Signal</source>
         <translation>信号(&amp;S)</translation>
-    </message>
-    <message>
-        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
-        <translation>これらのサンプルは個別には保存されていません。カーソルを新しいサンプルに移動してください。</translation>
-    </message>
-    <message>
-        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
-        <translation>カーソル間に%1個のサンプルがあり、上限は%2個です。カーソルを近づけてください。</translation>
-    </message>
-    <message>
-        <source>Too few samples are between the cursors. Move them farther apart.</source>
-        <translation>カーソル間のサンプルが少なすぎます。カーソルの間隔を広げてください。</translation>
     </message>
     <message>
         <source>Peak: %1 Hz, amplitude %2 %3</source>
@@ -12620,6 +12714,21 @@ It works only while the link works: fit a hardware stop as well.</source>
     </message>
 </context>
 <context>
+    <name>nmc::StretchDialog</name>
+    <message>
+        <source>These samples are no longer kept individually. Move the cursors to newer ones.</source>
+        <translation>これらのサンプルは個別には保存されていません。カーソルを新しいサンプルに移動してください。</translation>
+    </message>
+    <message>
+        <source>%1 samples are between the cursors, and %2 are the most. Move the cursors closer together.</source>
+        <translation>カーソル間に%1個のサンプルがあり、上限は%2個です。カーソルを近づけてください。</translation>
+    </message>
+    <message>
+        <source>Too few samples are between the cursors. Move them farther apart.</source>
+        <translation>カーソル間のサンプルが少なすぎます。カーソルの間隔を広げてください。</translation>
+    </message>
+</context>
+<context>
     <name>nmc::TestForm</name>
     <message>
         <source>End test</source>
@@ -12643,14 +12752,6 @@ It works only while the link works: fit a hardware stop as well.</source>
     <message>
         <source>State of the travel limits</source>
         <translation>移動範囲の状態</translation>
-    </message>
-    <message>
-        <source>Lowest position</source>
-        <translation>最小位置</translation>
-    </message>
-    <message>
-        <source>Highest position</source>
-        <translation>最大位置</translation>
     </message>
     <message>
         <source>Counted from home. No motion passes it while home is known. Empty: no limit.</source>
@@ -12743,6 +12844,30 @@ It works only while the link works: fit a hardware stop as well.</source>
     <message>
         <source>With this backlash, no move can end at home: it would reverse beyond the limit. Move the limit away from home, or change the backlash or its direction.</source>
         <translation>このバックラッシでは、原点で終わる移動ができません。リミットの外側で折り返すことになるためです。リミットを原点から離すか、バックラッシまたはその方向を変更してください。</translation>
+    </message>
+    <message>
+        <source>Arrival tolerance</source>
+        <translation>到着許容差</translation>
+    </message>
+    <message>
+        <source>Sequences, and programs that wait, go on when the motor has stayed this close to its goal for the time beside it. Empty: when it stands still.</source>
+        <translation>シーケンスと待機中のプログラムは、モーターが隣の時間だけ目標からこの範囲内にとどまると次に進みます。空欄：停止したとき。</translation>
+    </message>
+    <message>
+        <source>Time within the arrival tolerance</source>
+        <translation>到着許容差内の時間</translation>
+    </message>
+    <message>
+        <source>How long the motor must stay within the tolerance.</source>
+        <translation>モーターが許容差内にとどまらなければならない時間です。</translation>
+    </message>
+    <message>
+        <source>Arrival within</source>
+        <translation>到着の範囲</translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation>継続</translation>
     </message>
 </context>
 <context>
@@ -12872,6 +12997,41 @@ It works only while the link works: fit a hardware stop as well.</source>
     </message>
 </context>
 <context>
+    <name>nmc::TriggerRecords</name>
+    <message>
+        <source>Save each picture…</source>
+        <translation>各画面を保存…</translation>
+    </message>
+    <message>
+        <source>Save each picture</source>
+        <translation>各画面を保存</translation>
+    </message>
+    <message>
+        <source>Saves the samples of each picture to a folder that you choose.</source>
+        <translation>各画面のサンプルを、選択したフォルダーに保存します。</translation>
+    </message>
+    <message>
+        <source>Keep the last</source>
+        <translation>保持する数</translation>
+    </message>
+    <message>
+        <source>How many files are kept. Then the oldest is replaced.</source>
+        <translation>保持するファイルの数です。それを超えると最も古いものが置き換えられます。</translation>
+    </message>
+    <message>
+        <source>Saved pictures</source>
+        <translation>保存した画面</translation>
+    </message>
+    <message>
+        <source>Save each picture to a folder</source>
+        <translation>各画面をフォルダーに保存</translation>
+    </message>
+    <message>
+        <source>%1 saved to %2</source>
+        <translation>%1個を%2に保存しました</translation>
+    </message>
+</context>
+<context>
     <name>nmc::UnitDialog</name>
     <message>
         <source>Calculate the unit</source>
@@ -12972,6 +13132,159 @@ It works only while the link works: fit a hardware stop as well.</source>
     <message>
         <source>Sets this unit for the axis. Keeps every physical value and sends nothing.</source>
         <translation>この単位を軸に設定します。物理量は変わらず、何も送信しません。</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::WorkBox</name>
+    <message>
+        <source>Positions count from this work offset</source>
+        <translation>位置の基準となるワークオフセット</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>解除</translation>
+    </message>
+    <message>
+        <source>Clear work offset: positions count by the counter</source>
+        <translation>解除：位置はカウンター値になります</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Delete work offset</source>
+        <translation>削除：ワークオフセットを削除</translation>
+    </message>
+    <message>
+        <source>Count from</source>
+        <translation>基準</translation>
+    </message>
+    <message>
+        <source>Number for the present position</source>
+        <translation>現在位置の値</translation>
+    </message>
+    <message>
+        <source>What the present position is to be called, in the unit of the axis.</source>
+        <translation>現在位置に与える値（軸の単位）です。</translation>
+    </message>
+    <message>
+        <source>Name of the work offset</source>
+        <translation>ワークオフセットの名前</translation>
+    </message>
+    <message>
+        <source>The name by which you choose it later.</source>
+        <translation>後で選択するときの名前です。</translation>
+    </message>
+    <message>
+        <source>For example: fixture A</source>
+        <translation>例：治具A</translation>
+    </message>
+    <message>
+        <source>Call this position</source>
+        <translation>この位置に設定</translation>
+    </message>
+    <message>
+        <source>Call this position: make a work offset</source>
+        <translation>この位置に設定：ワークオフセットを作成</translation>
+    </message>
+    <message>
+        <source>This position is</source>
+        <translation>この位置の値</translation>
+    </message>
+    <message>
+        <source>The motor is moving. Stop it first, and call its position then.</source>
+        <translation>モーターが動いています。先に停止してから位置を設定してください。</translation>
+    </message>
+    <message>
+        <source>Enter a name for the work offset, for example of a fixture.</source>
+        <translation>ワークオフセットの名前（治具の名前など）を入力してください。</translation>
+    </message>
+    <message>
+        <source>Another work offset of this axis has this name. Delete that one, or enter another name.</source>
+        <translation>この軸の別のワークオフセットが同じ名前です。それを削除するか、別の名前を入力してください。</translation>
+    </message>
+    <message>
+        <source>This axis has as many work offsets as it can have. Delete one first.</source>
+        <translation>この軸のワークオフセットは上限に達しています。先に1つ削除してください。</translation>
+    </message>
+    <message>
+        <source>With this number, the work offset would be outside the position range.</source>
+        <translation>この値では、ワークオフセットが位置の範囲外になります。</translation>
+    </message>
+    <message>
+        <source>the counter</source>
+        <translation>カウンター</translation>
+    </message>
+    <message>
+        <source>%1: not known</source>
+        <translation>%1：不明</translation>
+    </message>
+    <message>
+        <source>Where the positions on the screen count from. Nothing moves, and nothing is sent.</source>
+        <translation>画面上の位置の基準です。何も動かず、何も送信されません。</translation>
+    </message>
+    <message>
+        <source>No work offset is in use.</source>
+        <translation>ワークオフセットは使用されていません。</translation>
+    </message>
+    <message>
+        <source>Positions count by the counter again. Nothing moves.</source>
+        <translation>位置は再びカウンター値になります。何も動きません。</translation>
+    </message>
+    <message>
+        <source>Choose the work offset first.</source>
+        <translation>先にワークオフセットを選択してください。</translation>
+    </message>
+    <message>
+        <source>Deletes the work offset from the machine. Nothing moves.</source>
+        <translation>ワークオフセットを装置から削除します。何も動きません。</translation>
+    </message>
+    <message>
+        <source>Positions then count from there. Nothing moves; counter and home stay.</source>
+        <translation>位置はそこから数えます。何も動かず、カウンターと原点はそのままです。</translation>
+    </message>
+    <message>
+        <source>Home is unknown: an offset lasts only until home or the counter changes, and is not kept.</source>
+        <translation>原点が不明です：オフセットは原点またはカウンターが変わるまで有効で、保存されません。</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::XyDialog</name>
+    <message>
+        <source>One signal over another, between the cursors</source>
+        <translation>カーソル間の、ある信号対別の信号</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>横軸</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>縦軸</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontal</source>
+        <translation>横軸(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Vertical</source>
+        <translation>縦軸(&amp;V)</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%2に対する%1</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::XyPlot</name>
+    <message>
+        <source>One signal over another</source>
+        <translation>ある信号対別の信号</translation>
+    </message>
+    <message>
+        <source>Each sample of the vertical signal, over the value of the horizontal one at the same time. The dot marks the last one. Double-click to show everything. Scroll to zoom horizontally, or vertically with Ctrl; drag to pan.</source>
+        <translation>縦軸の信号の各サンプルを、同じ時刻の横軸の信号の値に対して表示します。点は最後のサンプルです。ダブルクリックで全体を表示します。スクロールで横方向を、Ctrlを押しながらで縦方向を拡大縮小し、ドラッグで表示を移動します。</translation>
     </message>
 </context>
 </TS>

@@ -124,8 +124,8 @@ TEST(AxisCopy, LimitPinsOfAnScStayWithScs) {
 /// another one does not compile without a value of its own.
 AxisSettings everySetting() {
     AxisSettings axis = servoAxis();
-    auto& [name, expected, unit, motion, travel, backlash, arrival, homing, limitStop, workOffsets, analog, gains,
-           io, fastPath, parameters, accelerationTime, outputNames, inputNames, pins] = axis;
+    auto& [name, expected, unit, motion, travel, backlash, arrival, homing, limitStop, workOffsets, analog,
+           gains, io, fastPath, parameters, accelerationTime, outputNames, inputNames, pins] = axis;
     travel = {-5, 5, 4.0};
     backlash = {20, true};
     arrival = {5, 0.25};

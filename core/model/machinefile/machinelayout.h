@@ -265,8 +265,8 @@ void fields(Form& form, T& settings) {
 
 template <typename Form, As<AxisSettings> T>
 void fields(Form& form, T& axis) {
-    auto& [name, expected, unit, motion, travel, backlash, arrival, homing, limitStop, workOffsets, analog, gains,
-           io, fastPath, parameters, accelerationTime, outputNames, inputNames, pins] = axis;
+    auto& [name, expected, unit, motion, travel, backlash, arrival, homing, limitStop, workOffsets, analog,
+           gains, io, fastPath, parameters, accelerationTime, outputNames, inputNames, pins] = axis;
     form.text("name", name);
     form.part("expected", expected);
     // From here on, the names of the numbers depend on the chip's units.
