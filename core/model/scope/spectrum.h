@@ -20,8 +20,8 @@ struct SpectrumPoint {
 /// and some may be missing). Each point is the sine of that frequency that fits best, with a Hann window, so
 /// that one line is as wide as two periods per stretch to either side. Pure.
 struct Spectrum {
-    /// By ascending frequency, evenly spaced, from two periods per stretch to as far below half the usual rate
-    /// of the samples. A faster oscillation shows at a lower frequency.
+    /// By ascending frequency, evenly spaced, from two periods per stretch to as far below half the usual
+    /// rate of the samples. A faster oscillation shows at a lower frequency.
     std::vector<SpectrumPoint> points;
     /// The highest line; nothing if none stands out from the noise, which happens by chance in one of a
     /// hundred spectra.
