@@ -178,9 +178,12 @@ TEST_F(LoopTestsInTheWindow, ResponsesAtRestAndInMotionStayWhileTheGainsAreTheSa
     other.stage = ProcedureStage::Done;
     other.frequencies = firstOrder(20);
     other.gains = someGains();
+    other.gains->el += 1;
+    window->loopTests().frequency().showReport(other);
+    EXPECT_NE(picture(), atRest) << "the position error limit is no part of the loop";
     other.gains->kp += 1;
     window->loopTests().frequency().showReport(other);
-    window->loopTests().frequency().showReport(other);
+    EXPECT_EQ(picture(), atRest);
     EXPECT_EQ(window->loopTests().frequency().speed(), 0.0);
 }
 

@@ -90,7 +90,8 @@ void FrequencyPage::showReport(const ProcedureReport& report) {
     std::vector<Found>& kept = m_found[report.module];
     std::erase_if(kept, [&report](const Found& found) {
         const bool sameKind = (found.report.speed != 0.0) == (report.speed != 0.0);
-        return sameKind || found.report.gains != report.gains;
+        return sameKind || !found.report.gains || !report.gains ||
+               changeOf(*found.report.gains, *report.gains) != LoopChange::None;
     });
     kept.push_back({report, QDateTime::currentDateTime()});
     refresh();

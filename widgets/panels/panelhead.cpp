@@ -185,8 +185,8 @@ void PanelHead::arrangeWide(QGridLayout& grid, QHBoxLayout* what) {
                             m_stopHere != nullptr ? m_stopHere->button() : nullptr}));
     buttons->addSpacing(unit);
     buttons->addWidget(m_motorOff->button());
-    buttons->addStretch(1);
-    buttons->addWidget(m_work);
+    buttons->addWidget(m_work, 1);
+    m_work->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     buttons->addWidget(m_otherPosition);
     grid.addLayout(what, 1, 0);
     grid.addLayout(all, 2, 0);
@@ -199,6 +199,7 @@ void PanelHead::arrangeWide(QGridLayout& grid, QHBoxLayout* what) {
 void PanelHead::arrangeNarrow(QGridLayout& grid, QHBoxLayout* what) {
     what->addStretch(1);
     QHBoxLayout* where = row({m_otherPosition, m_work});
+    m_work->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     where->addStretch(1);
     where->addWidget(m_position);
     where->addWidget(m_positionUnit);

@@ -139,9 +139,9 @@ void TravelBox::buildArrival(FormGrid* grid) {
                                   .digits = 5,
                                   .meaning = tr("How long the motor must stay within the tolerance.")},
                                  this);
-    grid->addRow(
-        tr("Arrival within"), m_tolerance,
-        {form::newLine(this, {new QLabel(tr("for"), this), m_duration, new QLabel(Common::tr("s"), this)})});
+    grid->addRow(tr("Arrival within"), m_tolerance,
+                 {form::newLine(this, {form::newLabel(tr("for"), m_duration), m_duration,
+                                       new QLabel(Common::tr("s"), this)})});
     connect(m_tolerance, &QuantityField::nativeEdited, this, &TravelBox::keepArrival);
     connect(m_duration, &NumberField::edited, this, &TravelBox::keepArrival);
 }

@@ -3,6 +3,7 @@
 
 #include <QToolButton>
 
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
@@ -27,8 +28,10 @@ CursorPanel::CursorPanel(QWidget* parent)
                                   tr("Shows at which frequencies a signal oscillates between the cursors."));
     auto* xy = newOpener<XyDialog>(u"scopeXyButton"_s, tr("XY view…"),
                                    tr("Shows one signal over another between the cursors."));
-    form::fill(this,
-               form::newColumn(this, {form::newLine(this, {m_fold, nullptr, xy, spectrum}), m_table}, 0));
+    auto* line = new FlowLayout(0);
+    for (QToolButton* button : {m_fold, xy, spectrum})
+        line->addWidget(button);
+    form::fill(this, form::newColumn(this, {line, m_table}, 0));
     setBeside(false);
     setUnfolded(true);
 }

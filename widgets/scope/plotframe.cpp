@@ -162,10 +162,10 @@ void PlotFrame::paintNumbers(QPainter& painter) const {
         painter.drawText(
             QRectF(area.left() - labelWidth(), y(value) - height / 2, labelWidth() - gap(), height),
             Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, texts::numberAt(value, m_values.interval));
+    const QString unit = m_timeUnit.isEmpty() ? QString() : u' ' + m_timeUnit;
     for (const double time : m_times.multiplesOf(m_labelInterval))
         painter.drawText(QRectF(x(time) - 4 * height, area.bottom() + gap() / 2, 8 * height, height),
-                         Qt::AlignHCenter | Qt::AlignTop,
-                         texts::numberAt(time, m_labelInterval) + u' ' + m_timeUnit);
+                         Qt::AlignHCenter | Qt::AlignTop, texts::numberAt(time, m_labelInterval) + unit);
 }
 
 // ---- legend ----

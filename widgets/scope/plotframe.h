@@ -37,7 +37,7 @@ public:
     void setMargins(int left, int right, int bottom);
     /// `labelInterval` 0: this plot shows no times.
     void setTimeAxis(double left, double right, double division, double labelInterval);
-    /// For a plot over something else than time.
+    /// For a plot over something else than time; empty: the numbers stand alone.
     void setTimeUnit(const QString& unit);
     void setValueAxis(double bottom, double top, double interval);
 

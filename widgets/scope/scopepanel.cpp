@@ -50,7 +50,7 @@ ScopePanel::ScopePanel(Requests& requests, QWidget* parent)
     m_layout->setSpacing(0);
     m_layout->addWidget(m_bar);
     m_layout->addWidget(m_files);
-    m_trigger->bar().layout()->addWidget(m_records);
+    m_trigger->bar().addControls(m_records);
     m_layout->addWidget(&m_trigger->bar());
     m_trigger->setShown(false);
     connectBar();

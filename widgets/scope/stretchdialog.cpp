@@ -11,7 +11,7 @@ namespace nmc {
 
 namespace {
 
-/// Frames between two updates while samples arrive or a cursor is dragged: one takes up to 50 ms.
+/// Frames between two updates while samples arrive or a cursor is dragged: one takes up to two frames.
 constexpr int kPause = 12;
 
 bool sameSignals(const std::vector<ScopeStretch>& a, const std::vector<ScopeStretch>& b) {

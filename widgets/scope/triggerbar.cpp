@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
@@ -41,6 +42,7 @@ Condition turned(Condition condition) {
 
 TriggerBar::TriggerBar(QWidget* parent)
     : QWidget(parent),
+      m_layout(new FlowLayout(look::gridUnit(this))),
       m_source(form::newChoice(
           {u"triggerSourceBox"_s, tr("Trigger on"), {}, tr("The signal or status bit to wait for.")}, this)),
       m_condition(form::newChoice(
@@ -90,18 +92,23 @@ TriggerBar::TriggerBar(QWidget* parent)
     takeSource();
 }
 
-/// In two rows, because one row would often be wider than the scope.
+/// In as many rows as it needs, because one row would often be wider than the scope.
 void TriggerBar::layOut() {
     using form::newLabel;
-    auto* first = form::newLine(
-        this, {newLabel(tr("Trigger on"), m_source), m_source, m_condition, m_level, m_unit, nullptr}, 0.5);
-    auto* second = form::newLine(this,
-                                 {newLabel(tr("Mode"), m_mode), m_mode, newLabel(tr("Before"), m_before),
-                                  m_before, newLabel(tr("%"), m_before), m_arm},
-                                 0.5);
-    second->addWidget(m_state, 1);
-    setLayout(form::newColumn(this, {first, second}, 0.5));
+    m_layout->addLayout(form::newLine(
+        this, {newLabel(tr("Trigger on"), m_source), m_source, m_condition, m_level, m_unit}, 0.5));
+    m_layout->addLayout(form::newLine(this,
+                                      {newLabel(tr("Mode"), m_mode), m_mode, newLabel(tr("Before"), m_before),
+                                       m_before, newLabel(tr("%"), m_before), m_arm},
+                                      0.5));
+    m_layout->addWidget(m_state);
+    setLayout(m_layout);
     layout()->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
+}
+
+/// The state's width changes, so it is the last.
+void TriggerBar::addControls(QWidget* controls) {
+    m_layout->insertWidget(m_layout->count() - 1, controls);
 }
 
 // ---- the sources ----

@@ -15,6 +15,7 @@ class QPushButton;
 
 namespace nmc {
 
+class FlowLayout;
 class NumberField;
 
 /// The controls of the trigger, in which the user chooses what the scope waits for.
@@ -37,6 +38,8 @@ public:
     [[nodiscard]] std::optional<TriggerSettings> settings() const;
     /// The signal whose strip shows the level.
     [[nodiscard]] std::optional<SignalRef> levelSignal() const;
+    /// Adds controls about what triggered.
+    void addControls(QWidget* controls);
     void setVisible(bool visible) override;
 
 signals:
@@ -66,6 +69,7 @@ private:
     std::optional<ModuleIndex> m_selected;
     std::vector<Source> m_sources;  ///< in the order of the box
     bool m_listed = true;           ///< m_sources are those of m_modules
+    FlowLayout* m_layout;
     QComboBox* m_source;
     QComboBox* m_condition;
     NumberField* m_level;

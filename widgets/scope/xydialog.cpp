@@ -14,7 +14,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 /// More points would make painting, and with it a stop key, wait.
-constexpr std::size_t kMostPoints = 20'000;
+constexpr std::size_t kMostPoints = 10'000;
 }  // namespace
 
 XyDialog::XyDialog(QWidget* parent)
@@ -25,12 +25,13 @@ XyDialog::XyDialog(QWidget* parent)
       m_hint(form::newParagraph(u"xyHint"_s, {}, this, 1)) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    form::fill(
-        this,
-        form::newColumn(this, {form::newLine(this, {form::newLabel(tr("&Horizontal"), m_x), m_x,
-                                                    form::newLabel(tr("&Vertical"), m_y), m_y, nullptr}),
-                               form::Item(m_plot, 1), m_hint, buttons}),
-        1);
+    const auto newRow = [this](const QString& label, TraceBox* box) {
+        return form::newLine(this, {form::newLabel(label, box), box, nullptr});
+    };
+    form::fill(this,
+               form::newColumn(this, {newRow(tr("&Horizontal"), m_x), newRow(tr("&Vertical"), m_y),
+                                      form::Item(m_plot, 1), m_hint, buttons}),
+               1);
 }
 
 void XyDialog::showSamples(const std::vector<Samples>& samples) {
@@ -41,7 +42,7 @@ void XyDialog::showSamples(const std::vector<Samples>& samples) {
         hint = whyNothing(y, 1, kMostPoints);
     look::setText(m_hint, hint);
     m_plot->showCurve(hint.isEmpty() ? xyCurve(x.points, y.points) : std::vector<XyPoint>{},
-                      tr("%1 over %2").arg(y.trace.label, x.trace.label), x.unit);
+                      tr("%1 over %2").arg(y.trace.label, x.trace.label));
 }
 
 }  // namespace nmc

@@ -16,14 +16,14 @@ XyPlot::XyPlot(QWidget* parent) : RecordPlot(parent) {
     look::name(this, u"xyPlot"_s, tr("One signal over another"));
     setToolTip(tr(
         "Each sample of the vertical signal, over the value of the horizontal one at the same time. The dot marks the last one. Double-click to show everything. Scroll to zoom horizontally, or vertically with Ctrl; drag to pan."));
+    m_frame.setTimeUnit({});
     adoptPalette();
     fit();
 }
 
-void XyPlot::showCurve(std::vector<XyPoint> curve, const QString& label, const QString& unit) {
+void XyPlot::showCurve(std::vector<XyPoint> curve, const QString& label) {
     m_curve = std::move(curve);
     m_label = label;
-    m_frame.setTimeUnit(unit);
     refreshLegend();
     fit();
 }

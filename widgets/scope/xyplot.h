@@ -13,8 +13,8 @@ class XyPlot : public RecordPlot {
 public:
     explicit XyPlot(QWidget* parent = nullptr);
 
-    /// `label`: of both signals; `unit`: of the horizontal axis.
-    void showCurve(std::vector<XyPoint> curve, const QString& label, const QString& unit);
+    /// `label`: both signals, with their units.
+    void showCurve(std::vector<XyPoint> curve, const QString& label);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 

@@ -16,10 +16,10 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kPointsPerLine = 4;       ///< points per 1/stretch, so that none of them misses a line
-constexpr double kSlowestLine = 2;         ///< periods per stretch; what is slower may be drift
-constexpr double kFalseAlarms = 0.01;      ///< per spectrum of noise
-constexpr std::size_t kMeshPerPoint = 16;  ///< mesh points per frequency: the sums are off by less than 0.1 %
+constexpr double kPointsPerLine = 4;      ///< points per 1/stretch, so that none of them misses a line
+constexpr double kSlowestLine = 2;        ///< periods per stretch; what is slower may be drift
+constexpr double kFalseAlarms = 0.01;     ///< per spectrum of noise
+constexpr std::size_t kMeshPerPoint = 8;  ///< mesh points per frequency: the sums are off by less than 1 %
 
 /// A value about its mean, with its share in the window.
 struct Weighted {

@@ -28,8 +28,8 @@ struct Spectrum {
     std::optional<SpectrumPoint> peak{};
 };
 
-/// More samples are refused, so that a spectrum never takes longer than a few frames.
-inline constexpr std::size_t kMostSpectrumSamples = 20'000;
+/// More samples are refused, so that a spectrum takes no longer than two frames.
+inline constexpr std::size_t kMostSpectrumSamples = 8'000;
 inline constexpr std::size_t kFewestSpectrumSamples = 16;
 
 /// `points` must be in order of time. `derivative`: 1 for the spectrum of the signal's rate of change, per s.
