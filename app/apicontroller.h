@@ -102,7 +102,8 @@ private:
     void noteMoved(Client client, ModuleIndex module);
     [[nodiscard]] bool isHeld(Client client);
     [[nodiscard]] bool rests(ModuleIndex module) const;
-    /// Of these modules, which are at rest: Missed if one has, or Underway.
+    /// How far these modules, all at rest, are: Missed if any of them has missed its goal, Underway if any
+    /// has not arrived yet.
     [[nodiscard]] Arrival::State arrivalOf(Pending& wait, const std::vector<ModuleIndex>& modules) const;
     void noteFinished(const bus::OperationFinished& finished);
     void noteEnded(const ProcedureReport& report);

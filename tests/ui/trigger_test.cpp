@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "scopehistory.h"
+#include "tests/support/choosefile.h"
 #include "widgets/common/requests.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopeplot.h"
@@ -43,14 +44,6 @@ protected:
             if (m_next % 5 == 0)
                 window->showHistory(made.history(), HandMadeHistory::at(t));
         }
-    }
-    void pick(const QString& box, const QString& item) {
-        auto* combo = find<QComboBox>(box);
-        combo->setFocus();
-        QTest::keyClick(combo, Qt::Key_Home);
-        while (combo->currentText() != item && combo->currentIndex() + 1 < combo->count())
-            QTest::keyClick(combo, Qt::Key_Down);
-        ASSERT_EQ(combo->currentText(), item);
     }
     ScopeStrips& strips() { return *find<ScopeStrips>(u"scopeStrips"_s); }
     QString state() { return text(u"triggerStateLabel"_s); }
@@ -120,8 +113,7 @@ TEST_F(Trigger, EachPictureIsSavedAndTheLastOnesAreKept) {
     QSignalSpy saved(&window->requests(), &Requests::save);
     click(u"triggerSaveBox"_s);
     EXPECT_FALSE(find<QCheckBox>(u"triggerSaveBox"_s)->isChecked()) << "no folder yet";
-    emit find<QFileDialog>(u"triggerFolderDialog"_s)->fileSelected(folder.path());
-    find<QFileDialog>(u"triggerFolderDialog"_s)->close();
+    testing_support::chooseFile(*find<QFileDialog>(u"triggerFolderDialog"_s), folder.path());
     EXPECT_TRUE(find<QCheckBox>(u"triggerSaveBox"_s)->isChecked());
     type(u"triggerKeepField"_s, u"2"_s);
     type(u"triggerLevelField"_s, u"50"_s);
@@ -147,9 +139,10 @@ TEST_F(Trigger, EachPictureIsSavedAndTheLastOnesAreKept) {
 }
 
 TEST_F(Trigger, ASinglePictureIsSavedOnce) {
+    const QTemporaryDir folder;
     QSignalSpy saved(&window->requests(), &Requests::save);
     click(u"triggerSaveBox"_s);
-    emit find<QFileDialog>(u"triggerFolderDialog"_s)->fileSelected(u"/tmp"_s);
+    testing_support::chooseFile(*find<QFileDialog>(u"triggerFolderDialog"_s), folder.path());
     type(u"triggerLevelField"_s, u"50"_s);
     choose(u"triggerModeBox"_s, u"Single"_s);
     run(10, ramp);

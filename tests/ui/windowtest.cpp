@@ -2,6 +2,7 @@
 #include "windowtest.h"
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QPalette>
 
@@ -108,6 +109,15 @@ QSet<const QWidget*> WindowTest::reachedByTab() {
         reached.insert(focused);
     }
     return reached;
+}
+
+void WindowTest::pick(const QString& box, const QString& entry) {
+    auto* combo = find<QComboBox>(box);
+    combo->setFocus();
+    QTest::keyClick(combo, Qt::Key_Home);
+    while (combo->currentText() != entry && combo->currentIndex() + 1 < combo->count())
+        QTest::keyClick(combo, Qt::Key_Down);
+    ASSERT_EQ(combo->currentText(), entry);
 }
 
 void WindowTest::type(const QString& objectName, const QString& text) {

@@ -67,6 +67,8 @@ protected:
     QString text(const QString& objectName) { return find<QLabel>(objectName)->text(); }
     /// As a user would: selects what is there and types over it.
     void type(const QString& objectName, const QString& text);
+    /// Selects an entry of a box with the arrow keys.
+    void pick(const QString& box, const QString& entry);
     /// The widgets that have the focus as Tab is pressed again and again, until it is where it was.
     QSet<const QWidget*> reachedByTab();
     void click(const QString& objectName) { QTest::mouseClick(button(objectName), Qt::LeftButton); }

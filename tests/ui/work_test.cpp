@@ -51,11 +51,6 @@ protected:
         call(u"10"_s, u"fixture A"_s);
         click(u"callButton"_s);
     }
-    void choose(const QString& name) {
-        auto* choice = find<QComboBox>(u"workChoice"_s);
-        choice->setCurrentIndex(choice->findText(name));
-        emit choice->activated(choice->currentIndex());
-    }
     QString whyNot(const QString& name) {
         auto* control = button(name);
         EXPECT_FALSE(control->isEnabled()) << name.toStdString();
@@ -88,7 +83,7 @@ TEST_F(WorkOffsets, AreCalledByWhatThePositionIsAndKeptWithTheAxis) {
     EXPECT_EQ(text(u"otherPosition"_s), u"= 2\u202f500 counts"_s);
     EXPECT_EQ(text(u"homeState"_s), u"Home: 0 mm"_s);
     EXPECT_EQ(machine.axes[0].workOffsets.size(), 1U) << "it is still there to be chosen";
-    choose(u"fixture A"_s);
+    pick(u"workChoice"_s, u"fixture A"_s);
     EXPECT_EQ(text(u"positionLabel"_s), u"10.00"_s);
     click(u"workDeleteButton"_s);
     EXPECT_EQ(text(u"positionLabel"_s), u"25.00"_s);
@@ -173,7 +168,7 @@ TEST_F(WorkOffsets, ThatAreNotKnownAnyMoreShowNoPositionAndTakeNone) {
     EXPECT_TRUE(text(u"workHint"_s).startsWith(where));
     EXPECT_TRUE(text(u"motionHint"_s).startsWith(where));
     EXPECT_EQ(listed().data(ChainModel::Position), u"◇ – mm"_s);
-    choose(u"fixture A"_s);
+    pick(u"workChoice"_s, u"fixture A"_s);
     EXPECT_EQ(text(u"positionLabel"_s), u"10.00"_s);
     EXPECT_EQ(field(u"goalField"_s)->text(), QString()) << "12 mm was another place";
     EXPECT_EQ(text(u"workHint"_s), QString());

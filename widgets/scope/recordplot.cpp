@@ -44,6 +44,11 @@ void RecordPlot::fit() {
     update();
 }
 
+QMargins RecordPlot::room() const {
+    const int em = fontMetrics().height();
+    return {0, 0, em * 3 / 2, em * 3 / 2};
+}
+
 RecordPlot::View RecordPlot::seen() const {
     return {m_geometry.left, m_geometry.right, m_geometry.bottom, m_geometry.top};
 }

@@ -37,8 +37,9 @@ protected:
     void moveCursor(std::size_t cursor, double seconds) override;
 
     [[nodiscard]] virtual View fitted() const = 0;
-    /// Room in pixels around the plot area, beside that for the numbers of the value axis.
-    [[nodiscard]] virtual QMargins room() const = 0;
+    /// Room in pixels around the plot area, beside that for the numbers of the value axis; at first only for
+    /// the numbers of the other axis.
+    [[nodiscard]] virtual QMargins room() const;
     /// Height of the plot with its axes, in pixels.
     [[nodiscard]] virtual int frameHeight() const { return height(); }
     [[nodiscard]] View seen() const;

@@ -53,11 +53,6 @@ void SpectrumPlot::showEverything() {
         showTime(0, m_spectrum.points.back().hertz);
 }
 
-QMargins SpectrumPlot::room() const {
-    const int em = fontMetrics().height();
-    return {0, 0, em * 3 / 2, em * 3 / 2};
-}
-
 void SpectrumPlot::paintTraces(QPainter& painter) {
     painter.setClipRect(m_geometry.area);
     const auto placed = [this](const SpectrumPoint& point) {

@@ -25,7 +25,6 @@ protected:
     void showEverything() override;
     /// Up to ten times the frequency of the peak.
     [[nodiscard]] View fitted() const override;
-    [[nodiscard]] QMargins room() const override;
 
 private:
     Spectrum m_spectrum;

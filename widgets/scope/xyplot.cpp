@@ -46,11 +46,6 @@ RecordPlot::View XyPlot::fitted() const {
     return {left.x - margin, right.x + margin, bottom.y, top.y};
 }
 
-QMargins XyPlot::room() const {
-    const int em = fontMetrics().height();
-    return {0, 0, em * 3 / 2, em * 3 / 2};
-}
-
 void XyPlot::paintTraces(QPainter& painter) {
     if (m_curve.empty())
         return;

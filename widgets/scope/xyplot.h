@@ -22,7 +22,6 @@ protected:
     void refreshLegend() override;
     void paintTraces(QPainter& painter) override;
     [[nodiscard]] View fitted() const override;
-    [[nodiscard]] QMargins room() const override;
 
 private:
     std::vector<XyPoint> m_curve;

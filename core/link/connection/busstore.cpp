@@ -19,9 +19,9 @@ constexpr int kDrainIntervalMs = 16;
            now.roundTripSum < before.roundTripSum;
 }
 
-/// Nothing is known of the module but which work offset positions were counted from, which the user must hear
-/// is not known any more.
-[[nodiscard]] ModuleState anew(const ModuleState& before) {
+/// A module of which nothing is known. The name of the work offset that was in use stays, so that the user
+/// sees that its place is not known any more.
+[[nodiscard]] ModuleState unknownModule(const ModuleState& before) {
     ModuleState module;
     module.home = before.home;
     module.home.restarted();
@@ -300,7 +300,7 @@ void BusStore::note(const bus::Readdressed& readdressed) {
     if (!known(readdressed.module.index))
         return;
     ModuleState& module = m_link.modules[readdressed.module.index.value()];
-    module = anew(module);
+    module = unknownModule(module);
     module.info = readdressed.module;
     module.readOnly = m_link.readOnly;
     m_link.take(m_machine);
@@ -393,7 +393,11 @@ void BusStore::setModules(const bus::ChainFound& chain) {
         });
         const bool again = chain.attached && same != before.end();
         const std::size_t index = info.index.value();
-        ModuleState module = again ? *same : index < before.size() ? anew(before[index]) : ModuleState{};
+        ModuleState module;
+        if (again)
+            module = *same;
+        else if (index < before.size())
+            module = unknownModule(before[index]);
         module.info = info;
         module.readOnly = chain.readOnly;
         module.lent = m_link.lent.has_value();

@@ -43,9 +43,9 @@ void HomeFact::takeOffer(TimePoint time) {
 
 void HomeFact::restarted() {
     loseWork();
-    HomeFact anew;
-    anew.m_work = std::move(m_work);
-    *this = std::move(anew);
+    std::optional<Work> work = std::move(m_work);
+    *this = HomeFact();
+    m_work = std::move(work);
 }
 
 std::optional<WorkZero> HomeFact::workZero() const {
