@@ -59,6 +59,7 @@ TEST_P(Campaign, NothingIsHomeThatIsNot) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         random.seed(seed);
         ServoBench bench(static_cast<std::uint8_t>(between(1, 4)));
+        bench.watchesSpeed = true;
         const double at = chance(0.2) ? between(50, 400) : between(-1'500, -100);
         bench.putSwitch(sim::Input::Limit1, at, true);
         ASSERT_TRUE(bench.enable());

@@ -32,11 +32,13 @@ protected:
 TEST_P(EachVersion, FindsALimitSwitchGoesThereAndMakesItZero) {
     bench.putSwitch(Input::Limit1, -1'000, true);
     ASSERT_TRUE(bench.enable());
+    bench.watchesSpeed = true;
     HomingRecipe recipe = slowRecipe();
     recipe.onLimit1 = true;
     const ProcedureReport report = bench.run(intent::Home{recipe});
     EXPECT_EQ(report.stage, ProcedureStage::Done);
     EXPECT_FALSE(report.failure);
+    EXPECT_GT(bench.fastest, 0);
     ASSERT_TRUE(report.home);
     EXPECT_NEAR(*report.home, -1'000, kSwitchIsAt);
     expectZeroAt(bench, -1'000);

@@ -18,7 +18,8 @@ public:
         : bus(identities, at(baud), withFaults(options)) {
         bus.onTime = [this] {
             workSwitches();
-            noteSpeed();
+            if (watchesSpeed)
+                noteSpeed();
         };
     }
 
@@ -30,7 +31,8 @@ public:
     std::function<void()> onSlice;
     Duration sliceTime = std::chrono::microseconds(500);
     std::set<ProcedureStage> stages;  ///< all that were reached so far
-    double fastest = 0.0;             ///< highest command velocity of servo 1, in counts per tick
+    bool watchesSpeed = false;        ///< takes time at each event, so only tests that ask for it have it
+    double fastest = 0.0;             ///< highest command velocity of servo 1 since then, in counts per tick
 
     [[nodiscard]] bool connect() {
         if (!bus.connect())
