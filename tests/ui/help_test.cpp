@@ -298,6 +298,7 @@ TEST_F(Help, EachAnchorOfTheManualIsAWidget) {
     for (const QString& action : {u"chainDoctorAction"_s, u"copyAxisAction"_s, u"findCommandAction"_s,
                                   u"lendLineAction"_s, u"operatorAction"_s, u"scopeSignalsAction"_s})
         window->findChild<QAction*>(action)->trigger();
+    click(u"scopeCustomTracesButton"_s);
     window->machineMenu().showDifferences(u"mill.json"_s, {});
     (new PrintDialog({}, window->requests(), window.get()))->show();
     showServo();

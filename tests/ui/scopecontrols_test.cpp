@@ -17,6 +17,7 @@
 #include "widgets/scope/scopestrips.h"
 #include "widgets/scope/signalsdialog.h"
 #include "widgets/scope/statuslane.h"
+#include "widgets/scope/tracesdialog.h"
 #include "widgets/scope/xyplot.h"
 #include "windowtest.h"
 
@@ -410,6 +411,52 @@ TEST_F(ScopeControls, AccelerationAndPwmAreDrawnWhenTheyAreChosen) {
     EXPECT_GE(pwm->valueRange().max, 100);
     EXPECT_LT(pwm->valueRange().max - pwm->valueRange().min, 20);
     find<SignalsDialog>(u"scopeSignalsDialog"_s)->reject();
+}
+
+/// Module 1 goes up by 10 counts/s, module 2 stands at 500: their difference is 500 - 10 t.
+TEST_F(ScopeControls, ATraceOfOnesOwnIsDefinedShownAndRemembered) {
+    click(u"scopeSignalsButton"_s);
+    auto* dialog = find<SignalsDialog>(u"scopeSignalsDialog"_s);
+    auto* table = dialog->findChild<QTreeWidget*>(u"scopeSignalsTable"_s);
+    const auto rowOf = [table](const QString& name) {
+        const auto rows = table->findItems(name, Qt::MatchExactly | Qt::MatchRecursive);
+        return rows.empty() ? nullptr : rows.front();
+    };
+    click(u"scopeCustomTracesButton"_s);
+    auto* traces = find<TracesDialog>(u"customTracesDialog"_s);
+    const auto field = [traces](const QString& name) { return traces->findChild<QLineEdit*>(name); };
+    EXPECT_FALSE(field(u"customTrace2FirstFactor"_s)->isEnabled()) << "a row without a name is empty";
+    QTest::keyClicks(field(u"customTrace2Name"_s), u"distance"_s);
+    auto* first = traces->findChild<QComboBox*>(u"customTrace2FirstSignal"_s);
+    auto* second = traces->findChild<QComboBox*>(u"customTrace2SecondSignal"_s);
+    EXPECT_FALSE(field(u"customTrace2SecondFactor"_s)->isEnabled()) << "there is no second signal";
+    first->setCurrentText(u"Module 2: position"_s);
+    second->setCurrentText(u"Selected module: position"_s);
+    auto* factor = field(u"customTrace2SecondFactor"_s);
+    factor->selectAll();
+    QTest::keyClicks(factor, u"0"_s);
+    EXPECT_FALSE(button(u"customTracesApplyButton"_s)->isEnabled());
+    EXPECT_EQ(find<QLabel>(u"customTracesProblem"_s)->text(), u"A factor must not be 0."_s);
+    factor->selectAll();
+    QTest::keyClicks(factor, u"-1"_s);
+    EXPECT_TRUE(find<QLabel>(u"customTracesProblem"_s)->text().isEmpty());
+    QTest::keyClicks(field(u"customTrace2Unit"_s), u"counts"_s);
+    click(u"customTracesApplyButton"_s);
+    ASSERT_NE(rowOf(u"distance"_s), nullptr);
+    rowOf(u"distance"_s)->setCheckState(2, Qt::Checked);
+    rowOf(u"error, calculated"_s)->setCheckState(2, Qt::Unchecked);
+    dialog->reject();
+    frame();
+    auto* strip = find<ScopePlot>(u"scopePlot2"_s);
+    ASSERT_EQ(strip->traces().size(), 1U);
+    EXPECT_TRUE(strip->legendText(0).startsWith(u"distance, counts"_s)) << strip->legendText(0).toStdString();
+    EXPECT_GE(strip->valueRange().max, 400) << "at 10 s";
+    EXPECT_LE(strip->valueRange().min, 300) << "at 20 s";
+    EXPECT_LT(strip->valueRange().max - strip->valueRange().min, 150);
+    const ScopeSetup kept = ScopeSetup::fromText(settings.value(u"scope"_s).toString());
+    ASSERT_TRUE(kept.custom[1]);
+    EXPECT_EQ(kept.custom[1]->name, u"distance"_s);
+    EXPECT_EQ(MainWindow(settings).findChild<ScopePanel*>()->setup(), kept);
 }
 
 TEST_F(ScopeControls, TheListOfSignalsIsFiltered) {

@@ -23,6 +23,8 @@ TEST(ScopeSetup, SurvivesTheSettingsFile) {
     setup.set(3, {ModuleIndex(2), ScopeSignal::CountRate}, true);
     setup.bits[ModuleType::Servo] = {{ScopeBit::Byte::Aux, 2}, {ScopeBit::Byte::Status, 7}};
     setup.bits[ModuleType::Io] = {{ScopeBit::Byte::Status, 0}, {ScopeBit::Byte::Aux, 3}};
+    setup.custom[1] = {u"twice; = ,"_s, u"mm"_s, {{ModuleIndex(1), ScopeSignal::Position}, 2}};
+    setup.set(1, {std::nullopt, ScopeSignal::Custom2}, true);
     EXPECT_EQ(ScopeSetup::fromText(setup.toText()), setup);
 }
 
@@ -50,6 +52,15 @@ TEST(ScopeSetup, ModulesThatAreShownWhicheverIsSelectedAreKnown) {
     setup.set(0, {ModuleIndex(3), ScopeSignal::Position}, true);
     setup.set(1, {ModuleIndex(3), ScopeSignal::Error}, true);
     EXPECT_EQ(setup.fixedModules(), std::vector{ModuleIndex(3)});
+    setup.custom[0] = {u"sum"_s,
+                       {},
+                       {{ModuleIndex(3), ScopeSignal::Position}},
+                       TraceDefinition::Part{{ModuleIndex(5), ScopeSignal::Position}}};
+    EXPECT_EQ(setup.fixedModules(), std::vector{ModuleIndex(3)}) << "a trace that is not shown";
+    setup.set(2, {std::nullopt, ScopeSignal::Custom1}, true);
+    EXPECT_EQ(setup.fixedModules(), (std::vector{ModuleIndex(3), ModuleIndex(5)}));
+    setup.set(2, {std::nullopt, ScopeSignal::Custom1}, false);
+    setup.custom[0].reset();
     setup.set(0, {ModuleIndex(3), ScopeSignal::Position}, false);
     setup.set(1, {ModuleIndex(3), ScopeSignal::Error}, false);
     EXPECT_EQ(setup, ScopeSetup::usual());

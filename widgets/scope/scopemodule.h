@@ -2,16 +2,25 @@
 #pragma once
 
 #include <QString>
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "model/intent/travel.h"
-#include "model/scope/history.h"
+#include "model/scope/customsignal.h"
 #include "model/settings/axisscale.h"
 #include "model/settings/machine.h"
-#include "widgets/scope/tracedrawing.h"
+#include "widgets/scope/signalref.h"
 
 namespace nmc {
+
+/// A signal that the user has defined, as it is shown for one module.
+struct CustomTrace {
+    QString name, unit;
+    double step = 1;  ///< in its unit, in which its values are meaningful; CustomSignal counts these steps
+    CustomSignal signal{};
+    bool operator==(const CustomTrace&) const = default;
+};
 
 /// How the scope reads the samples of one module.
 struct ScopeModule {
@@ -21,12 +30,19 @@ struct ScopeModule {
     AnalogScale analog;
     std::optional<TravelRange> travel{};  ///< its travel limits, while they are in force
     PinSettings pins{};                   ///< PIC-I/O: names, and the scales of its A/D values
+    /// The user's, as far as their parts are there.
+    std::array<std::optional<CustomTrace>, kCustomSignals> custom{};
 
     [[nodiscard]] bool isIo() const { return identity.type == ModuleType::Io; }
     /// Scale of one of its A/D values.
     [[nodiscard]] AnalogScale analogOf(ScopeSignal signal) const {
         const auto input = infoOf(signal).analogInput;
         return isIo() && input ? PinSettings::of(pins.analog, *input).scale : analog;
+    }
+    /// Null unless the signal is one of the user's that can be shown.
+    [[nodiscard]] const CustomTrace* customOf(ScopeSignal signal) const {
+        const auto index = customIndex(signal);
+        return index && custom[*index] ? &*custom[*index] : nullptr;
     }
     [[nodiscard]] LinearScale scaleOf(ScopeSignal signal) const {
         switch (infoOf(signal).unit) {
@@ -36,6 +52,8 @@ struct ScopeModule {
                 return {scale.position(1.0), 0.0};
             case SignalInfo::Unit::Analog:
                 return {analogOf(signal).perCount, analogOf(signal).atZero};
+            case SignalInfo::Unit::Custom:
+                return {customOf(signal) != nullptr ? customOf(signal)->step : 1.0, 0.0};
             case SignalInfo::Unit::Pwm:
             case SignalInfo::Unit::Count:
             case SignalInfo::Unit::CountRate:
@@ -46,6 +64,8 @@ struct ScopeModule {
     /// True if its samples contain this signal and not another one in its place: a PIC-I/O has no motor, and
     /// the other modules have only one A/D input and no counter.
     [[nodiscard]] bool has(ScopeSignal signal) const {
+        if (customIndex(signal))
+            return customOf(signal) != nullptr;
         return infoOf(signal).owner != (isIo() ? SignalInfo::Owner::Motor : SignalInfo::Owner::Io);
     }
     /// True if the signal is meaningful for this module: a PIC-STEP always follows its steps, so it has no
@@ -65,13 +85,6 @@ struct ScopeModule {
         return limits;
     }
     bool operator==(const ScopeModule&) const = default;
-};
-
-/// A signal in a strip; if `module` is empty, that of the module selected in the window.
-struct SignalRef {
-    std::optional<ModuleIndex> module;
-    ScopeSignal signal = ScopeSignal::Position;
-    auto operator<=>(const SignalRef&) const = default;
 };
 
 }  // namespace nmc

@@ -157,11 +157,13 @@ void ScopePanel::showEvent(QShowEvent* event) {
 // ---- the arrangement ----
 
 void ScopePanel::setSetup(const ScopeSetup& setup) {
-    const double before = std::exchange(m_setup, setup).seconds;
+    const ScopeSetup before = std::exchange(m_setup, setup);
     m_bar->showSetup(setup);
     m_presets->showSetup(setup);
-    if (setup.seconds != before)
+    if (setup.seconds != before.seconds)
         showWidth();
+    if (setup.custom != before.custom)
+        applyModules();
     if (m_strips != nullptr) {
         m_strips->setSetup(setup);
         if (m_readings != nullptr)
@@ -325,7 +327,8 @@ void ScopePanel::showModules(std::vector<ScopeModule> modules, std::optional<Mod
 }
 
 void ScopePanel::applyModules() {
-    const std::vector<ScopeModule>& modules = m_record ? m_record->modules : m_modules;
+    const std::vector<ScopeModule> modules =
+        withTraces(m_record ? m_record->modules : m_modules, m_setup.custom);
     std::optional<ModuleIndex> selected = m_record && m_record->module ? m_record->module : m_selected;
     if (m_record && (!selected || selected->value() >= modules.size()) && !modules.empty())
         selected = ModuleIndex(0);
@@ -368,7 +371,8 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
 
 void ScopePanel::drawLive(const History& history, TimePoint now) {
     m_strips->showUnder(m_under.get());
-    const bool whole = !m_under || m_under->follow(history, m_selected, now, m_strips->shownSignals());
+    const bool whole = !m_under || m_under->follow(history, m_selected, now, m_strips->shownSignals(),
+                                                   m_strips->customSignals());
     draw(history, toSeconds(now - m_zero.value_or(now)));
     m_strips->showUnder(nullptr);
     if (!whole)

@@ -70,7 +70,7 @@ void ScopePlot::showFrame(const View& view, const History& history, double now, 
     m_geometry.right = view.right;
     const auto take = [&](std::vector<TraceDrawing>& drawings, TimePoint zero, const auto& sourceOf) {
         for (std::size_t i = 0; i < m_traces.size(); ++i) {
-            const DerivedSignals::Source source = sourceOf({m_traces[i].module, m_traces[i].signal});
+            const SignalSource source = sourceOf({m_traces[i].module, m_traces[i].signal});
             if (source.samples != nullptr)
                 drawings[i].take(*source.samples, source.signal, m_traces[i].scale, zero, m_geometry,
                                  view.sharpness);
@@ -80,7 +80,7 @@ void ScopePlot::showFrame(const View& view, const History& history, double now, 
     };
     take(m_drawings, view.zero, [&](const ModuleSignal& of) { return derived.source(history, of); });
     take(m_under, under != nullptr ? under->zero() : view.zero, [&](const ModuleSignal& of) {
-        return under != nullptr ? under->source(of) : DerivedSignals::Source{};
+        return under != nullptr ? under->source(of) : SignalSource{};
     });
     m_frame.setTimeAxis(view.left, view.right, view.division, m_timeLabels ? 2 * view.division : 0);
     fitValues(now);

@@ -16,29 +16,6 @@ const std::array<std::pair<QString, ModuleType>, 3> kBitWords{{{u"servobits"_s, 
                                                                {u"stepbits"_s, ModuleType::Stepper},
                                                                {u"iobits"_s, ModuleType::Io}}};
 
-QString toWord(const SignalRef& signal) {
-    const std::string_view name = infoOf(signal.signal).word;
-    const QString word = QLatin1String(name.data(), static_cast<qsizetype>(name.size()));
-    return signal.module ? u"%1.%2"_s.arg(signal.module->value() + 1).arg(word) : word;
-}
-
-std::optional<SignalRef> signalFromText(const QString& text) {
-    SignalRef signal;
-    QString word = text.trimmed();
-    if (const qsizetype dot = word.indexOf(u'.'); dot >= 0) {
-        const int number = word.left(dot).toInt();
-        if (number < 1 || number > 32)
-            return std::nullopt;
-        signal.module = ModuleIndex(static_cast<std::uint8_t>(number - 1));
-        word = word.mid(dot + 1);
-    }
-    const auto found = std::ranges::find(kSignals, word.toStdString(), &SignalInfo::word);
-    if (found == kSignals.end())
-        return std::nullopt;
-    signal.signal = found->signal;
-    return signal;
-}
-
 QString toWords(const std::vector<ScopeBit>& bits) {
     QStringList words;
     for (const ScopeBit& bit : bits)
@@ -82,7 +59,7 @@ QString ScopeSetup::toText() const {
     for (const auto& strip : strips) {
         QStringList words;
         for (const SignalRef& signal : strip)
-            words << toWord(signal);
+            words << signal.toText();
         parts << u"strip="_s + words.join(u',');
     }
     parts << u"lane="_s + (lane ? u"1"_s : u"0"_s) << u"seconds="_s + QString::number(seconds);
@@ -95,6 +72,9 @@ QString ScopeSetup::toText() const {
         for (const auto& [word, of] : kBitWords)
             if (of == type)
                 parts << word + u'=' + toWords(chosen);
+    for (std::size_t i = 0; i < custom.size(); ++i)
+        if (custom[i])
+            parts << u"custom%1="_s.arg(i + 1) + custom[i]->toText();
     return parts.join(u';');
 }
 
@@ -108,7 +88,7 @@ ScopeSetup ScopeSetup::fromText(const QString& text, const ScopeSetup& initial) 
         const QString value = part.section(u'=', 1);
         if (key == u"strip"_s && strip < kStrips) {
             for (const QString& word : value.split(u',', Qt::SkipEmptyParts))
-                if (const auto signal = signalFromText(word); signal && !setup.shows(strip, *signal))
+                if (const auto signal = SignalRef::fromText(word); signal && !setup.shows(strip, *signal))
                     setup.strips[strip].push_back(*signal);
             ++strip;
         } else if (key == u"lane"_s) {
@@ -126,6 +106,9 @@ ScopeSetup ScopeSetup::fromText(const QString& text, const ScopeSetup& initial) 
                 seconds >= TimeWindow::kShortest && seconds <= TimeWindow::kLongest)
                 setup.seconds = seconds;
         }
+        for (std::size_t i = 0; i < kCustomSignals; ++i)
+            if (key == u"custom%1"_s.arg(i + 1))
+                setup.custom[i] = TraceDefinition::fromText(value);
         for (const auto& [word, type] : kBitWords)
             if (key == word)
                 setup.bits[type] = bitsIn(value);
@@ -157,10 +140,20 @@ std::vector<ScopeBit> ScopeSetup::bitsOf(ModuleType type) const {
 
 std::vector<ModuleIndex> ScopeSetup::fixedModules() const {
     std::vector<ModuleIndex> modules;
+    const auto add = [&](const SignalRef& signal) {
+        if (signal.module && std::find(modules.begin(), modules.end(), *signal.module) == modules.end())
+            modules.push_back(*signal.module);
+    };
     for (const auto& strip : strips)
-        for (const SignalRef& signal : strip)
-            if (signal.module && std::find(modules.begin(), modules.end(), *signal.module) == modules.end())
-                modules.push_back(*signal.module);
+        for (const SignalRef& signal : strip) {
+            add(signal);
+            const auto index = customIndex(signal.signal);
+            if (!index || !custom[*index])
+                continue;
+            add(custom[*index]->first.signal);
+            if (custom[*index]->second)
+                add(custom[*index]->second->signal);
+        }
     return modules;
 }
 

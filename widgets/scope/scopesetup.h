@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "widgets/scope/scopemodule.h"
 #include "widgets/scope/scopewords.h"
+#include "widgets/scope/tracedefinition.h"
 
 namespace nmc {
 
@@ -26,6 +26,7 @@ struct ScopeSetup {
     double seconds = 10;
     /// Bits in the lane for each type of module, where they are not the usual ones.
     std::map<ModuleType, std::vector<ScopeBit>> bits{};
+    TraceDefinitions custom{};  ///< the user's own traces, for the signals Custom1 to Custom4
 
     /// Position and command position, below them the error, and below that the A/D values (such as the motor
     /// current) where they are reported.

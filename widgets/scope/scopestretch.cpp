@@ -5,8 +5,8 @@
 
 namespace nmc {
 
-ScopeStretch stretchOf(const ScopePlot::Trace& trace, const CursorTimes& times,
-                       const DerivedSignals::Source& source, TimePoint zero) {
+ScopeStretch stretchOf(const ScopePlot::Trace& trace, const CursorTimes& times, const SignalSource& source,
+                       TimePoint zero) {
     const auto last = source.samples->last();
     const bool open = !last || last->time < zero + fromSeconds(std::max(times[0], times[1]));
     return {{trace.module, trace.signal},

@@ -15,7 +15,7 @@ struct ScopeStretch {
     LinearScale scale{};
     CursorTimes times{};
     TimePoint zero{};
-    DerivedSignals::Source source{};
+    SignalSource source{};
     std::uint64_t samples = 0;  ///< that have arrived so far, as long as more may arrive between the cursors
 
     /// Reads them into `points`, in the unit of the scale. Returns false, and no points, if they are no
@@ -26,6 +26,6 @@ struct ScopeStretch {
 
 /// `source`: must have samples.
 [[nodiscard]] ScopeStretch stretchOf(const ScopePlot::Trace& trace, const CursorTimes& times,
-                                     const DerivedSignals::Source& source, TimePoint zero);
+                                     const SignalSource& source, TimePoint zero);
 
 }  // namespace nmc

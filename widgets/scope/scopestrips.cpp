@@ -168,9 +168,9 @@ bool ScopeStrips::eventFilter(QObject* watched, QEvent* event) {
 
 QString ScopeStrips::labelOf(const SignalRef& signal, const ScopeModule& module) const {
     const bool reported = signal.signal == ScopeSignal::Error && hasPathBuffer(module.identity);
-    const QString words =
-        Common::tr("%1, %2").arg(reported ? tr("error, reported") : texts::signalName(signal.signal, module),
-                                 texts::signalUnit(signal.signal, module));
+    const QString name = reported ? tr("error, reported") : texts::signalName(signal.signal, module);
+    const QString unit = texts::signalUnit(signal.signal, module);
+    const QString words = unit.isEmpty() ? name : Common::tr("%1, %2").arg(name, unit);
     return signal.module ? Common::tr("%1: %2").arg(module.name, words) : words;
 }
 
@@ -220,13 +220,22 @@ std::vector<ModuleSignal> ScopeStrips::shownSignals() const {
     return shown;
 }
 
+std::vector<CustomSignal> ScopeStrips::customSignals() const {
+    std::vector<CustomSignal> custom;
+    for (const ModuleSignal& shown : shownSignals())
+        if (shown.module.value() < m_modules.size())
+            if (const CustomTrace* trace = m_modules[shown.module.value()].customOf(shown.signal))
+                custom.push_back(trace->signal);
+    return custom;
+}
+
 void ScopeStrips::showFrame(const History& history, double now, std::optional<double> sharpness) {
     if (sharpness) {
         layout()->activate();
         shareHeight();  // again, because a splitter that was resized rounds its previous sizes
     }
     m_time.follow(now);
-    m_derived.want(shownSignals());
+    m_derived.want(shownSignals(), customSignals());
     m_behind = !m_derived.follow(history);
     label(history, now);
     const ScopePlot::View view{history.zero().value_or(TimePoint{}), m_time.left(), m_time.right(),

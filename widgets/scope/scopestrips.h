@@ -56,6 +56,8 @@ public:
     [[nodiscard]] std::optional<ModuleIndex> selected() const { return m_selected; }
     [[nodiscard]] std::vector<ScopePlot*> shownPlots() const;
     [[nodiscard]] std::vector<ModuleSignal> shownSignals() const;
+    /// Those of the user among them.
+    [[nodiscard]] std::vector<CustomSignal> customSignals() const;
     /// Those of the shown signals that samples do not contain.
     [[nodiscard]] const DerivedSignals& derived() const { return m_derived; }
     /// True if derived signals are not complete yet: another frame is needed.

@@ -63,11 +63,18 @@ QString signalName(ScopeSignal signal) {
             return SignalTexts::tr("count");
         case ScopeSignal::CountRate:
             return SignalTexts::tr("count rate");
+        case ScopeSignal::Custom1:
+        case ScopeSignal::Custom2:
+        case ScopeSignal::Custom3:
+        case ScopeSignal::Custom4:
+            return SignalTexts::tr("custom trace %1").arg(*customIndex(signal) + 1);
     }
     return {};
 }
 
 QString signalName(ScopeSignal signal, const ScopeModule& module) {
+    if (const CustomTrace* custom = module.customOf(signal))
+        return custom->name;
     const auto input = infoOf(signal).analogInput;
     if (!module.isIo() || !input)
         return signalName(signal);
@@ -91,6 +98,8 @@ QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
             return SignalTexts::tr("counts");
         case SignalInfo::Unit::CountRate:
             return SignalTexts::tr("counts/s");
+        case SignalInfo::Unit::Custom:
+            return module.customOf(signal) != nullptr ? module.customOf(signal)->unit : QString();
     }
     return {};
 }

@@ -13,6 +13,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/scope/scopewords.h"
+#include "widgets/scope/tracesdialog.h"
 
 namespace nmc {
 
@@ -33,7 +34,11 @@ SignalRef signalOfRow(const QTreeWidgetItem& item) {
 
 SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeModule>& modules,
                              QWidget* parent)
-    : QDialog(parent), m_setup(setup), m_filter(new QLineEdit(this)), m_table(new QTreeWidget(this)) {
+    : QDialog(parent),
+      m_setup(setup),
+      m_modules(modules),
+      m_filter(new QLineEdit(this)),
+      m_table(new QTreeWidget(this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Signals of the scope"));
     look::name(this, u"scopeSignalsDialog"_s, windowTitle());
@@ -47,9 +52,6 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
         titles << tr("Strip %1").arg(strip);
     m_table->setHeaderLabels(titles);
     m_table->setToolTip(tr("Select the strips of each signal. Empty strips are hidden."));
-    addRows(tr("The selected module"), std::nullopt, nullptr);
-    for (std::size_t i = 0; i < modules.size(); ++i)
-        addRows(modules[i].name, ModuleIndex(static_cast<std::uint8_t>(i)), &modules[i]);
     m_table->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->header()->setStretchLastSection(false);
     connect(m_table, &QTreeWidget::itemChanged, this, &SignalsDialog::take);
@@ -63,6 +65,10 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
         showSetup();
         emit setupChosen(m_setup);
     });
+    auto* custom = buttons->addButton(tr("&Custom traces…"), QDialogButtonBox::ActionRole);
+    look::name(custom, u"scopeCustomTracesButton"_s, tr("Custom traces"));
+    custom->setToolTip(tr("Traces of your own, from one or two signals."));
+    connect(custom, &QPushButton::clicked, this, &SignalsDialog::defineTraces);
     // Enter in the filter must not close the dialog.
     for (QAbstractButton* button : buttons->buttons())
         qobject_cast<QPushButton*>(button)->setAutoDefault(false);
@@ -71,9 +77,30 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
     layout->addWidget(m_filter);
     layout->addWidget(m_table);
     layout->addWidget(buttons);
-    showSetup();
+    showModules();
     const int em = fontMetrics().height();
     resize(em * 34, em * 24);
+}
+
+void SignalsDialog::showModules() {
+    const std::vector<ScopeModule> modules = withTraces(m_modules, m_setup.custom);
+    const QSignalBlocker blocker(m_table);
+    m_table->clear();
+    addRows(tr("The selected module"), std::nullopt, nullptr);
+    for (std::size_t i = 0; i < modules.size(); ++i)
+        addRows(modules[i].name, ModuleIndex(static_cast<std::uint8_t>(i)), &modules[i]);
+    showSetup();
+    filter(m_filter->text());
+}
+
+void SignalsDialog::defineTraces() {
+    auto* dialog = new TracesDialog(m_setup.custom, m_modules, this);
+    connect(dialog, &TracesDialog::tracesChosen, this, [this](const TraceDefinitions& traces) {
+        m_setup.custom = traces;
+        showModules();
+        emit setupChosen(m_setup);
+    });
+    dialog->open();
 }
 
 void SignalsDialog::addRows(const QString& title, std::optional<ModuleIndex> module, const ScopeModule* of) {
@@ -81,9 +108,12 @@ void SignalsDialog::addRows(const QString& title, std::optional<ModuleIndex> mod
     bool used = !module;
     for (const SignalInfo& info : kSignals) {
         const ScopeSignal signal = info.signal;
-        if (of != nullptr && !of->has(signal))
+        const auto custom = customIndex(signal);
+        if (of != nullptr ? !of->has(signal) : custom && !m_setup.custom[*custom])
             continue;
-        const QString name = of != nullptr ? texts::signalName(signal, *of) : texts::signalName(signal);
+        const QString name = of != nullptr ? texts::signalName(signal, *of)
+                             : custom      ? m_setup.custom[*custom]->name
+                                           : texts::signalName(signal);
         auto* row = new QTreeWidgetItem(group, {name});
         row->setData(0, kModuleRole, module ? static_cast<int>(module->value()) : -1);
         row->setData(0, kSignalRole, static_cast<int>(signal));

@@ -23,12 +23,16 @@ signals:
     void setupChosen(const nmc::ScopeSetup& setup);
 
 private:
+    /// Fills the table.
+    void showModules();
+    void defineTraces();
     void addRows(const QString& title, std::optional<ModuleIndex> module, const ScopeModule* of);
     void take(QTreeWidgetItem* item, int column);
     void showSetup();
     void filter(const QString& text);
 
     ScopeSetup m_setup;
+    std::vector<ScopeModule> m_modules;  ///< without the user's own traces
     QLineEdit* m_filter;
     QTreeWidget* m_table;
 };

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/scope/history.h"
+#include "model/scope/linearscale.h"
 
 class QPainter;
 
@@ -36,14 +37,6 @@ struct PlotGeometry {
         return bottom + (area.bottom() - y) / area.height() * (top - bottom);
     }
     [[nodiscard]] bool empty() const { return area.isEmpty() || right <= left || top <= bottom; }
-};
-
-/// Converts counts to the values that are drawn.
-struct LinearScale {
-    double factor = 1;
-    double offset = 0;
-    [[nodiscard]] double operator()(double counts) const { return counts * factor + offset; }
-    bool operator==(const LinearScale&) const = default;
 };
 
 /// How far values reach; low > high if there are none. The band is that of a calculated error, and for other

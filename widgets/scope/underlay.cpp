@@ -4,7 +4,7 @@
 namespace nmc {
 
 bool Underlay::follow(const History& live, std::optional<ModuleIndex> module, TimePoint now,
-                      const std::vector<ModuleSignal>& shown) {
+                      const std::vector<ModuleSignal>& shown, const std::vector<CustomSignal>& custom) {
     if (module != m_module) {
         forget();
         m_recorded = {};
@@ -20,7 +20,7 @@ bool Underlay::follow(const History& live, std::optional<ModuleIndex> module, Ti
         above = *m_live.last();
     }
     m_zero = below - (above + m_shift - live.zero().value_or(above));
-    m_derived.want(shown);
+    m_derived.want(shown, custom);
     return m_derived.follow(m_record->history) && motions;
 }
 

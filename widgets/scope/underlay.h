@@ -22,7 +22,7 @@ public:
     /// Call once per frame with the live history; `module`: the module whose motions count. Returns false if
     /// another frame is needed.
     bool follow(const History& live, std::optional<ModuleIndex> module, TimePoint now,
-                const std::vector<ModuleSignal>& shown);
+                const std::vector<ModuleSignal>& shown, const std::vector<CustomSignal>& custom);
     /// Call when the live history is replaced.
     void forget();
     /// Moves the recording by hand, in addition to its automatic place; later is positive.
@@ -30,7 +30,7 @@ public:
 
     /// The time in the recording that is shown at the live history's zero.
     [[nodiscard]] TimePoint zero() const { return m_zero; }
-    [[nodiscard]] DerivedSignals::Source source(const ModuleSignal& of) const {
+    [[nodiscard]] SignalSource source(const ModuleSignal& of) const {
         return m_derived.source(m_record->history, of);
     }
 

@@ -7,27 +7,67 @@ namespace nmc {
 
 class DerivedSignals::Track {
 public:
-    explicit Track(const ModuleSignal& of) : m_maker(of), m_values(1, kBudget) {}
+    using Maker = std::variant<SignalMaker, CustomSignalMaker>;
 
-    [[nodiscard]] const ModuleSignal& of() const { return m_maker.of(); }
+    explicit Track(Maker maker) : m_maker(std::move(maker)), m_values(1, kBudget) {}
+
+    /// The same signal, from nothing.
+    [[nodiscard]] Track anew() const {
+        return Track(custom() != nullptr ? Maker(CustomSignalMaker(*custom())) : SignalMaker(of()));
+    }
+    /// Null unless it is the user's.
+    [[nodiscard]] const CustomSignal* custom() const {
+        const auto* maker = std::get_if<CustomSignalMaker>(&m_maker);
+        return maker != nullptr ? &maker->how() : nullptr;
+    }
+    [[nodiscard]] const ModuleSignal& of() const {
+        return custom() != nullptr ? custom()->of : std::get<SignalMaker>(m_maker).of();
+    }
     [[nodiscard]] const ModuleHistory& values() const { return *m_values.module(ModuleIndex(0)); }
 
-    bool follow(const History& history) {
-        const ModuleHistory* samples = history.module(of().module);
+    bool follow(const History& history, const DerivedSignals& others) {
+        return std::visit([&](auto& maker) { return follow(maker, history, others); }, m_maker);
+    }
+
+private:
+    bool follow(SignalMaker& maker, const History& history, const DerivedSignals& /*others*/) {
+        const ModuleHistory* samples = history.module(maker.of().module);
         if (samples == nullptr)
             return true;
         m_taken = samples->visitSince(
             m_taken,
             [&](const ScopeSample& sample) {
-                if (const auto value = m_maker.take(sample, history.gains()))
+                if (const auto value = maker.take(sample, history.gains()))
                     m_values.append(ModuleIndex(0), *value);
             },
             kAtOnce);
         return m_taken == samples->count();
     }
+    bool follow(CustomSignalMaker& maker, const History& history, const DerivedSignals& others) {
+        const CustomSignal& how = maker.how();
+        const SignalSource first = others.source(history, how.first.of);
+        const SignalSource second = how.second ? others.source(history, how.second->of) : first;
+        if (first.samples == nullptr || second.samples == nullptr)
+            return true;
+        const auto last = second.samples->last();
+        bool waits = false;  // for the second part
+        const auto take = [&](const ScopeSample& sample) {
+            waits = !last || sample.time > last->time;
+            if (waits)
+                return;
+            if (const auto value = maker.take(sample, first.signal, second))
+                m_values.append(ModuleIndex(0), *value);
+        };
+        for (std::uint64_t i = 0; i < kAtOnce; ++i) {
+            const std::uint64_t next = first.samples->visitSince(m_taken, take, 1);
+            if (waits || next == m_taken)
+                return true;
+            m_taken = next;
+        }
+        return m_taken == first.samples->count();
+    }
 
-private:
-    SignalMaker m_maker;
+    Maker m_maker;
     History m_values;
     std::uint64_t m_taken = 0;
 };
@@ -37,30 +77,40 @@ DerivedSignals::~DerivedSignals() = default;
 DerivedSignals::DerivedSignals(DerivedSignals&&) noexcept = default;
 DerivedSignals& DerivedSignals::operator=(DerivedSignals&&) noexcept = default;
 
-void DerivedSignals::want(const std::vector<ModuleSignal>& wanted) {
+void DerivedSignals::want(std::vector<ModuleSignal> wanted, const std::vector<CustomSignal>& custom) {
     const auto has = [this](const ModuleSignal& signal) {
         return std::ranges::any_of(m_tracks, [&](const auto& track) { return track->of() == signal; });
     };
-    std::erase_if(m_tracks,
-                  [&](const auto& track) { return std::ranges::find(wanted, track->of()) == wanted.end(); });
+    for (const CustomSignal& how : custom) {
+        wanted.push_back(how.first.of);
+        if (how.second)
+            wanted.push_back(how.second->of);
+    }
+    std::erase_if(m_tracks, [&](const auto& track) {
+        return track->custom() != nullptr ? std::ranges::find(custom, *track->custom()) == custom.end()
+                                          : std::ranges::find(wanted, track->of()) == wanted.end();
+    });
     for (const ModuleSignal& signal : wanted)
-        if (isDerived(signal.signal) && !has(signal))
-            m_tracks.push_back(std::make_unique<Track>(signal));
+        if (isDerived(signal.signal) && !customIndex(signal.signal) && !has(signal))
+            m_tracks.push_back(std::make_unique<Track>(SignalMaker(signal)));
+    for (const CustomSignal& how : custom)
+        if (!has(how.of))
+            m_tracks.push_back(std::make_unique<Track>(CustomSignalMaker(how)));
 }
 
 bool DerivedSignals::follow(const History& history) {
     bool all = true;
     for (const auto& track : m_tracks)
-        all = track->follow(history) && all;
+        all = track->follow(history, *this) && all;
     return all;
 }
 
 void DerivedSignals::forget() {
     for (const auto& track : m_tracks)
-        *track = Track(track->of());
+        *track = track->anew();
 }
 
-DerivedSignals::Source DerivedSignals::source(const History& history, const ModuleSignal& of) const {
+SignalSource DerivedSignals::source(const History& history, const ModuleSignal& of) const {
     if (!isDerived(of.signal))
         return {history.module(of.module), of.signal};
     for (const auto& track : m_tracks)

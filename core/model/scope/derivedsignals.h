@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "model/scope/customsignal.h"
 #include "model/scope/history.h"
-#include "model/scope/signalmaker.h"
 
 namespace nmc {
 
@@ -23,22 +23,17 @@ public:
     DerivedSignals(DerivedSignals&&) noexcept;
     DerivedSignals& operator=(DerivedSignals&&) noexcept;
 
-    /// Selects the signals from now on; those that are not derived are ignored.
-    void want(const std::vector<ModuleSignal>& wanted);
+    /// Selects the signals from now on; those that are not derived are ignored, and so are the user's that
+    /// `custom` does not define.
+    void want(std::vector<ModuleSignal> wanted, const std::vector<CustomSignal>& custom = {});
     /// Processes the new samples, always of the same history until forget(). Returns false when there are
     /// more, for another call.
     bool follow(const History& history);
     /// Called when the data are replaced.
     void forget();
 
-    /// The history that holds the values of a signal, and as which signal; `samples` is null where there are
-    /// none.
-    struct Source {
-        const ModuleHistory* samples = nullptr;
-        ScopeSignal signal = ScopeSignal::Position;
-        bool operator==(const Source&) const = default;
-    };
-    [[nodiscard]] Source source(const History& history, const ModuleSignal& of) const;
+    /// The history that holds the values of a signal, and as which signal.
+    [[nodiscard]] SignalSource source(const History& history, const ModuleSignal& of) const;
 
 private:
     class Track;

@@ -25,11 +25,17 @@ enum class ScopeSignal : std::uint8_t {
     Analog2,
     Analog3,
     Counter,  ///< or timer
-    CountRate
+    CountRate,
+    // Defined by the user (CustomSignal)
+    Custom1,
+    Custom2,
+    Custom3,
+    Custom4
 };
+inline constexpr std::size_t kCustomSignals = 4;
 
 /// What is known of a signal. Its name is in widgets/scope/scopewords.cpp, and how it is computed, if it is
-/// derived, in SignalMaker.
+/// derived, in SignalMaker or CustomSignal.
 struct SignalInfo {
     /// The part of a sample that contains it.
     enum class Place : std::uint8_t {
@@ -49,7 +55,8 @@ struct SignalInfo {
         Analog,  ///< that of the A/D input
         Pwm,     ///< of 255
         Count,
-        CountRate
+        CountRate,
+        Custom  ///< named by the user
     };
     enum class Owner : std::uint8_t { Motor, Io, Both };
 
@@ -81,6 +88,10 @@ inline constexpr auto kSignals = [] {
         SignalInfo{ScopeSignal::Analog3, "analog3", Place::Velocity, Unit::Analog, Io, false, 2},
         SignalInfo{ScopeSignal::Counter, "counter", Place::Counter, Unit::Count, Io},
         SignalInfo{ScopeSignal::CountRate, "rate", Place::Derived, Unit::CountRate, Io},
+        SignalInfo{ScopeSignal::Custom1, "custom1", Place::Derived, Unit::Custom, Both},
+        SignalInfo{ScopeSignal::Custom2, "custom2", Place::Derived, Unit::Custom, Both},
+        SignalInfo{ScopeSignal::Custom3, "custom3", Place::Derived, Unit::Custom, Both},
+        SignalInfo{ScopeSignal::Custom4, "custom4", Place::Derived, Unit::Custom, Both},
     };
 }();
 
@@ -92,11 +103,18 @@ static_assert([] {
     for (std::size_t i = 0; i < kSignals.size(); ++i)
         if (kSignals[i].signal != static_cast<ScopeSignal>(i))
             return false;
-    return kSignals.back().signal == ScopeSignal::CountRate;
+    return kSignals.back().signal == ScopeSignal::Custom4;
 }());
 
 [[nodiscard]] constexpr bool isDerived(ScopeSignal signal) {
     return infoOf(signal).place == SignalInfo::Place::Derived;
+}
+
+/// Which of the user's signals it is, from 0; nothing for any other.
+[[nodiscard]] constexpr std::optional<std::size_t> customIndex(ScopeSignal signal) {
+    if (signal < ScopeSignal::Custom1)
+        return std::nullopt;
+    return static_cast<std::size_t>(signal) - static_cast<std::size_t>(ScopeSignal::Custom1);
 }
 
 /// The value in counts, counts/s or A/D counts; nothing if it is unknown or derived. The sample's module must

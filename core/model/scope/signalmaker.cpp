@@ -3,9 +3,7 @@
 
 namespace nmc {
 
-namespace {
-
-ScopeSample asError(TimePoint time, double likely, double low, double high, bool gapBefore) {
+ScopeSample derivedSample(TimePoint time, double likely, double low, double high, bool gapBefore) {
     ScopeSample value;
     value.time = time;
     value.error = static_cast<float>(likely);
@@ -14,8 +12,6 @@ ScopeSample asError(TimePoint time, double likely, double low, double high, bool
     value.gapBefore = gapBefore;
     return value;
 }
-
-}  // namespace
 
 SignalMaker::SignalMaker(const ModuleSignal& of) : m_of(of) {
     if (of.signal == ScopeSignal::Pwm)
@@ -31,12 +27,13 @@ std::optional<ScopeSample> SignalMaker::take(const ScopeSample& sample,
             m_gains = gains[m_gainsTaken].gains;
     if (auto* pwm = std::get_if<PwmOutput>(&m_maker)) {
         const auto made = pwm->take(sample, m_gains);
-        return made ? std::optional(asError(made->time, made->likely, made->low, made->high, made->gapBefore))
+        return made ? std::optional(
+                          derivedSample(made->time, made->likely, made->low, made->high, made->gapBefore))
                     : std::nullopt;
     }
     const auto exact = [](const auto& made) {
         return made ? std::optional(
-                          asError(made->time, made->value, made->value, made->value, made->gapBefore))
+                          derivedSample(made->time, made->value, made->value, made->value, made->gapBefore))
                     : std::nullopt;
     };
     if (auto* rate = std::get_if<CountRate>(&m_maker))

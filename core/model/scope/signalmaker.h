@@ -22,6 +22,10 @@ struct ModuleSignal {
     bool operator==(const ModuleSignal&) const = default;
 };
 
+/// A derived value in the form of a sample with a calculated error, because that has bounds.
+[[nodiscard]] ScopeSample derivedSample(TimePoint time, double likely, double low, double high,
+                                        bool gapBefore);
+
 /// Computes the values of a signal that no sample contains, from its module's samples as they arrive. Pure.
 class SignalMaker {
 public:
@@ -30,13 +34,12 @@ public:
     static constexpr std::size_t kSamplesBehind = MeasuredAcceleration::kFewest;
     static constexpr Duration kTimeBehind = MeasuredAcceleration::kTime;
 
-    /// `of` must be a derived signal.
+    /// `of` must be a derived signal, but not a custom one.
     explicit SignalMaker(const ModuleSignal& of);
 
     [[nodiscard]] const ModuleSignal& of() const { return m_of; }
-    /// Samples must be in order of time; `gains` are all known gains, always of the same history. The value
-    /// has the form of a calculated error, because that has bounds. Returns nothing when there is no value
-    /// yet, or it is unknown.
+    /// Samples must be in order of time; `gains` are all known gains, always of the same history. Returns a
+    /// derivedSample(), or nothing when there is no value yet, or it is unknown.
     [[nodiscard]] std::optional<ScopeSample> take(const ScopeSample& sample,
                                                   const std::vector<GainsChange>& gains);
 
