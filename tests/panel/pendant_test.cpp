@@ -7,6 +7,7 @@
 
 #include "tests/support/virtualpad.h"
 #include "tests/support/virtualpanel.h"
+#include "tests/support/virtualwheel.h"
 #include "widgets/mainwindow/operatorlock.h"
 
 namespace nmc {
@@ -128,6 +129,51 @@ TEST_F(ByGamepad, ItsStopButtonStopsWhatItDidNotSetGoing) {
     pad.press(Button::B);
     EXPECT_TRUE(rests());
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"stopped"_s) >= 1; }));
+}
+
+class ByWheel : public ByHand {
+protected:
+    void SetUp() override {
+        ByHand::SetUp();
+        QTest::keyClick(focused(), Qt::Key_F12);
+        wheel.press();
+    }
+    bool rests() {
+        return panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); });
+    }
+    testing_support::VirtualWheel wheel;
+    double before = 0;
+};
+
+/// A step is 100 counts at first.
+TEST_F(ByWheel, StepsAddUpToTheirDistance) {
+    before = shaft();
+    wheel.turn(3);
+    wheel.turn(-1);
+    EXPECT_TRUE(panel.waitFor([&] { return std::abs(shaft() - before - 200) < 2; }));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_NEAR(shaft(), before + 200, 2);
+}
+
+TEST_F(ByWheel, ReleasingItsButtonStopsTheStepsThatAreLeft) {
+    before = shaft();
+    wheel.turn(1);
+    wheel.turn(100);
+    ASSERT_TRUE(panel.waitFor([&] { return shaft() > before + 500; }));
+    wheel.release();
+    EXPECT_TRUE(rests());
+    EXPECT_LT(shaft(), before + 9'000);
+    const double rest = shaft();
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_NEAR(shaft(), rest, 2);
+}
+
+TEST_F(ByWheel, TakingItAwayStopsTheMotor) {
+    before = shaft();
+    wheel.push(7);
+    ASSERT_TRUE(panel.waitFor([&] { return shaft() > before + 50; }));
+    wheel.unplug();
+    EXPECT_TRUE(rests());
 }
 
 TEST_F(ByHand, AnOperatorJogsAndStopsAndMovesItNoOtherWay) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keyboard and gamepad as a pendant: a motion takes two hands, and whatever takes one of them away stops it.
+// Keyboard, gamepad and jog wheel as a pendant: a motion takes two hands, and whatever takes one of them away
+// stops it.
 #include <QAbstractItemView>
 #include <QAction>
 #include <QDialog>
@@ -8,6 +9,7 @@
 
 #include "tests/model/stepperfixture.h"
 #include "tests/support/virtualpad.h"
+#include "tests/support/virtualwheel.h"
 #include "widgets/panels/holdbutton.h"
 #include "windowtest.h"
 
@@ -191,6 +193,125 @@ struct PendantEnding {
 };
 void PrintTo(const PendantEnding& ending, std::ostream* out) {
     *out << ending.name;
+}
+
+class WheelMode : public PendantMode {
+protected:
+    using Wheel = testing_support::VirtualWheel;
+
+    WheelMode() {
+        QObject::connect(&window->requests(), &Requests::intent, window.get(),
+                         [this](ModuleIndex /*module*/, const Intent& intent) { asked.push_back(intent); });
+    }
+    /// What was requested: the counts of a move, or nothing for the end of moves.
+    [[nodiscard]] std::vector<std::optional<std::int32_t>> moves() const {
+        std::vector<std::optional<std::int32_t>> counts;
+        for (const Intent& intent : asked)
+            if (const auto* by = std::get_if<intent::MoveBy>(&intent))
+                counts.emplace_back(by->moves.counts);
+            else if (std::holds_alternative<intent::CancelProcedure>(intent))
+                counts.emplace_back();
+        return counts;
+    }
+    /// The module answers, and its series of steps is at this stage.
+    void showMoves(ProcedureStage stage) {
+        ProcedureReport report;
+        report.kind = ProcedureKind::MoveBy;
+        report.module = ModuleIndex(0);
+        report.stage = stage;
+        window->showProcedure(report);
+        showServo({.millisecond = ++m_millisecond});
+    }
+    Wheel wheel;
+    std::vector<Intent> asked;
+
+private:
+    int m_millisecond = 0;
+};
+
+/// A step is 100 counts at first.
+TEST_F(WheelMode, TheWheelMovesByStepsAndThoseThatComeMeanwhileBecomeOneMove) {
+    begin();
+    wheel.turn(1);
+    wheel.press();
+    EXPECT_TRUE(moves().empty());
+    wheel.turn(1);
+    EXPECT_THAT(moves(), testing::ElementsAre(100));
+    wheel.turn(1);  // before the module has answered
+    showMoves(ProcedureStage::Moving);
+    wheel.turn(3);
+    EXPECT_THAT(moves(), testing::ElementsAre(100));
+    showMoves(ProcedureStage::Done);
+    EXPECT_THAT(moves(), testing::ElementsAre(100, 400));
+    showMoves(ProcedureStage::Moving);
+    wheel.turn(-2);
+    showMoves(ProcedureStage::Done);
+    EXPECT_THAT(moves(), testing::ElementsAre(100, 400, -200));
+}
+
+TEST_F(WheelMode, ReleasingTheButtonEndsTheStepsThatLastAndThoseThatWait) {
+    begin();
+    wheel.press();
+    wheel.turn(1);
+    showMoves(ProcedureStage::Moving);
+    wheel.turn(5);
+    wheel.release();
+    EXPECT_THAT(moves(), testing::ElementsAre(100, std::nullopt));
+    showMoves(ProcedureStage::Cancelled);
+    EXPECT_THAT(moves(), testing::ElementsAre(100, std::nullopt));
+}
+
+TEST_F(WheelMode, StepsThatAreNotPossibleSayWhyInTheRibbon) {
+    showServo({.on = false});
+    begin();
+    wheel.press();
+    wheel.turn(1);
+    EXPECT_TRUE(moves().empty());
+    EXPECT_TRUE(text(u"pendantRibbonText"_s).contains(u"Not moved: "_s))
+        << text(u"pendantRibbonText"_s).toStdString();
+    showServo({.millisecond = 1});
+    EXPECT_TRUE(moves().empty()) << "what was refused does not come later";
+}
+
+TEST_F(WheelMode, TheRingMovesAtAShareOfTheJogSpeed) {
+    begin();
+    EXPECT_TRUE(text(u"pendantRibbonText"_s).contains(u"hold a button of the jog wheel"_s));
+    wheel.press();
+    wheel.push(-7);
+    ASSERT_GE(holds.size(), 1);
+    EXPECT_TRUE(hold().reverse);
+    EXPECT_EQ(hold().velocity.value(), 16384U) << "the speed that the jog box shows";
+    wheel.push(-1);
+    EXPECT_NEAR(hold(holds.size() - 1).velocity.value(), 16384.0 / 7, 1);
+    EXPECT_EQ(hold(holds.size() - 1).press, hold().press) << "one hold, which changes its speed";
+    EXPECT_EQ(releases.size(), 0);
+    wheel.push(0);
+    expectEnded();
+}
+
+TEST_F(WheelMode, ItsButtonEndsTheMotionAndTheMouseToo) {
+    begin();
+    wheel.press();
+    wheel.push(3);
+    ASSERT_GE(holds.size(), 1);
+    wheel.release();
+    expectEnded();
+    wheel.push(0);
+    wheel.press();
+    wheel.push(3);
+    QTest::mouseClick(window.get(), Qt::LeftButton);
+    EXPECT_EQ(releases.size(), 2);
+    const qsizetype before = holds.size();
+    wheel.push(4);
+    wait();
+    EXPECT_EQ(holds.size(), before) << "it has not been at its centre";
+}
+
+TEST_F(WheelMode, TheMiddleButtonStopsAll) {
+    QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);
+    begin();
+    wheel.press(Wheel::kMiddleButton);
+    EXPECT_EQ(stops.size(), 1);
 }
 
 class GamepadMode : public PendantMode {

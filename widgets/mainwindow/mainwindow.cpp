@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/mainwindow/mainwindow.h"
+#include "widgets/gamepad/jogwheel.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -250,6 +251,10 @@ void MainWindow::showPendant() {
         return;
     const QString what =
         !m_pendant->problem().isEmpty() ? tr("Not moved: %1").arg(m_pendant->problem())
+        : m_pendant->wheel().isForbidden()
+            ? tr("There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.")
+        : m_pendant->wheel().isThere()
+            ? tr("To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.")
         : m_pendant->hasGamepad()
             ? tr("To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.")
             : tr("Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.");

@@ -6,12 +6,15 @@
 #include <QKeyEvent>
 #include <QWidget>
 #include <QWindow>
+#include <cmath>
 #include <utility>
 
 #include "widgets/gamepad/gamepad.h"
+#include "widgets/gamepad/jogwheel.h"
 #include "widgets/panels/holdbutton.h"
 #include "widgets/panels/modulepage.h"
 #include "widgets/panels/modulepanel.h"
+#include "widgets/panels/movebybox.h"
 
 namespace nmc {
 
@@ -34,8 +37,9 @@ Pendant::Pendant(QWidget& window, ModulePanel& panel)
     : QObject(&window),
       m_window(window),
       m_panel(panel),
-      m_action(new QAction(tr("Pendant: &keyboard or gamepad"), this)),
-      m_gamepad(new Gamepad(this)) {
+      m_action(new QAction(tr("Pendant: &keyboard, gamepad or jog wheel"), this)),
+      m_gamepad(new Gamepad(this)),
+      m_wheel(new JogWheel(this)) {
     m_action->setObjectName(u"pendantAction"_s);
     m_action->setShortcut(Qt::Key_F12);
     m_action->setCheckable(true);
@@ -51,6 +55,12 @@ Pendant::Pendant(QWidget& window, ModulePanel& panel)
         else
             press(reverse);
     });
+    connect(m_wheel, &JogWheel::changed, this, &Pendant::changed);
+    connect(m_wheel, &JogWheel::stopPressed, this, &Pendant::stopRequested);
+    connect(m_wheel, &JogWheel::released, this, &Pendant::release);
+    connect(m_wheel, &JogWheel::pushed, this, &Pendant::push);
+    connect(m_wheel, &JogWheel::turned, this, &Pendant::turn);
+    connect(&panel, &ModulePanel::pageChanged, this, &Pendant::release);
 }
 
 bool Pendant::isOn() const {
@@ -68,6 +78,7 @@ void Pendant::setOn(bool on) {
         qApp->removeEventFilter(this);
     release();
     m_gamepad->setOn(on);
+    m_wheel->setOn(on);
     m_problem.clear();
     emit changed();
 }
@@ -76,7 +87,7 @@ void Pendant::showModule(const QString& reason) {
     m_action->setEnabled(reason.isEmpty());
     m_action->setToolTip(
         reason.isEmpty()
-            ? tr("To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad. B (○) of the gamepad is STOP ALL. (F12)")
+            ? tr("To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad, or a button of a jog wheel with its ring or wheel. B (○) of the gamepad and the middle button of the wheel are STOP ALL. (F12)")
             : reason);
     if (!reason.isEmpty())
         m_action->setChecked(false);
@@ -139,19 +150,41 @@ bool Pendant::takeKey(const QKeyEvent& key, bool pressed) {
     return held;
 }
 
-void Pendant::press(bool reverse) {
+void Pendant::press(bool reverse, double share) {
     ModulePage* page = m_panel.page();
     m_held = page != nullptr ? page->holdButton(reverse) : nullptr;
     if (m_held)
-        m_held->beginHold();
+        m_held->beginHold(share);
     const bool moves = m_held && m_held->isHeld();
-    const QString problem = moves || !m_held ? QString() : m_held->toolTip();
+    setProblem(moves || !m_held ? QString() : m_held->toolTip());
+}
+
+void Pendant::push(double share) {
+    const auto direction = share < 0 ? HoldButton::Direction::Reverse : HoldButton::Direction::Forward;
+    if (m_held && m_held->direction() == direction)
+        return m_held->setShare(std::abs(share));
+    if (m_arrow != 0 || m_held)
+        return release();
+    press(share < 0, std::abs(share));
+}
+
+void Pendant::turn(int detents) {
+    ModulePage* page = m_panel.page();
+    m_turned = page != nullptr ? page->moveByBox() : nullptr;
+    setProblem(m_turned ? m_turned->turn(detents) : QString());
+}
+
+void Pendant::setProblem(const QString& problem) {
     if (std::exchange(m_problem, problem) != problem)
         emit changed();
 }
 
 void Pendant::release() {
     m_arrow = 0;
+    m_wheel->interrupt();
+    if (m_turned)
+        m_turned->endTurns();
+    m_turned.clear();
     if (m_held)
         m_held->endHold();
     m_held.clear();

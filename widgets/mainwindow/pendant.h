@@ -14,13 +14,16 @@ namespace nmc {
 
 class Gamepad;
 class HoldButton;
+class JogWheel;
 class ModulePanel;
+class MoveByBox;
 
-/// Keyboard and gamepad as a pendant: a mode in which Shift with an arrow key presses the hold button of the
-/// module that is shown, and brings it into view; neither key alone moves anything. On a gamepad, a shoulder
-/// button and a direction do the same. Whatever ends a hold ends this one, and so do the release of either
-/// key, any other key, and the mouse; auto-repeat is not a press. The mode itself ends on Esc, when the
-/// window is no longer the active one, and when the module accepts no commands.
+/// Keyboard, gamepad and jog wheel as a pendant: a mode in which Shift with an arrow key presses the hold
+/// button of the module that is shown, and brings it into view; neither key alone moves anything. On a
+/// gamepad, a shoulder button and a direction do the same, and so do a button and the ring of a jog wheel,
+/// whose wheel moves by steps. Whatever ends a hold ends this one, and so do the release of either key, any
+/// other key, and the mouse; auto-repeat is not a press. The mode itself ends on Esc, when the window is no
+/// longer the active one, and when the module accepts no commands.
 class Pendant : public QObject {
     Q_OBJECT
 
@@ -34,15 +37,16 @@ public:
     void showModule(const QString& reason);
     /// Why the last press moved nothing; empty if it moved the motor.
     [[nodiscard]] const QString& problem() const { return m_problem; }
-    /// True if there is a gamepad; this is known only while the mode is on.
+    // Known only while the mode is on.
     [[nodiscard]] bool hasGamepad() const;
+    [[nodiscard]] const JogWheel& wheel() const { return *m_wheel; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    /// The mode, problem() or hasGamepad() has changed.
+    /// The mode, problem(), hasGamepad() or wheel() has changed.
     void changed();
-    /// The stop button of the gamepad was pressed, whatever else is held.
+    /// The stop button of the gamepad or the jog wheel was pressed, whatever else is held.
     void stopRequested();
 
 private:
@@ -50,7 +54,10 @@ private:
     [[nodiscard]] bool endsMode(const QObject& watched, QEvent::Type type) const;
     [[nodiscard]] bool takeKey(const QKeyEvent& key, bool pressed);
     [[nodiscard]] bool isOurs(const QObject& watched) const;
-    void press(bool reverse);
+    void press(bool reverse, double share = 1);
+    void push(double share);
+    void turn(int detents);
+    void setProblem(const QString& problem);
     void release();
 
     QWidget& m_window;
@@ -58,7 +65,9 @@ private:
     QAction* m_action;
     QString m_problem;
     Gamepad* m_gamepad;
+    JogWheel* m_wheel;
     QPointer<HoldButton> m_held;
+    QPointer<MoveByBox> m_turned;
     int m_arrow = 0;  ///< the arrow key that is held; 0: none
 };
 

@@ -25,19 +25,25 @@ HoldButton::HoldButton(QWidget* parent) : QPushButton(parent) {
     });
 }
 
-void HoldButton::begin() {
+void HoldButton::begin(double share) {
     if (isHeld() || !isEnabled())
         return;
+    m_share = share;
     m_press = nextPress();
     m_timer.start();
     emit held();
 }
 
-void HoldButton::beginHold() {
+void HoldButton::beginHold(double share) {
     if (!isVisible())
         return;
     setDown(isEnabled());
-    begin();
+    begin(share);
+}
+
+void HoldButton::setShare(double share) {
+    if (isHeld() && std::exchange(m_share, share) != share)
+        emit held();
 }
 
 void HoldButton::endHold() {

@@ -22,7 +22,11 @@ public:
     void setDirection(Direction direction) { m_direction = direction; }
     [[nodiscard]] Direction direction() const { return m_direction; }
     /// Begins a hold from elsewhere, like a press of the mouse, if the button is enabled and visible.
-    void beginHold();
+    /// `share`: of the speed of a press, above 0 and up to 1.
+    void beginHold(double share = 1);
+    /// Changes it during the hold.
+    void setShare(double share);
+    [[nodiscard]] double share() const { return m_share; }
     /// Interval of held() while the button is held; 100 ms by default.
     void setInterval(int milliseconds) { m_timer.setInterval(milliseconds); }
     [[nodiscard]] bool isHeld() const { return m_timer.isActive(); }
@@ -45,10 +49,11 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
-    void begin();
+    void begin(double share = 1);
 
     QTimer m_timer;
     quint32 m_press = 0;
+    double m_share = 1;
     Direction m_direction = Direction::None;
 };
 

@@ -118,14 +118,15 @@ QString JogBox::reasonFor(bool reverse) const {
     return reason.isEmpty() ? m_speed->problemText() : reason;
 }
 
-std::optional<bus::HoldToMove> JogBox::wanted(bool reverse) const {
+std::optional<bus::HoldToMove> JogBox::wanted(bool reverse, double share) const {
     const auto speed = m_speed->native();
-    return speed ? jog(m_context.state(), m_context.settings(), *speed, m_context.chipReverse(reverse))
+    return speed ? jog(m_context.state(), m_context.settings(), std::max(*speed * share, m_range.slowest),
+                       m_context.chipReverse(reverse))
                  : std::nullopt;
 }
 
 void JogBox::hold(const HoldButton& button, bool reverse) {
-    auto hold = wanted(reverse);
+    auto hold = wanted(reverse, button.share());
     if (!hold)
         return;
     hold->press = button.press();

@@ -28,7 +28,7 @@ public:
 private:
     [[nodiscard]] HoldButton* newHold(bool reverse);
     void hold(const HoldButton& button, bool reverse);
-    [[nodiscard]] std::optional<bus::HoldToMove> wanted(bool reverse) const;
+    [[nodiscard]] std::optional<bus::HoldToMove> wanted(bool reverse, double share = 1) const;
     [[nodiscard]] QString reasonFor(bool reverse) const;
     [[nodiscard]] QString outcome() const;
     void lookedForAnew();

@@ -24,6 +24,7 @@
 #include "widgets/panels/detailsbox.h"
 #include "widgets/panels/holdbutton.h"
 #include "widgets/panels/homingbox.h"
+#include "widgets/panels/movebybox.h"
 #include "widgets/panels/stagedform.h"
 #include "widgets/panels/stepperdetailsbox.h"
 #include "widgets/panels/stepperiobox.h"
@@ -256,6 +257,15 @@ HoldButton* ModulePage::holdButton(bool reverse) {
             return button;
         }
     return nullptr;
+}
+
+MoveByBox* ModulePage::moveByBox() {
+    auto* box = findChild<MoveByBox*>();
+    if (box != nullptr) {
+        reveal(*box);
+        m_motions->ensureWidgetVisible(box);
+    }
+    return box;
 }
 
 /// Does not set the focus, because the next press of Space would then be a command. Waits until the window is

@@ -16,6 +16,7 @@ namespace nmc {
 
 class Command;
 class HoldButton;
+class MoveByBox;
 
 /// Page for everything that one module can do: its head, which is always visible, the motions below at the
 /// left, and tabs beside them. Made for one module of one connection, and deleted with it.
@@ -35,6 +36,8 @@ public:
 
     /// Brings the hold button for this direction into view, and returns it; null if there is none.
     [[nodiscard]] HoldButton* holdButton(bool reverse);
+    /// The box for steps, likewise.
+    [[nodiscard]] MoveByBox* moveByBox();
 
     /// Brings the page for tuning to the front, now and whenever a lack of room would bring the motions
     /// there.

@@ -3,6 +3,8 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "widgets/common/flowlayout.h"
@@ -118,6 +120,7 @@ void MoveByBox::showModule() {
     const double before = std::exchange(m_shown, kept());
     m_distance->follow(m_shown, before);
     refresh();
+    moveByTurns();
 }
 
 QString MoveByBox::whyNotNow() const {
@@ -136,9 +139,46 @@ void MoveByBox::refreshStep(Command& command, bool reverse, const QString& reaso
     command.setPossible(reason.isEmpty() && steps ? m_context.reasonFor(*steps) : reason, meaning);
 }
 
+bool MoveByBox::isRunning() const {
+    const std::optional<ProcedureReport> report = m_context.procedure(ProcedureKind::MoveBy);
+    return report && !report->over();
+}
+
+QString MoveByBox::turn(int steps) {
+    m_turns += steps;
+    return moveByTurns();
+}
+
+/// What cannot be moved for another reason than the move that lasts is forgotten.
+QString MoveByBox::moveByTurns() {
+    if (m_turns == 0 || isRunning() || m_context.busy())
+        return {};
+    const double turns = std::exchange(m_turns, 0);
+    const auto distance = m_distance->native();
+    if (!distance)
+        return m_distance->problemText();
+    const double counts =
+        std::min(std::abs(turns) * *distance, static_cast<double>(servo::kPositionRange.max));
+    const auto move = m_motion.movesBy(
+        {static_cast<std::int32_t>(m_context.chipReverse(turns < 0) ? -counts : counts), 1, 0.0, false});
+    const QString reason = move ? m_context.reasonFor(*move) : m_motion.whyNoMovesBy();
+    if (reason.isEmpty()) {
+        m_turning = true;
+        m_context.ask(*move);
+    }
+    return reason;
+}
+
+void MoveByBox::endTurns() {
+    m_turns = 0;
+    const auto running = m_context.runningProcedure();
+    if (std::exchange(m_turning, false) && (!running || running->kind == ProcedureKind::MoveBy))
+        m_context.ask(intent::CancelProcedure{});
+}
+
 void MoveByBox::refresh() {
     const std::optional<ProcedureReport> report = m_context.procedure(ProcedureKind::MoveBy);
-    const bool running = report && !report->over();
+    const bool running = isRunning();
     const QString reason = running ? tr("A series of steps is already running.") : whyNotNow();
     refreshStep(*m_forward, false, reason, tr("Moves forward by this distance, then holds."));
     refreshStep(*m_reverse, true, reason, tr("Moves in reverse by this distance, then holds."));

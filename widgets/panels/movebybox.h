@@ -32,6 +32,12 @@ class MoveByBox : public QGroupBox {
 public:
     MoveByBox(ModuleContext& context, const MovesBy& motion, QWidget* parent);
 
+    /// A jog wheel was turned by so many steps: one move, and what comes while it lasts becomes the next one.
+    /// Returns why nothing moves; empty if it does.
+    QString turn(int steps);
+    /// Ends what turn() has begun.
+    void endTurns();
+
 private:
     void buildDistance(FormGrid* grid);
     void buildRepeat(FormGrid* grid);
@@ -39,6 +45,8 @@ private:
     void showModule();
     void refresh();
     [[nodiscard]] QString whyNotNow() const;
+    [[nodiscard]] bool isRunning() const;
+    QString moveByTurns();
     [[nodiscard]] std::optional<Intent> wanted(bool reverse) const;
     void refreshStep(Command& command, bool reverse, const QString& reason, const QString& meaning);
     [[nodiscard]] double kept() const;
@@ -53,7 +61,9 @@ private:
     QCheckBox* m_backAndForth = nullptr;
     Command* m_end = nullptr;
     QLabel* m_progress = nullptr;
-    double m_shown = 0;  ///< counts; distance in the settings, as last shown
+    int m_turns = 0;         ///< steps of a jog wheel that wait for the present move to end
+    bool m_turning = false;  ///< a move by such steps was requested
+    double m_shown = 0;      ///< counts; distance in the settings, as last shown
 };
 
 }  // namespace nmc
