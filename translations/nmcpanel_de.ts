@@ -1625,6 +1625,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
         <translation>Eine Spalte je Signal, jede Millisekunde, nur für andere Programme (*.csv)</translation>
     </message>
+    <message>
+        <source>custom trace %1</source>
+        <translation>eigene Kurve %1</translation>
+    </message>
 </context>
 <context>
     <name>StepperMeaning</name>
@@ -9093,6 +9097,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
         <translation>Das Programm verliert die Leitung, und die Module werden neu gesucht. Nichts wird zurückgesetzt oder gestoppt.</translation>
     </message>
+    <message>
+        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
+        <translation>Ein Handrad ist angeschlossen, darf aber nicht gelesen werden. Abziehen und wieder einstecken; hilft das nicht, im Handbuch nachsehen. Esc beendet das Handgerät.</translation>
+    </message>
+    <message>
+        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
+        <translation>Zum Bewegen eine Taste des Handrads gedrückt halten und den Ring oder die Kappe für eine Geschwindigkeit auslenken oder das Rad für Schritte drehen. Die mittlere Taste, bei einer 3-Achs-Maus die rechte, ist ALLES STOPP. Esc beendet das Handgerät.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ManualWindow</name>
@@ -10444,12 +10456,12 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 <context>
     <name>nmc::Pendant</name>
     <message>
-        <source>Pendant: &amp;keyboard or gamepad</source>
-        <translation>Handgerät: &amp;Tastatur oder Gamepad</translation>
+        <source>Pendant: &amp;keyboard, gamepad or jog wheel</source>
+        <translation>Handgerät: &amp;Tastatur, Gamepad oder Handrad</translation>
     </message>
     <message>
-        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad. B (○) of the gamepad is STOP ALL. (F12)</source>
-        <translation>Zum Bewegen des Motors Umschalt mit einer Pfeiltaste gedrückt halten oder eine Schultertaste eines Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) des Gamepads ist ALLES STOPP. (F12)</translation>
+        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad, or a button of a jog wheel with its ring or wheel. B (○) of the gamepad and the middle button of the wheel are STOP ALL. (F12)</source>
+        <translation>Zum Bewegen des Motors Umschalt mit einer Pfeiltaste gedrückt halten, eine Schultertaste eines Gamepads mit seinem linken Stick oder Steuerkreuz oder eine Taste eines Handrads mit seinem Ring oder Rad. B (○) des Gamepads und die mittlere Taste des Handrads sind ALLES STOPP. (F12)</translation>
     </message>
 </context>
 <context>
@@ -12078,6 +12090,18 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Position and command position, with the error and the motor current below.</source>
         <translation>Die Position mit ihrer Sollposition, darunter Positionsfehler und Motorstrom.</translation>
     </message>
+    <message>
+        <source>&amp;Custom traces…</source>
+        <translation>&amp;Eigene Kurven…</translation>
+    </message>
+    <message>
+        <source>Custom traces</source>
+        <translation>Eigene Kurven</translation>
+    </message>
+    <message>
+        <source>Traces of your own, from one or two signals.</source>
+        <translation>Eigene Kurven aus einem oder zwei Signalen.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::SimulatorBench</name>
@@ -12765,6 +12789,77 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>The test is not running.</source>
         <translation>Die Prüfung läuft nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TracesDialog</name>
+    <message>
+        <source>Custom traces</source>
+        <translation>Eigene Kurven</translation>
+    </message>
+    <message>
+        <source>Each trace is the sum of one or two signals, each times a factor. Values are taken in the units in which the signals are shown; a negative factor subtracts.</source>
+        <translation>Jede Kurve ist die Summe von einem oder zwei Signalen, jedes mal einem Faktor. Es gelten die Einheiten, in denen die Signale angezeigt werden; ein negativer Faktor zieht ab.</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Second signal</source>
+        <translation>Zweites Signal</translation>
+    </message>
+    <message>
+        <source>Low-pass, Hz</source>
+        <translation>Tiefpass, Hz</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>An&amp;wenden</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>%1, trace %2</source>
+        <translation>%1, Kurve %2</translation>
+    </message>
+    <message>
+        <source>The name in the legend. Without one, there is no such trace.</source>
+        <translation>Der Name in der Legende. Ohne Namen gibt es die Kurve nicht.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>Selected module</source>
+        <translation>Gewähltes Modul</translation>
+    </message>
+    <message>
+        <source>Smooths the trace: what is faster than this frequency is attenuated, and the trace lags behind. Empty: no filter.</source>
+        <translation>Glättet die Kurve: was schneller als diese Frequenz ist, wird gedämpft, und die Kurve eilt nach. Leer: kein Filter.</translation>
+    </message>
+    <message>
+        <source>Shown beside the name.</source>
+        <translation>Steht neben dem Namen.</translation>
+    </message>
+    <message>
+        <source>Factor of: %1</source>
+        <translation>Faktor von: %1</translation>
+    </message>
+    <message>
+        <source>The signal is multiplied by it.</source>
+        <translation>Das Signal wird damit multipliziert.</translation>
+    </message>
+    <message>
+        <source>A factor must not be 0.</source>
+        <translation>Ein Faktor darf nicht 0 sein.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
     </message>
 </context>
 <context>

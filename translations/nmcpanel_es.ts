@@ -1625,6 +1625,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
         <translation>Una columna por señal, cada milisegundo, solo para otros programas (*.csv)</translation>
     </message>
+    <message>
+        <source>custom trace %1</source>
+        <translation>traza propia %1</translation>
+    </message>
 </context>
 <context>
     <name>StepperMeaning</name>
@@ -9093,6 +9097,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
         <translation>El programa pierde la línea, y los módulos se buscan de nuevo. Nada se reinicia ni se para.</translation>
     </message>
+    <message>
+        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
+        <translation>Hay un volante conectado, pero no tiene permiso para leerlo. Desenchúfelo y vuelva a enchufarlo; si no sirve, consulte el manual. Esc termina el modo de mando portátil.</translation>
+    </message>
+    <message>
+        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
+        <translation>Para moverlo, mantenga pulsado un botón del volante y desvíe el anillo o la tapa para una velocidad, o gire el volante para dar pasos. El botón central, o el derecho de un ratón de 3 ejes, es PARAR TODO. Esc termina el modo de mando portátil.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ManualWindow</name>
@@ -10444,12 +10456,12 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 <context>
     <name>nmc::Pendant</name>
     <message>
-        <source>Pendant: &amp;keyboard or gamepad</source>
-        <translation>Mando portá&amp;til: teclado o gamepad</translation>
+        <source>Pendant: &amp;keyboard, gamepad or jog wheel</source>
+        <translation>Mando portá&amp;til: teclado, gamepad o volante</translation>
     </message>
     <message>
-        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad. B (○) of the gamepad is STOP ALL. (F12)</source>
-        <translation>Para mover el motor, mantenga pulsada Mayús con una flecha, o un botón superior de un gamepad con su palanca izquierda o su cruceta. B (○) del gamepad es PARAR TODO. (F12)</translation>
+        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad, or a button of a jog wheel with its ring or wheel. B (○) of the gamepad and the middle button of the wheel are STOP ALL. (F12)</source>
+        <translation>Para mover el motor, mantenga pulsada Mayús con una flecha, un botón superior de un gamepad con su palanca izquierda o su cruceta, o un botón de un volante con su anillo o su rueda. B (○) del gamepad y el botón central del volante son PARAR TODO. (F12)</translation>
     </message>
 </context>
 <context>
@@ -12078,6 +12090,18 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Position and command position, with the error and the motor current below.</source>
         <translation>Posición y posición de consigna, con el error y la corriente del motor debajo.</translation>
     </message>
+    <message>
+        <source>&amp;Custom traces…</source>
+        <translation>Trazas &amp;propias…</translation>
+    </message>
+    <message>
+        <source>Custom traces</source>
+        <translation>Trazas propias</translation>
+    </message>
+    <message>
+        <source>Traces of your own, from one or two signals.</source>
+        <translation>Trazas propias, a partir de una o dos señales.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::SimulatorBench</name>
@@ -12765,6 +12789,77 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
     <message>
         <source>The test is not running.</source>
         <translation>La prueba no está en curso.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TracesDialog</name>
+    <message>
+        <source>Custom traces</source>
+        <translation>Trazas propias</translation>
+    </message>
+    <message>
+        <source>Each trace is the sum of one or two signals, each times a factor. Values are taken in the units in which the signals are shown; a negative factor subtracts.</source>
+        <translation>Cada traza es la suma de una o dos señales, cada una por un factor. Los valores se toman en las unidades en que se muestran las señales; un factor negativo resta.</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Factor</translation>
+    </message>
+    <message>
+        <source>Second signal</source>
+        <translation>Segunda señal</translation>
+    </message>
+    <message>
+        <source>Low-pass, Hz</source>
+        <translation>Paso bajo, Hz</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>&amp;Aplicar</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Emitir</translation>
+    </message>
+    <message>
+        <source>%1, trace %2</source>
+        <translation>%1, traza %2</translation>
+    </message>
+    <message>
+        <source>The name in the legend. Without one, there is no such trace.</source>
+        <translation>El nombre en la leyenda. Sin nombre, la traza no existe.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Selected module</source>
+        <translation>Módulo seleccionado</translation>
+    </message>
+    <message>
+        <source>Smooths the trace: what is faster than this frequency is attenuated, and the trace lags behind. Empty: no filter.</source>
+        <translation>Suaviza la traza: lo que es más rápido que esta frecuencia se atenúa, y la traza se retrasa. Vacío: sin filtro.</translation>
+    </message>
+    <message>
+        <source>Shown beside the name.</source>
+        <translation>Se muestra junto al nombre.</translation>
+    </message>
+    <message>
+        <source>Factor of: %1</source>
+        <translation>Factor de: %1</translation>
+    </message>
+    <message>
+        <source>The signal is multiplied by it.</source>
+        <translation>La señal se multiplica por él.</translation>
+    </message>
+    <message>
+        <source>A factor must not be 0.</source>
+        <translation>Un factor no debe ser 0.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>no</translation>
     </message>
 </context>
 <context>

@@ -1625,6 +1625,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
         <translation>Une colonne par signal, toutes les millisecondes, uniquement pour d’autres programmes (*.csv)</translation>
     </message>
+    <message>
+        <source>custom trace %1</source>
+        <translation>courbe personnalisée %1</translation>
+    </message>
 </context>
 <context>
     <name>StepperMeaning</name>
@@ -9093,6 +9097,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
         <translation>Le programme perd la ligne, et les modules sont recherchés de nouveau. Rien n’est réinitialisé ni arrêté.</translation>
     </message>
+    <message>
+        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
+        <translation>Une molette est branchée, mais vous n’avez pas le droit de la lire. Débranchez-la et rebranchez-la&#xa0;; si cela ne suffit pas, consultez le manuel. Esc quitte le mode pupitre.</translation>
+    </message>
+    <message>
+        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
+        <translation>Pour le déplacer, maintenez un bouton de la molette et poussez la bague ou le capuchon pour une vitesse, ou tournez la molette pour des pas. Le bouton du milieu, ou le droit d’une souris à 3 axes, est TOUT ARRÊTER. Esc quitte le mode pupitre.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ManualWindow</name>
@@ -10444,12 +10456,12 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 <context>
     <name>nmc::Pendant</name>
     <message>
-        <source>Pendant: &amp;keyboard or gamepad</source>
-        <translation>Pupitre&#xa0;: &amp;clavier ou manette</translation>
+        <source>Pendant: &amp;keyboard, gamepad or jog wheel</source>
+        <translation>Pupitre&#xa0;: &amp;clavier, manette ou molette</translation>
     </message>
     <message>
-        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad. B (○) of the gamepad is STOP ALL. (F12)</source>
-        <translation>Pour déplacer le moteur, maintenez Maj avec une touche fléchée, ou une gâchette supérieure de la manette avec son stick gauche ou sa croix. B (○) de la manette est TOUT ARRÊTER. (F12)</translation>
+        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad, or a button of a jog wheel with its ring or wheel. B (○) of the gamepad and the middle button of the wheel are STOP ALL. (F12)</source>
+        <translation>Pour déplacer le moteur, maintenez Maj avec une touche fléchée, une gâchette supérieure de la manette avec son stick gauche ou sa croix, ou un bouton d’une molette avec sa bague ou sa roue. B (○) de la manette et le bouton du milieu de la molette sont TOUT ARRÊTER. (F12)</translation>
     </message>
 </context>
 <context>
@@ -12078,6 +12090,18 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Position and command position, with the error and the motor current below.</source>
         <translation>Position et position de consigne, avec dessous l’erreur et le courant moteur.</translation>
     </message>
+    <message>
+        <source>&amp;Custom traces…</source>
+        <translation>&amp;Courbes personnalisées…</translation>
+    </message>
+    <message>
+        <source>Custom traces</source>
+        <translation>Courbes personnalisées</translation>
+    </message>
+    <message>
+        <source>Traces of your own, from one or two signals.</source>
+        <translation>Vos propres courbes, à partir d’un ou deux signaux.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::SimulatorBench</name>
@@ -12765,6 +12789,77 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
     <message>
         <source>The test is not running.</source>
         <translation>L’essai n’est pas en cours.</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TracesDialog</name>
+    <message>
+        <source>Custom traces</source>
+        <translation>Courbes personnalisées</translation>
+    </message>
+    <message>
+        <source>Each trace is the sum of one or two signals, each times a factor. Values are taken in the units in which the signals are shown; a negative factor subtracts.</source>
+        <translation>Chaque courbe est la somme d’un ou deux signaux, chacun multiplié par un facteur. Les valeurs sont dans les unités dans lesquelles les signaux sont affichés&#xa0;; un facteur négatif soustrait.</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Facteur</translation>
+    </message>
+    <message>
+        <source>Second signal</source>
+        <translation>Second signal</translation>
+    </message>
+    <message>
+        <source>Low-pass, Hz</source>
+        <translation>Passe-bas, Hz</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>&amp;Appliquer</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Écrire</translation>
+    </message>
+    <message>
+        <source>%1, trace %2</source>
+        <translation>%1, courbe %2</translation>
+    </message>
+    <message>
+        <source>The name in the legend. Without one, there is no such trace.</source>
+        <translation>Le nom dans la légende. Sans nom, la courbe n’existe pas.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Selected module</source>
+        <translation>Module sélectionné</translation>
+    </message>
+    <message>
+        <source>Smooths the trace: what is faster than this frequency is attenuated, and the trace lags behind. Empty: no filter.</source>
+        <translation>Lisse la courbe&#xa0;: ce qui est plus rapide que cette fréquence est atténué, et la courbe prend du retard. Vide&#xa0;: pas de filtre.</translation>
+    </message>
+    <message>
+        <source>Shown beside the name.</source>
+        <translation>Affichée à côté du nom.</translation>
+    </message>
+    <message>
+        <source>Factor of: %1</source>
+        <translation>Facteur de&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The signal is multiplied by it.</source>
+        <translation>Le signal est multiplié par ce facteur.</translation>
+    </message>
+    <message>
+        <source>A factor must not be 0.</source>
+        <translation>Un facteur ne doit pas être 0.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
     </message>
 </context>
 <context>

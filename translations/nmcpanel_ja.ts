@@ -1623,6 +1623,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>One column per signal, every millisecond, for other programs only (*.csv)</source>
         <translation>信号ごとに1列、1 msごと、ほかのプログラム専用 (*.csv)</translation>
     </message>
+    <message>
+        <source>custom trace %1</source>
+        <translation>カスタム波形 %1</translation>
+    </message>
 </context>
 <context>
     <name>StepperMeaning</name>
@@ -9075,6 +9079,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
         <translation>プログラムは回線を失い、モジュールを改めて調べます。リセットも停止もしません。</translation>
     </message>
+    <message>
+        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
+        <translation>ジョグホイールが接続されていますが、読み取る権限がありません。一度抜いて差し直してください。それでも使えない場合はマニュアルを参照してください。Escでペンダントモードを終了します。</translation>
+    </message>
+    <message>
+        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
+        <translation>ジョグホイールのボタンを押しながら、リングまたはキャップを倒すと速度で、ホイールを回すとステップで動きます。中央のボタン（3軸マウスでは右ボタン）は全停止です。Escでペンダントモードを終了します。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ManualWindow</name>
@@ -10425,12 +10437,12 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 <context>
     <name>nmc::Pendant</name>
     <message>
-        <source>Pendant: &amp;keyboard or gamepad</source>
-        <translation>ペンダント：キーボードまたはゲームパッド(&amp;K)</translation>
+        <source>Pendant: &amp;keyboard, gamepad or jog wheel</source>
+        <translation>ペンダント：キーボード、ゲームパッド、ジョグホイール(&amp;K)</translation>
     </message>
     <message>
-        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad. B (○) of the gamepad is STOP ALL. (F12)</source>
-        <translation>Shiftと矢印キー、あるいはゲームパッドのショルダーボタンと左スティックまたは十字キーを押している間、モーターが動きます。ゲームパッドのB (○) は全停止です。（F12）</translation>
+        <source>To move the motor, hold Shift with an arrow key, or a shoulder button of a gamepad with its left stick or D-pad, or a button of a jog wheel with its ring or wheel. B (○) of the gamepad and the middle button of the wheel are STOP ALL. (F12)</source>
+        <translation>Shiftと矢印キー、ゲームパッドのショルダーボタンと左スティックまたは十字キー、あるいはジョグホイールのボタンとリングまたはホイールを操作している間、モーターが動きます。ゲームパッドのB (○) とホイールの中央のボタンは全停止です。（F12）</translation>
     </message>
 </context>
 <context>
@@ -12058,6 +12070,18 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Position and command position, with the error and the motor current below.</source>
         <translation>位置と指令位置、その下に偏差とモーター電流。</translation>
     </message>
+    <message>
+        <source>&amp;Custom traces…</source>
+        <translation>カスタム波形(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Custom traces</source>
+        <translation>カスタム波形</translation>
+    </message>
+    <message>
+        <source>Traces of your own, from one or two signals.</source>
+        <translation>1つまたは2つの信号から作る波形です。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::SimulatorBench</name>
@@ -12745,6 +12769,77 @@ It works only while the link works: fit a hardware stop as well.</source>
     <message>
         <source>The test is not running.</source>
         <translation>テストは実行していません。</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TracesDialog</name>
+    <message>
+        <source>Custom traces</source>
+        <translation>カスタム波形</translation>
+    </message>
+    <message>
+        <source>Each trace is the sum of one or two signals, each times a factor. Values are taken in the units in which the signals are shown; a negative factor subtracts.</source>
+        <translation>各波形は、1つまたは2つの信号にそれぞれ係数を掛けた和です。値には表示中の単位を使います。負の係数は引き算になります。</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>係数</translation>
+    </message>
+    <message>
+        <source>Second signal</source>
+        <translation>2つ目の信号</translation>
+    </message>
+    <message>
+        <source>Low-pass, Hz</source>
+        <translation>ローパス、Hz</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>適用(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>一斉出力</translation>
+    </message>
+    <message>
+        <source>%1, trace %2</source>
+        <translation>%1、波形 %2</translation>
+    </message>
+    <message>
+        <source>The name in the legend. Without one, there is no such trace.</source>
+        <translation>凡例の名前です。名前がなければ波形はありません。</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Selected module</source>
+        <translation>選択したモジュール</translation>
+    </message>
+    <message>
+        <source>Smooths the trace: what is faster than this frequency is attenuated, and the trace lags behind. Empty: no filter.</source>
+        <translation>波形を滑らかにします。この周波数より速い成分は減衰し、波形は遅れます。空欄：フィルターなし。</translation>
+    </message>
+    <message>
+        <source>Shown beside the name.</source>
+        <translation>名前の横に表示されます。</translation>
+    </message>
+    <message>
+        <source>Factor of: %1</source>
+        <translation>係数：%1</translation>
+    </message>
+    <message>
+        <source>The signal is multiplied by it.</source>
+        <translation>信号に掛けられます。</translation>
+    </message>
+    <message>
+        <source>A factor must not be 0.</source>
+        <translation>係数は0にできません。</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
     </message>
 </context>
 <context>
