@@ -153,6 +153,8 @@ TEST_F(ByWheel, StepsAddUpToTheirDistance) {
     EXPECT_TRUE(panel.waitFor([&] { return std::abs(shaft() - before - 200) < 2; }));
     ASSERT_TRUE(panel.answersFor(0.5));
     EXPECT_NEAR(shaft(), before + 200, 2);
+    wheel.turn(-2);
+    EXPECT_TRUE(panel.waitFor([&] { return std::abs(shaft() - before) < 2; })) << "the first steps are over";
 }
 
 TEST_F(ByWheel, ReleasingItsButtonStopsTheStepsThatAreLeft) {

@@ -77,9 +77,9 @@ void ProcedureController::end(Run& run) {
     if (run.overtaken || run.reported->over())
         return;
     run.overtaken = true;
-    run.reported = run.procedure->report();
-    run.reported->stage = ProcedureStage::Cancelled;
-    emit reported(*run.reported);
+    ProcedureReport cancelled = run.procedure->report();
+    cancelled.stage = ProcedureStage::Cancelled;
+    report(run, cancelled);
 }
 
 void ProcedureController::stopAll() {
@@ -93,6 +93,7 @@ void ProcedureController::forget() {
         end(run);
     m_runs.clear();
     m_timer.stop();
+    emitReports();
 }
 
 /// Takes the events first: a stop from elsewhere must not be followed by a move.
@@ -102,20 +103,18 @@ void ProcedureController::look() {
 }
 
 void ProcedureController::advance() {
-    if (m_stopping)
-        return;
     const TimePoint now = monotonicNow();
     const bool ran = anyRunning();
-    for (auto it = m_runs.begin(); it != m_runs.end();) {
+    for (auto it = m_runs.begin(); it != m_runs.end() && !m_stopping;) {
         bool over = false;
         if (const ModuleState* module = m_store.module(it->first))
             ask(it->second, *module, now, over);
         it = over ? m_runs.erase(it) : std::next(it);
     }
-    if (!m_runs.empty())
-        return;
-    m_timer.stop();
-    if (ran)
+    if (m_runs.empty())
+        m_timer.stop();
+    emitReports();
+    if (ran && m_runs.empty())
         emit idle();
 }
 
@@ -141,8 +140,21 @@ void ProcedureController::publish(Run& run) {
         return;
     if (report.kind == ProcedureKind::Homing && report.home && !(run.reported && run.reported->home))
         m_store.noteHome(report.module, *report.home);
+    this->report(run, report);
+}
+
+void ProcedureController::report(Run& run, const ProcedureReport& report) {
     run.reported = report;
-    emit reported(report);
+    m_reports.push_back(report);
+}
+
+/// Only when what has ended is gone: whoever hears of its end may begin the next one.
+void ProcedureController::emitReports() {
+    while (!m_reports.empty()) {
+        const ProcedureReport report = m_reports.front();
+        m_reports.pop_front();
+        emit reported(report);
+    }
 }
 
 void ProcedureController::suspect(std::optional<ModuleIndex> module) {

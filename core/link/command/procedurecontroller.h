@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -64,6 +65,8 @@ private:
     void advance();
     void ask(Run& run, const ModuleState& module, TimePoint now, bool& over);
     void publish(Run& run);
+    void report(Run& run, const ProcedureReport& report);
+    void emitReports();
     void end(Run& run);
     void suspect(std::optional<ModuleIndex> module);
     bool finished(const bus::OperationFinished& finished);
@@ -73,6 +76,7 @@ private:
     Submit m_submit;
     QTimer m_timer;
     std::map<ModuleIndex, Run> m_runs;
+    std::deque<ProcedureReport> m_reports;  ///< not emitted yet
     bool m_stopping = false;
 };
 

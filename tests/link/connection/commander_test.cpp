@@ -104,5 +104,24 @@ TEST_F(CommanderTest, AnotherRequestTakesTheModuleFromItsProcedure) {
     EXPECT_LT(position(), 2'500);
 }
 
+TEST_F(CommanderTest, WhoeverHearsOfTheEndOfAProcedureMayBeginTheNext) {
+    ASSERT_NO_FATAL_FAILURE(enable());
+    std::vector<ProcedureStage> ends;
+    QObject::connect(&commander.procedures(), &ProcedureController::reported, &commander,
+                     [&](const ProcedureReport& report) {
+                         if (!report.over())
+                             return;
+                         ends.push_back(report.stage);
+                         if (ends.size() == 1)
+                             commander.carryOut(kModule, by(300, 1));
+                     });
+    commander.carryOut(kModule, by(200, 1));
+    ASSERT_TRUE(connection.waitUntil([&] { return ends.size() == 2; }));
+    EXPECT_TRUE(refusals.empty());
+    EXPECT_EQ(ends, (std::vector{ProcedureStage::Done, ProcedureStage::Done}));
+    EXPECT_FALSE(commander.anyRunning());
+    EXPECT_NEAR(position(), 500, 4);
+}
+
 }  // namespace
 }  // namespace nmc
