@@ -106,9 +106,10 @@ QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
 
 double signalStep(ScopeSignal signal, const ScopeModule& module) {
     const double one = std::abs(module.scaleOf(signal).factor);
-    // A tenth of a count for calculated positions, whole counts for values that were reported or are always
-    // whole.
-    return signal == ScopeSignal::Command || signal == ScopeSignal::Error ? one / 10 : one;
+    // A tenth of a count for calculated positions and what is filtered, whole counts for values that were
+    // reported or are always whole.
+    return signal == ScopeSignal::Command || signal == ScopeSignal::Error || customIndex(signal) ? one / 10
+                                                                                                 : one;
 }
 
 int decimalsAt(double step) {

@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kNameWidth = 12;    // in grid units
-constexpr int kSignalWidth = 18;  // in characters
+constexpr int kSignalWidth = 24;  // in characters
 
 /// The signals of which a trace can be made; the value of each option is the signal as text.
 QList<form::Option> optionsOf(const QString& module, std::optional<ModuleIndex> index,
