@@ -3793,10 +3793,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zu weit für eine Sprungantwort: höchstens 2000 Inkremente.</translation>
     </message>
     <message>
-        <source>The step is too close to the position error limit and would switch the servo off. Shorten the step or raise EL.</source>
-        <translation>Der Sprung liegt zu nahe an der Positionsfehlergrenze und würde den Servo abschalten. Den Sprung verkleinern oder EL erhöhen.</translation>
-    </message>
-    <message>
         <source>The goal is outside the chip&apos;s position range.</source>
         <translation>Das Ziel liegt außerhalb des Positionsbereichs des Chips.</translation>
     </message>
@@ -5401,6 +5397,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 did not stay within its arrival tolerance. Check its gains, or change the tolerance (Axis page).</source>
         <translation>%1 blieb nicht innerhalb der Ankunftstoleranz. Die Reglerwerte prüfen oder die Toleranz ändern (Seite Achse).</translation>
+    </message>
+    <message>
+        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
+        <translation>Der Motor käme der Positionsfehlergrenze zu nahe, die den Servo abschaltet. Sprung oder Amplitude verkleinern oder EL erhöhen.</translation>
     </message>
 </context>
 <context>

@@ -3793,10 +3793,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Demasiado para una respuesta al escalón: como máximo 2000 cuentas.</translation>
     </message>
     <message>
-        <source>The step is too close to the position error limit and would switch the servo off. Shorten the step or raise EL.</source>
-        <translation>El escalón está demasiado cerca del límite de error de posición y apagaría el servo. Reduzca el escalón o aumente EL.</translation>
-    </message>
-    <message>
         <source>The goal is outside the chip&apos;s position range.</source>
         <translation>El destino está fuera del rango de posiciones del chip.</translation>
     </message>
@@ -5401,6 +5397,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>%1 did not stay within its arrival tolerance. Check its gains, or change the tolerance (Axis page).</source>
         <translation>%1 no permaneció dentro de su tolerancia de llegada. Compruebe sus ganancias o cambie la tolerancia (página Eje).</translation>
+    </message>
+    <message>
+        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
+        <translation>El motor se acercaría demasiado al límite de error de posición, que apaga el servo. Reduzca el escalón o la amplitud, o aumente EL.</translation>
     </message>
 </context>
 <context>

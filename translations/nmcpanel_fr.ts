@@ -3793,10 +3793,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Trop loin pour une réponse indicielle&#xa0;: au plus 2000 incréments.</translation>
     </message>
     <message>
-        <source>The step is too close to the position error limit and would switch the servo off. Shorten the step or raise EL.</source>
-        <translation>L’échelon est trop proche de la limite d’erreur de position et couperait le servo. Réduisez l’échelon ou augmentez EL.</translation>
-    </message>
-    <message>
         <source>The goal is outside the chip&apos;s position range.</source>
         <translation>La cible est hors de la plage de positions de la puce.</translation>
     </message>
@@ -5401,6 +5397,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>%1 did not stay within its arrival tolerance. Check its gains, or change the tolerance (Axis page).</source>
         <translation>%1 n’est pas resté dans sa tolérance d’arrivée. Vérifiez ses gains ou modifiez la tolérance (page Axe).</translation>
+    </message>
+    <message>
+        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
+        <translation>Le moteur s’approcherait trop de la limite d’erreur de position, qui coupe le servo. Réduisez l’échelon ou l’amplitude, ou augmentez EL.</translation>
     </message>
 </context>
 <context>

@@ -3786,10 +3786,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>ステップ応答には大きすぎます。最大2000カウントです。</translation>
     </message>
     <message>
-        <source>The step is too close to the position error limit and would switch the servo off. Shorten the step or raise EL.</source>
-        <translation>ステップが位置偏差上限に近すぎて、サーボがオフになります。ステップを小さくするか、ELを上げてください。</translation>
-    </message>
-    <message>
         <source>The goal is outside the chip&apos;s position range.</source>
         <translation>目標位置がチップの位置範囲を超えています。</translation>
     </message>
@@ -5384,6 +5380,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>%1 did not stay within its arrival tolerance. Check its gains, or change the tolerance (Axis page).</source>
         <translation>%1は到着許容差内にとどまりませんでした。ゲインを確認するか、許容差を変更してください（軸ページ）。</translation>
+    </message>
+    <message>
+        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
+        <translation>モーターが位置偏差上限に近づきすぎて、サーボがオフになります。ステップまたは振幅を小さくするか、ELを上げてください。</translation>
     </message>
 </context>
 <context>
