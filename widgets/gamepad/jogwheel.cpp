@@ -23,7 +23,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kSearchInterval = 1'000;  // ms
-constexpr int kQuiet = 150;           // ms; a cap that is pushed reports at least every 20 ms
+constexpr int kQuiet = 150;             // ms; a cap that is pushed reports at least every 20 ms
 constexpr double kRingEnd = 7;
 constexpr double kCapEnd = 350;
 constexpr double kCapSlack = 35;  ///< so that a trembling hand does not start the motor

@@ -79,9 +79,8 @@ void ScopePlot::showFrame(const View& view, const History& history, double now, 
         }
     };
     take(m_drawings, view.zero, [&](const ModuleSignal& of) { return derived.source(history, of); });
-    take(m_under, under != nullptr ? under->zero() : view.zero, [&](const ModuleSignal& of) {
-        return under != nullptr ? under->source(of) : SignalSource{};
-    });
+    take(m_under, under != nullptr ? under->zero() : view.zero,
+         [&](const ModuleSignal& of) { return under != nullptr ? under->source(of) : SignalSource{}; });
     m_frame.setTimeAxis(view.left, view.right, view.division, m_timeLabels ? 2 * view.division : 0);
     fitValues(now);
     noteBand();
