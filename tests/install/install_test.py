@@ -180,8 +180,8 @@ class InstalledTree(Folder):
 
     def test_udev_rules_are_of_keys_that_udev_knows(self):
         # "udevadm verify" came after Debian 12.
-        key = (r'(ACTION|SUBSYSTEM|DRIVER|ATTR\{\w+\})(==|!=)"[^"]+"|ATTR\{latency_timer\}="1"|'
-               r'ENV\{ID_MM_DEVICE_IGNORE\}="1"|GOTO="\w+"|LABEL="\w+"')
+        key = (r'(ACTION|SUBSYSTEM|DRIVER|KERNEL|ATTRS?\{\w+\})(==|!=)"[^"]+"|ATTR\{latency_timer\}="1"|'
+               r'TAG\+="uaccess"|ENV\{ID_MM_DEVICE_IGNORE\}="1"|GOTO="\w+"|LABEL="\w+"')
         rules = (self.usr / "lib/udev/rules.d/70-nmcpanel.rules").read_text()
         for line in rules.splitlines():
             if line and not line.startswith("#"):
@@ -189,6 +189,9 @@ class InstalledTree(Folder):
         self.assertEqual(set(re.findall(r'GOTO="(\w+)"', rules)), set(re.findall(r'LABEL="(\w+)"', rules)))
         for vendor in ("0403", "067b", "1a86", "10c4"):
             self.assertRegex(rules, rf'(?m)^ATTR{{idVendor}}=="{vendor}", .*ENV{{ID_MM_DEVICE_IGNORE}}="1"$')
+        # Contour, 3Dconnexion and Logitech: jog wheels and 3-axis mice.
+        for vendor in ("0b33|256f", "046d"):
+            self.assertIn(f'SUBSYSTEM=="input", KERNEL=="event*", ATTRS{{idVendor}}=="{vendor}", ', rules)
 
 
 class InstalledPrograms(Folder):
