@@ -22,11 +22,6 @@ namespace {
     return Permission::Allowed;
 }
 
-/// True if a mode of Table 4 has such a load.
-[[nodiscard]] bool inTable(const stepper::LoadTrajectory& load) {
-    return goalMode(StepperMode::Stopped, load) || goalMode(StepperMode::Trapezoidal, load);
-}
-
 [[nodiscard]] Permission offThePath(const Belief& belief) {
     return belief.onPath() ? Permission::InMotion : Permission::Allowed;
 }
@@ -51,7 +46,7 @@ struct AsLoaded {
         return trapezoidal ? onlyAtStandstill(belief) : offThePath(belief);
     }
     Permission operator()(const stepper::LoadTrajectory& load) const {
-        if (!inTable(load) || !belief.parametersSet())
+        if (!inTable4(load) || !belief.parametersSet())
             return Permission::Never;
         // Without the start bit, it has no effect (DS-S 5.1).
         return load.startNow ? mayStart(load) : Permission::Allowed;

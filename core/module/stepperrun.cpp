@@ -26,6 +26,10 @@ std::optional<StepperMode> goalMode(StepperMode from, const stepper::LoadTraject
     return from == StepperMode::UnprofiledWithStop ? from : StepperMode::Unprofiled;
 }
 
+bool inTable4(const stepper::LoadTrajectory& load) {
+    return goalMode(StepperMode::Stopped, load) || goalMode(StepperMode::Trapezoidal, load);
+}
+
 bool mayFollow(StepperMode mode, bool runsReverse, const stepper::LoadTrajectory& load) {
     return goalMode(mode, load) && (mode == StepperMode::Stopped || load.reverse == runsReverse);
 }

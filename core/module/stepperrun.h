@@ -23,6 +23,9 @@ enum class StepperMode : std::uint8_t {
 /// count, a move to a position keeps its goal: the data sheet allows no unprofiled run from there.
 [[nodiscard]] std::optional<StepperMode> goalMode(StepperMode from, const stepper::LoadTrajectory& load);
 
+/// True if a mode of Table 4 has such a load.
+[[nodiscard]] bool inTable4(const stepper::LoadTrajectory& load);
+
 /// True if a load may be started on a PIC-STEP in that mode; a change of direction in motion is not allowed
 /// (DS-S 4.1). Pure.
 [[nodiscard]] bool mayFollow(StepperMode mode, bool runsReverse, const stepper::LoadTrajectory& load);

@@ -51,10 +51,6 @@ struct WhyNot {
         return whyNot(IntentKind::ResetPosition, module);
     }
     Reason operator()(const servo::ScIoControl&) const { return whyNot(IntentKind::ControlSc, module); }
-    /// Paths and saved configurations cannot be sent as single commands.
-    Reason operator()(const AnyOf<servo::AddPathPoints, servo::HardReset> auto&) const {
-        return Refusal::VersionLacksIt;
-    }
     Reason operator()(const servo::ClearStickyBits&) const {
         return whyNot(IntentKind::ClearStickyBits, module);
     }
@@ -62,6 +58,8 @@ struct WhyNot {
     // ---- PIC-STEP ----
 
     Reason operator()(const stepper::LoadTrajectory& load) const {
+        if (!inTable4(load))
+            return Refusal::VersionLacksIt;
         return load.startNow ? whyNotStarted(load, module) : whyNot(IntentKind::Load, module);
     }
     Reason operator()(const stepper::StopMotor& stop) const {
@@ -91,10 +89,13 @@ struct WhyNot {
     Reason operator()(const StartMotion&) const { return whyNot(IntentKind::StartLoaded, module); }
     Reason operator()(const ResetPosition&) const { return whyNot(IntentKind::ResetPosition, module); }
     Reason operator()(const SaveAsHome&) const { return whyNot(IntentKind::SaveAsHome, module); }
-    /// Addresses, rate, reset and status items belong to the bus.
-    Reason operator()(
-        const AnyOf<SetAddress, DefineStatus, ReadStatus, SetBaud, Nop, HardReset> auto&) const {
+    Reason operator()(const AnyOf<DefineStatus, ReadStatus, Nop> auto&) const {
         return whyInaccessible(IntentKind::StopMotion, module);
+    }
+    /// Addresses, rates, resets and paths belong to the bus, and cannot be sent as single commands.
+    Reason operator()(
+        const AnyOf<SetAddress, SetBaud, HardReset, servo::AddPathPoints, servo::HardReset> auto&) const {
+        return Refusal::VersionLacksIt;
     }
 };
 

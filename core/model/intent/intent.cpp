@@ -234,7 +234,8 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
     const Need on{module.servoOn(), Refusal::ServoOff};
     const Need off{!module.servoOn(), Refusal::ServoOn};
     const Need still{!module.moving(), Refusal::Moving};
-    const Need turnsNot{!module.moving() && module.activity() != Activity::Turned, Refusal::Moving};
+    const Need turnsNot{!module.moving() && !module.turns(), Refusal::Moving};
+    const Need offThePath{!module.onPath(), Refusal::NeedsStop};
     const Need speedsKnown{module.speedsKnown(), Refusal::ServoRateUnknown};
     switch (kind) {
         case IntentKind::Enable:
@@ -251,12 +252,12 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
             return whyNot(IntentKind::Move, module);
         case IntentKind::Run:
         case IntentKind::Hold:
-            return firstUnmet({on, speedsKnown, {!limitStopDue(module), Refusal::LimitStopDue}});
+            return firstUnmet({on, speedsKnown, offThePath, {!limitStopDue(module), Refusal::LimitStopDue}});
         case IntentKind::StopMotion:  // a stop would switch on a servo that is off
             return firstUnmet({on});
         case IntentKind::ResetPosition:
         case IntentKind::ResetModule:
-            return firstUnmet({still});
+            return firstUnmet({turnsNot});
         case IntentKind::DeclarePosition:
             return whyNotDeclare(module);
         case IntentKind::StartLoaded:
@@ -276,7 +277,7 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
                 return refusal;
             return firstUnmet({{placed && module.latest->aux, Refusal::PositionUnknown}, turnsNot});
         case IntentKind::ControlIo:
-            return firstUnmet({{chip.version < servo::kOtherIoVersion, Refusal::VersionLacksIt}});
+            return firstUnmet({{chip.version < servo::kOtherIoVersion, Refusal::VersionLacksIt}, offThePath});
         case IntentKind::ControlSc:
             return firstUnmet({{isSc(chip), Refusal::VersionLacksIt}, off, turnsNot});
         case IntentKind::ArmLimitStop:

@@ -236,13 +236,14 @@ enum class Refusal : std::uint8_t {
     RecordTime,      ///< none, or longer than the bus can be reserved for one module
     MoveTooLong,     ///< a profiled move and the record after it exceed kLongestMove
     PathNotPossible,  ///< pathplan.h has the reason
+    NeedsStop,        ///< not allowed on a path, or in the present mode of a PIC-STEP (DS-S Table 4), where
+                      ///< ChangeMotion can do it
     TestOutOfRange,   ///< times, frequencies or travel of a loop test
     TestTooSlow,      ///< the motor would reverse although it is to keep moving
     // PIC-STEP
     NotAStepper,
     ParametersUnknown,  ///< no motion and no holding before they are set
     AmplifierOff,       ///< enable first
-    NeedsStop,          ///< not allowed in the present mode (DS-S Table 4); ChangeMotion can do it
     EstopActive,
     Limit1Active,  ///< blocks forward
     Limit2Active,  ///< blocks reverse

@@ -447,7 +447,7 @@ Activity ModuleState::activityWhileOff() const {
         return Activity::NoPower;
     if (motion == MotionMode::Pwm)
         return Activity::PwmMode;
-    return m_drifts ? Activity::Turned : Activity::ServoOff;
+    return turns() ? Activity::Turned : Activity::ServoOff;
 }
 
 /// A motor whose position changes more rarely than this is not at speed.

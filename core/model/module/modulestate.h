@@ -137,6 +137,8 @@ struct ModuleState : ServoRegisters {
     /// SC: limit protection is enabled (I/O Control), and the limit in this direction, -1 or 1, is closed;
     /// forward is limit 1.
     [[nodiscard]] bool limitEnds(int direction) const;
+    /// PIC-SERVO: it is off, but its shaft moves.
+    [[nodiscard]] bool turns() const { return isServo() && !servoOn() && m_drifts; }
     /// CMC and SC: it is running path points.
     [[nodiscard]] bool onPath() const;
     /// A motion that must not be disturbed: a trapezoidal move in progress, or any command velocity other
