@@ -337,18 +337,16 @@ void Line::join(ByteSpan bytes, TimePoint now) {
     received.append(bytes.first(std::min(bytes.size(), received.capacity() - received.size())));
     if (gap > kLongestReplyGap)
         return m_torn.reset();
-    if (!isWhole(m_torn->pending))
+    if (!isWhole(m_torn->pending, received))
         return;
     m_torn.reset();
     m_replyGap = std::max(m_replyGap, gap);
     m_timing.latency = std::max(m_timing.latency, m_replyGap + kMinLatency);
 }
 
-bool Line::isWhole(const Pending& pending) {
-    const ByteSpan all(pending.received);
+bool Line::isWhole(const Pending& pending, ByteSpan all) {
     if (pending.framing != Framing::Open)
-        return all.size() == pending.wanted() &&
-               decodeStatus(pending.layout.module, pending.layout.items, all).has_value();
+        return decodeStatus(pending.layout.module, pending.layout.items, all).has_value();
     return all.size() >= kMinReply && sum8(all.first(all.size() - 1)) == all.back();
 }
 
@@ -359,11 +357,7 @@ void Line::endWithoutEcho(const Pending& pending, TimePoint now) {
     end.bytes = pending.early;
     const std::size_t room = end.bytes.capacity() - end.bytes.size();
     end.bytes.append(ByteSpan(pending.received).first(std::min(room, pending.received.size())));
-    const ByteSpan all(end.bytes);
-    const bool answer = pending.framing == Framing::Open
-                            ? all.size() >= kMinReply && sum8(all.first(all.size() - 1)) == all.back()
-                            : decodeStatus(pending.layout.module, pending.layout.items, all).has_value();
-    if (m_echo.expected() && !m_echo.begun() && answer)
+    if (m_echo.expected() && !m_echo.begun() && isWhole(pending, end.bytes))
         m_echo.cease();
     m_ends.push_back(end);
 }

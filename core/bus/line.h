@@ -166,7 +166,7 @@ private:
 
     void expect(const Request& request, const PacketBytes& packet, TimePoint start, TimePoint now);
     void join(ByteSpan bytes, TimePoint now);
-    [[nodiscard]] static bool isWhole(const Pending& pending);
+    [[nodiscard]] static bool isWhole(const Pending& pending, ByteSpan all);
     [[nodiscard]] bool mayLeave(ByteSpan bytes) const;
     void send(ByteSpan bytes, TimePoint now);
     void advanceScript(TimePoint now);
