@@ -8,6 +8,18 @@
 
 namespace nmc::bus {
 
+namespace {
+
+// A load without a value uses the one loaded before, which is unknown here.
+[[nodiscard]] bool drivesPwm(const servo::LoadTrajectory& load) {
+    return !load.servo && load.pwm.value_or(1) != 0;
+}
+[[nodiscard]] bool runs(const servo::LoadTrajectory& load) {
+    return load.isVelocityMode() && load.velocity.value_or(CountsPerTick(1)).value() != 0;
+}
+
+}  // namespace
+
 struct Belief::Sent {
     Belief& b;
     TimePoint latched;
@@ -17,7 +29,7 @@ struct Belief::Sent {
         if (!load.startNow)
             return;
         b.m_lastMotion = latched;
-        b.m_starting = load;
+        b.m_may.starting = load;
         b.mayStart(load);
     }
     void operator()(const stepper::LoadTrajectory& load) const {
@@ -25,15 +37,15 @@ struct Belief::Sent {
         if (!load.startNow)
             return;
         b.m_lastMotion = latched;
-        b.m_stepperRun.start(load, b.stepperMode(), b.m_position);
+        b.m_may.stepperRun.start(load, b.stepperMode(), b.m_position);
     }
     void operator()(const StartMotion&) const {
         b.m_lastMotion = latched;
-        b.m_starting = b.servoLoad();
-        if (b.m_starting)
-            b.mayStart(*b.m_starting);
+        b.m_may.starting = b.servoLoad();
+        if (b.m_may.starting)
+            b.mayStart(*b.m_may.starting);
         if (const auto& waiting = b.m_stepper.waiting) {
-            b.m_stepperRun.start(*waiting, b.stepperMode(), b.m_position);
+            b.m_may.stepperRun.start(*waiting, b.stepperMode(), b.m_position);
             if (waiting->accelerationTime)
                 b.m_stepper.accelerationTime = waiting->accelerationTime;
         }
@@ -46,11 +58,11 @@ struct Belief::Sent {
         b.m_lastMotion = latched;
         b.m_servo.loadWaiting = false;  // DS-V 5.2: the velocity parameter becomes 0
         if (stop.manner == servo::StopManner::Abruptly || stop.manner == servo::StopManner::Here)
-            b.m_mayEnable = true;
+            b.m_may.enable = true;
     }
     void operator()(const stepper::StopMotor& stop) const {
         b.m_lastMotion = latched;
-        b.m_mayEnable = b.m_mayEnable || stop.amplifierEnable;
+        b.m_may.enable = b.m_may.enable || stop.amplifierEnable;
         if (stop.manner != stepper::StopManner::AmplifierOnly)
             b.m_stepper.waiting.reset();
     }
@@ -63,7 +75,7 @@ struct Belief::Sent {
         if (!add.startsPath())
             return;
         b.m_lastMotion = latched;
-        b.m_onPath = b.m_mayEnable = true;
+        b.m_may.followPath = b.m_may.enable = true;
     }
     void operator()(const io::OwnCommand auto& command) const { b.m_outputs.onSent(command); }
     void operator()(const auto& /*other*/) const {}
@@ -78,17 +90,16 @@ struct Belief::Executed {
     }
     void operator()(const stepper::SetParameters&) const { b.m_parametersSet = true; }
     void operator()(const StartMotion&) const {
-        if (b.m_starting)
-            b.started(*b.m_starting);
+        if (b.m_may.starting)
+            b.started(*b.m_may.starting);
     }
     void operator()(const servo::StopMotor& stop) const {
         b.m_amplifierOff = !stop.amplifierEnable;
         if (stop.manner == servo::StopManner::AmplifierOnly)
             return;
-        b.m_velocityGoal = b.m_onPath = false;
-        b.m_pwmMayRun = b.m_pwmUnknown = false;
+        b.m_may.run = b.m_may.followPath = b.m_may.drivePwm = b.m_may.pwmUnknown = false;
         if (stop.manner == servo::StopManner::MotorOff)
-            b.m_on = b.m_mayEnable = false;
+            b.m_on = b.m_may.enable = false;
     }
     void operator()(const servo::SetHoming& homing) const {
         b.m_homingStops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
@@ -96,9 +107,6 @@ struct Belief::Executed {
     void operator()(const DefineStatus& define) const { b.m_items = define.items; }
     void operator()(const SetAddress& set) const {
         b.m_info.group = GroupPlace{set.group.value(), set.leader};
-    }
-    void operator()(const servo::ScIoControl& control) const {
-        b.m_limitStops = control.limitStop != servo::LimitStop::None;
     }
     void operator()(const auto& /*other*/) const {}
 };
@@ -120,14 +128,9 @@ void Belief::onExecuted(const ModuleCommand& command) {
 }
 
 void Belief::onNotExecuted(const Belief& before) {
-    m_mayEnable = before.m_mayEnable;
-    m_pwmMayRun = before.m_pwmMayRun;
-    m_velocityGoal = before.m_velocityGoal;
-    m_stepperRun = before.m_stepperRun;
+    m_may = before.m_may;
     m_stepper.waiting = before.m_stepper.waiting;
     m_servo.loadWaiting = before.m_servo.loadWaiting;
-    m_starting = before.m_starting;
-    m_onPath = before.m_onPath;
 }
 
 void Belief::onStatus(const StatusReport& report, TimePoint latched) {
@@ -135,7 +138,7 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         return;
     m_before = m_statusTime;
     m_statusTime = latched;
-    m_lastItems = report.items;
+    m_last = report;
     if (report.position) {
         // An encoder at rest on an edge alternates by one count.
         m_rolls = m_place && std::abs(countsBetween(*m_place, *report.position)) > 1;
@@ -147,13 +150,11 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         m_commandPosition = commanded;
     if (report.aux)
         m_aux = *report.aux;
-    m_status = report.status;
-    m_velocity = report.velocity;
     if (report.pins)
         m_outputs.onPins(*report.pins);
     if (m_info.identity.type == ModuleType::Stepper) {
         m_on = report.stepperStatus().amplifierEnabled();
-        m_mayEnable = m_mayEnable && !fresh();
+        m_may.enable = m_may.enable && !fresh();
         return;
     }
     // The reply to a command may have been composed before the command took effect.
@@ -161,16 +162,16 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         return;
     if (report.aux) {
         m_on = servo::AuxByte{*report.aux}.servoOn();
-        m_mayEnable = false;
-        if (!m_on)
-            m_velocityGoal = false;
-        m_onPath = m_onPath && (servo::AuxByte{m_aux}.pathMode() || !report.servoStatus().moveDone());
+        m_may.enable = false;
+        m_may.run = m_may.run && m_on;
+        m_may.followPath =
+            m_may.followPath && (servo::AuxByte{m_aux}.pathMode() || !report.servoStatus().moveDone());
     }
     const servo::StatusByte status = report.servoStatus();
     if (m_homingStops && !status.homeInProgress())
-        m_velocityGoal = m_homingStops = false;
-    if (m_limitStops && status.moveDone() && (m_velocityReverse ? status.limit2() : status.limit1()))
-        m_velocityGoal = false;
+        m_may.run = m_homingStops = false;
+    if (status.moveDone() && m_servo.limitEnds(status, m_may.runReverse))
+        m_may.run = false;
 }
 
 /// The reply to a command that sets the counter may contain the old or the new position.
@@ -182,11 +183,10 @@ void Belief::rename() {
 void Belief::setRestarted() {
     m_restarted = true;
     m_info.group = GroupPlace{};
-    m_on = m_mayEnable = m_pwmMayRun = m_pwmUnknown = m_velocityGoal = m_homingStops = m_limitStops =
-        m_parametersSet = m_onPath = false;
+    m_on = m_homingStops = m_parametersSet = false;
+    m_may = {};
     m_servo = {};
     m_stepper = {};
-    m_starting.reset();
     m_outputs.onReset();
 }
 
@@ -202,61 +202,41 @@ bool anySticky(servo::StatusByte status, servo::AuxByte aux) {
 
 StatusItems Belief::otherItems() const {
     const ModuleIdentity& identity = m_info.identity;
-    return m_lastItems == fullItems(identity) ? standingItems(identity) : fullItems(identity);
+    return m_last.items == fullItems(identity) ? standingItems(identity) : fullItems(identity);
 }
 
 bool Belief::fresh() const {
     return m_statusTime && (!m_lastMotion || *m_statusTime > *m_lastMotion);
 }
 
-bool Belief::mayMove() const {
-    if (m_restarted)
-        return false;
+bool Belief::moves(bool servo) const {
     if (!m_statusTime)
         return true;
     if (m_info.identity.type == ModuleType::Io)
         return false;
     if (m_info.identity.type == ModuleType::Stepper)
-        return stepper::StatusByte{m_status}.moving();
-    return m_velocityGoal || m_pwmMayRun || m_onPath || !servo::StatusByte{m_status}.moveDone();
-}
-
-bool Belief::seenMoving() const {
-    if (!m_statusTime)
-        return true;
-    if (m_info.identity.type == ModuleType::Io)
-        return false;
-    if (m_info.identity.type == ModuleType::Stepper)
-        return stepper::StatusByte{m_status}.moving();
-    return m_pwmMayRun || !servo::StatusByte{m_status}.moveDone() || m_velocity.value_or(0) != 0;
-}
-
-bool Belief::powered() const {
-    return servo::StatusByte{m_status}.powerOn();  // the same bit on both chips
+        return m_last.stepperStatus().moving();
+    return servo || !m_last.servoStatus().moveDone();
 }
 
 StepperMode Belief::stepperMode() const {
-    return mayMove() ? m_stepperRun.modeNow(stepper::StatusByte{m_status}) : StepperMode::Stopped;
+    return mayMove() ? m_may.stepperRun.modeNow(m_last.stepperStatus()) : StepperMode::Stopped;
 }
 
 void Belief::mayStart(const servo::LoadTrajectory& load) {
-    if (!load.servo) {
-        m_pwmMayRun = m_pwmMayRun || load.pwm.value_or(1) != 0;
+    m_may.drivePwm = m_may.drivePwm || drivesPwm(load);
+    m_may.run = m_may.run || runs(load);
+    if (!load.servo)
         return;
-    }
-    m_mayEnable = true;
-    m_velocityReverse = load.reverse;
-    // Without a velocity, the chip uses the one loaded before, which is unknown here.
-    if (load.profile == servo::ProfileMode::Velocity)
-        m_velocityGoal = m_velocityGoal || load.velocity.value_or(CountsPerTick(1)).value() != 0;
+    m_may.enable = true;
+    m_may.runReverse = load.reverse;
 }
 
 void Belief::started(const servo::LoadTrajectory& load) {
-    m_pwmUnknown = false;
-    m_pwmMayRun = !load.servo && load.pwm.value_or(1) != 0;
-    m_velocityGoal = load.servo && load.profile == servo::ProfileMode::Velocity &&
-                     load.velocity.value_or(CountsPerTick(1)).value() != 0;
-    m_starting.reset();
+    m_may.pwmUnknown = false;
+    m_may.drivePwm = drivesPwm(load);
+    m_may.run = runs(load);
+    m_may.starting.reset();
 }
 
 }  // namespace nmc::bus

@@ -33,7 +33,7 @@ public:
     /// The module was found as another host left it: its settings are unknown. It may be running in velocity
     /// mode at any speed until a stop is answered or its servo is seen off.
     void attach() {
-        m_velocityGoal = m_pwmUnknown = m_parametersSet = true;
+        m_may.run = m_may.pwmUnknown = m_parametersSet = true;
         m_info.group.reset();
         m_servo.pathControl.reset();
         m_outputs.forget();
@@ -68,38 +68,39 @@ public:
     [[nodiscard]] std::optional<std::int32_t> position() const { return m_position; }
     /// According to the last status.
     [[nodiscard]] bool anySticky() const {
-        return bus::anySticky(servo::StatusByte{m_status}, servo::AuxByte{m_aux});
+        return bus::anySticky(m_last.servoStatus(), servo::AuxByte{m_aux});
     }
     [[nodiscard]] std::optional<std::int32_t> home() const { return m_home; }
     /// CMC and SC: the position that the servo should hold or follow, from the last status that contained it.
     [[nodiscard]] std::optional<std::int32_t> commandPosition() const { return m_commandPosition; }
-    /// CMC and SC: empty if the setting of I/O Control is unknown.
-    [[nodiscard]] const std::optional<PathControl>& pathControl() const { return m_servo.pathControl; }
     /// CMC and SC: it may be running path points.
-    [[nodiscard]] bool onPath() const { return m_onPath; }
+    [[nodiscard]] bool onPath() const { return m_may.followPath; }
 
     /// Servo (PIC-STEP: amplifier) is on, according to the last status that contained it.
     [[nodiscard]] bool on() const { return m_on; }
     /// It is on, or a command that may have switched it on was sent since.
-    [[nodiscard]] bool mayBeOn() const { return m_on || m_mayEnable; }
+    [[nodiscard]] bool mayBeOn() const { return m_on || m_may.enable; }
     /// PIC-SERVO: AMP_EN was taken low, and not high since; raising it would make a servo that is on jump.
     [[nodiscard]] bool amplifierOff() const { return m_amplifierOff; }
     /// PIC-SERVO with the servo off whose PWM output may differ from 0.
-    [[nodiscard]] bool pwmMayRun() const { return m_pwmMayRun; }
+    [[nodiscard]] bool pwmMayRun() const { return m_may.drivePwm; }
     /// The PWM output may differ from 0 because earlier commands are unknown; a stop must allow for this.
-    [[nodiscard]] bool pwmUnknown() const { return m_pwmUnknown; }
+    [[nodiscard]] bool pwmUnknown() const { return m_may.pwmUnknown; }
     /// The command velocity may differ from 0 (DS-V 4.4), or a stepper is moving.
-    [[nodiscard]] bool mayMove() const;
+    [[nodiscard]] bool mayMove() const {
+        return !m_restarted && moves(m_may.run || m_may.drivePwm || m_may.followPath);
+    }
     /// Measured velocity in counts per tick, if the latest status contained it.
-    [[nodiscard]] std::optional<std::int16_t> velocity() const { return m_velocity; }
+    [[nodiscard]] std::optional<std::int16_t> velocity() const { return m_last.velocity; }
     /// The last two positions differ: with the servo off, this shows a motor that coasts by less than the
     /// resolution of the velocity item, a count per tick.
     [[nodiscard]] bool rolls() const { return m_rolls; }
-    [[nodiscard]] bool powered() const;
     /// The last status shows motion, whatever was commanded. True if there is no status.
-    [[nodiscard]] bool seenMoving() const;
+    [[nodiscard]] bool seenMoving() const {
+        return moves(m_may.drivePwm || m_last.velocity.value_or(0) != 0);
+    }
     /// True if a Stop Motor is likely to stop something; determines the order of a stop.
-    [[nodiscard]] bool moving() const { return mayMove() || m_velocity.value_or(0) != 0; }
+    [[nodiscard]] bool moving() const { return mayMove() || m_last.velocity.value_or(0) != 0; }
 
     /// A Load Trajectory was answered and not used by a start or a stop since.
     [[nodiscard]] bool loaded() const { return servoLoad() || stepperLoad(); }
@@ -110,13 +111,13 @@ public:
         return m_stepper.waiting;
     }
     /// PIC-SERVO: it was sent a run in velocity mode, which has not been seen to end.
-    [[nodiscard]] bool velocityGoal() const { return m_velocityGoal; }
+    [[nodiscard]] bool velocityGoal() const { return m_may.run; }
     /// PIC-STEP: its mode, as far as status and commands show it.
     [[nodiscard]] StepperMode stepperMode() const;
     /// The direction of velocityGoal(), or of a moving PIC-STEP.
     [[nodiscard]] bool runsReverse() const {
-        return m_info.identity.type == ModuleType::Stepper ? m_stepperRun.reverse.value_or(false)
-                                                           : m_velocityReverse;
+        return m_info.identity.type == ModuleType::Stepper ? m_may.stepperRun.reverse.value_or(false)
+                                                           : m_may.runReverse;
     }
     /// As answered by the module.
     [[nodiscard]] const ServoRegisters& servoRegisters() const { return m_servo; }
@@ -130,10 +131,6 @@ public:
         m_outputs.setStopOutputs(off);
         m_outputs.forget();
     }
-    /// As answered in this connection.
-    [[nodiscard]] const std::optional<stepper::SetParameters>& parameters() const {
-        return m_stepper.parameters;
-    }
 
 private:
     struct Sent;
@@ -141,39 +138,43 @@ private:
     void mayStart(const servo::LoadTrajectory& load);
     void started(const servo::LoadTrajectory& load);
     void rename();
+    /// `servo`: what else than a clear move_done shows that a PIC-SERVO moves.
+    [[nodiscard]] bool moves(bool servo) const;
+
+    /// What the motor may do because of the commands sent, at worst.
+    struct May {
+        bool enable = false;      ///< since a command that may switch it on, until a status shows it
+        bool drivePwm = false;    ///< since a start that was sent, until a stop is answered
+        bool pwmUnknown = false;  ///< since attach(), until a stop or a start is answered
+        bool run = false;         ///< velocity mode with a goal other than 0
+        bool runReverse = false;  ///< of the last start sent; meaningful only with `run`
+        bool followPath = false;
+        StepperRun stepperRun;                            ///< the last start sent; meaningful only in motion
+        std::optional<servo::LoadTrajectory> starting{};  ///< what the last start runs, if carried out
+    };
 
     ModuleInfo m_info;
     std::optional<StatusItems> m_items = StatusItems{};
     std::optional<TimePoint> m_statusTime;
     std::optional<TimePoint> m_lastMotion;
-    std::uint8_t m_status = 0;
-    std::optional<std::int16_t> m_velocity;
+    StatusReport m_last;
     std::optional<std::int32_t> m_position;
     std::optional<std::int32_t> m_place;  ///< position, unless the counter has been set since
     bool m_rolls = false;
     std::optional<std::int32_t> m_home;
-    StatusItems m_lastItems;
     std::uint8_t m_aux = 0;
     std::optional<TimePoint> m_before;  ///< the status before the last one
     bool m_on = false;                  ///< according to a status; no command alone sets it
-    bool m_mayEnable = false;           ///< since a command that may switch it on, until a status shows it
     bool m_amplifierOff = false;        ///< set when answered, cleared when sent
-    bool m_pwmMayRun = false;           ///< since a start that was sent, until a stop is answered
-    bool m_pwmUnknown = false;          ///< since attach(), until a stop or a start is answered
-    bool m_velocityGoal = false;        ///< velocity mode with a goal other than 0
-    bool m_velocityReverse = false;     ///< of the last start sent; meaningful only with the goal
-    bool m_limitStops = false;          ///< SC, if so configured: the chip ends motion towards a closed limit
     bool m_homingStops = false;         ///< the chip itself stops when home is found
     bool m_parametersSet = false;       ///< since an answer or attach(), until a restart
     bool m_restarted = false;           ///< never cleared: welcome() creates another Belief
-    StepperRun m_stepperRun;            ///< the last start sent; meaningful only in motion
+    May m_may;
     // As answered; whatever an unanswered command may change is not waiting, or is unknown.
     ServoRegisters m_servo;
     StepperRegisters m_stepper;
     IoOutputs m_outputs;
     std::optional<std::int32_t> m_commandPosition;
-    bool m_onPath = false;
-    std::optional<servo::LoadTrajectory> m_starting;  ///< what the last start runs, if carried out
 };
 
 }  // namespace nmc::bus

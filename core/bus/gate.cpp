@@ -42,8 +42,7 @@ struct AsLoaded {
         const auto& load = belief.servoLoad();
         if (!load)
             return Permission::Never;
-        const bool trapezoidal = load->servo && load->profile == servo::ProfileMode::Trapezoidal;
-        return trapezoidal ? onlyAtStandstill(belief) : offThePath(belief);
+        return load->isTrapezoidal() ? onlyAtStandstill(belief) : offThePath(belief);
     }
     Permission operator()(const stepper::LoadTrajectory& load) const {
         if (!inTable4(load) || !belief.parametersSet())
@@ -54,7 +53,7 @@ struct AsLoaded {
     /// In motion, the chip ignores changes of the speed mode and the minimum speed (DS-S 5.1), so it would be
     /// unknown which ones are in force.
     Permission operator()(const stepper::SetParameters& parameters) const {
-        const auto& now = belief.parameters();
+        const auto& now = belief.stepperRegisters().parameters;
         return now && stepper::sameInMotion(*now, parameters) ? Permission::Allowed
                                                               : onlyAtStandstill(belief);
     }
@@ -100,7 +99,7 @@ Permission permit(const Belief& belief, const ModuleCommand& command) {
 }
 
 Permission mayFollowPath(const Belief& belief, servo::PathRate rate) {
-    const auto& control = belief.pathControl();
+    const auto& control = belief.servoRegisters().pathControl;
     if (belief.restarted() || !hasPathBuffer(belief.info().identity) || !control ||
         control->stepAndDirection || !servo::toPathWord({0, rate}, control->fastPath))
         return Permission::Never;

@@ -21,14 +21,14 @@ constexpr unsigned kSilences = 2;
     if (const auto& load = before.stepperLoad())
         return load->position ? std::optional(load->position->value()) : std::nullopt;
     const auto& load = before.servoLoad();
-    const bool trapezoidal = load && load->servo && load->profile == servo::ProfileMode::Trapezoidal;
-    return trapezoidal && load->position ? std::optional(load->position->value()) : std::nullopt;
+    return load && load->isTrapezoidal() && load->position ? std::optional(load->position->value())
+                                                           : std::nullopt;
 }
 
 /// The distance in counts that a velocity mode load covers within `time` after standstill, as far as the load
 /// specifies it.
 [[nodiscard]] double distanceOf(const servo::LoadTrajectory& load, Duration time) {
-    if (!load.servo || load.profile != servo::ProfileMode::Velocity || !load.velocity || !load.acceleration)
+    if (!load.isVelocityMode() || !load.velocity || !load.acceleration)
         return 0;
     const double ticks = toSeconds(time) / toSeconds(kServoTick);
     const double v = toCounts(*load.velocity);

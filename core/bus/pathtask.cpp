@@ -312,7 +312,7 @@ Ask PathTask::look(Axis& axis) const {
 }
 
 Next PathTask::addPoints(Axis& axis) {
-    const auto& control = m_chain.belief(axis.module()).pathControl();
+    const auto& control = m_chain.belief(axis.module()).servoRegisters().pathControl;
     std::vector<servo::PathPoint> points;
     for (std::size_t i = 0; i < axis.buffer.frame(); ++i) {
         const std::size_t next = axis.buffer.sent() + i + 1;

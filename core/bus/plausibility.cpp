@@ -87,7 +87,7 @@ struct Plausibility::Sent {
     void operator()(const auto& /*other*/) const {}
 
     void started() const {
-        p.m_mayRun = !sent.load.servo || sent.load.profile == servo::ProfileMode::Velocity;
+        p.m_mayRun = !sent.load.isTrapezoidal();
         p.m_mayEnable = latched;
         p.jerk(latched, p.reachOf(sent));
     }

@@ -44,8 +44,7 @@ struct Row {
     CommandFacts operator()(const servo::LoadTrajectory& load) const {
         if (!load.startNow)
             return kSetting;
-        const bool trapezoidal = load.servo && load.profile == servo::ProfileMode::Trapezoidal;
-        return {kGiveUp, None, trapezoidal ? Never : OffThePath, Effect::Start};
+        return {kGiveUp, None, load.isTrapezoidal() ? Never : OffThePath, Effect::Start};
     }
     CommandFacts operator()(const servo::SetGain&) const { return kSetting; }
     /// The position of Stop Here may differ from the present one, so it can start a motion.

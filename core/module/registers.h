@@ -28,6 +28,11 @@ struct ServoRegisters {
     void stopped();
     /// The trajectory that a start would run: the last load, together with the values kept from earlier ones.
     [[nodiscard]] servo::LoadTrajectory trajectory() const;
+    /// SC: limit protection is enabled, and the limit in this direction is closed; forward is limit 1.
+    [[nodiscard]] bool limitEnds(servo::StatusByte status, bool reverse) const {
+        return scIo && scIo->limitStop != servo::LimitStop::None &&
+               (reverse ? status.limit2() : status.limit1());
+    }
     /// True if a smooth stop can decelerate.
     [[nodiscard]] bool accelerationLoaded() const { return acceleration && acceleration->value() != 0; }
 

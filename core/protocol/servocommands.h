@@ -42,6 +42,12 @@ struct LoadTrajectory {
     /// same bit as reverse, which older versions ignore in that mode.
     bool relative = false;
 
+    /// The motion ends at a position. In velocity and PWM mode, it has no end.
+    [[nodiscard]] constexpr bool isTrapezoidal() const {
+        return servo && profile == ProfileMode::Trapezoidal;
+    }
+    [[nodiscard]] constexpr bool isVelocityMode() const { return servo && profile == ProfileMode::Velocity; }
+
     static constexpr CommandCode kCode = CommandCode::LoadTrajectory;
     static void fields(auto& form, auto& c) {
         form.optional(0, "position", c.position, kPositionRange);
@@ -50,7 +56,7 @@ struct LoadTrajectory {
         form.optional(3, "PWM", c.pwm);
         form.bit(4, c.servo);
         form.choice(0x20, c.profile, {{ProfileMode::Trapezoidal, 0x00}, {ProfileMode::Velocity, 0x20}});
-        const bool trapezoidal = c.servo && c.profile == ProfileMode::Trapezoidal;
+        const bool trapezoidal = c.isTrapezoidal();
         bool backwards = c.reverse || c.relative;
         form.bit(6, backwards);
         if constexpr (std::remove_reference_t<decltype(form)>::kReads) {

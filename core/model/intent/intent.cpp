@@ -26,7 +26,7 @@ bool gainsAct(const ModuleState& module) {
 
 /// Direction of the motion from the present position, -1 or 1; 0: none.
 int directionOf(const servo::LoadTrajectory& load, const ModuleState& module) {
-    if (!load.servo || load.profile == servo::ProfileMode::Velocity)
+    if (!load.isTrapezoidal())
         return load.reverse ? -1 : 1;
     if (!load.position || !module.latest || !module.latest->position)
         return 0;
