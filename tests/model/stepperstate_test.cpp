@@ -83,18 +83,18 @@ TEST(StepperState, KnowsNeitherDirectionNorOutputsOfAChainThatItFound) {
     EXPECT_TRUE(stepper.module.moving());
     EXPECT_EQ(stepper.module.stepper.mode(), StepperMode::Unknown);
     EXPECT_EQ(stepper.module.stepper.runsReverse(), std::nullopt);
-    EXPECT_EQ(stepper.module.stepper.outputs(), std::nullopt);
-    EXPECT_EQ(stepper.module.stepper.parameters(), std::nullopt);
+    EXPECT_EQ(stepper.module.stepper.outputs, std::nullopt);
+    EXPECT_EQ(stepper.module.stepper.parameters, std::nullopt);
 }
 
 // DS-S 2.3: outputs 1-4 are initialized low, output 5 high.
 TEST(StepperState, KnowsTheOutputsOfAFreshModuleAndThoseThatWereSet) {
     Stepper stepper;
-    EXPECT_EQ(stepper.module.stepper.outputs(), 0x10);
+    EXPECT_EQ(stepper.module.stepper.outputs, 0x10);
     stepper.was(stepper::SetOutputs{0x05});
-    EXPECT_EQ(stepper.module.stepper.outputs(), 0x05);
+    EXPECT_EQ(stepper.module.stepper.outputs, 0x05);
     stepper.module.restarted();
-    EXPECT_EQ(stepper.module.stepper.outputs(), std::nullopt);
+    EXPECT_EQ(stepper.module.stepper.outputs, std::nullopt);
     EXPECT_EQ(stepper.module.activity(), Activity::Restarted);
 }
 

@@ -39,7 +39,7 @@ protected:
         parameters.thermalLimit = 80;
         parameters.motorOffOnLimitOrEstop = true;
         panel.ask(stepperintent::SetParameters{parameters});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().stepper.parameters().has_value(); }));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().stepper.parameters.has_value(); }));
         panel.ask(intent::Enable{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().stepper.amplifierOn(); }));
         panel.ask(intent::Move{steppermotion::VelocityProfile{40, 4, false}});

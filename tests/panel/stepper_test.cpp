@@ -83,7 +83,7 @@ protected:
             << "100 steps/s every 2 ms";
         EXPECT_EQ(text("stepperRunCurrentState"), QStringLiteral("● not sent"));
         click("stepperApplyParametersButton");
-        ASSERT_TRUE(waitFor([&] { return module().stepper.parameters().has_value(); }));
+        ASSERT_TRUE(waitFor([&] { return module().stepper.parameters.has_value(); }));
     }
     void enable() {
         setParameters();
@@ -115,7 +115,7 @@ TEST_F(SteppersByHand, NothingMovesOrHoldsBeforeTheParametersWereSent) {
     EXPECT_EQ(tip("stepperGoButton"), "Apply parameters first.");
     EXPECT_EQ(text("stepperSpeedModeState"), QStringLiteral("? unknown"));
     setParameters();
-    EXPECT_EQ(module().stepper.parameters(),
+    EXPECT_EQ(module().stepper.parameters,
               (stepper::SetParameters{stepper::SpeedMode::X4, false, false, false, 2, 120, 60, 80}));
     EXPECT_TRUE(waitFor([&] { return text("stepperRunCurrentState") == QStringLiteral("✓ sent"); }));
     EXPECT_EQ(text("stepperThermalLimitRemark"), QStringLiteral("A/D now 255"));
@@ -266,9 +266,9 @@ TEST_F(SteppersByHand, SwitchesOutputsAndShowsInputsUnderTheirNames) {
     const auto outputs = [&] { return truth()[QStringLiteral("outputs")]; };
     EXPECT_TRUE(find<QAbstractButton>("stepperOutput5Box").isChecked()) << "outputs are high at power-up";
     click("stepperOutput2Box");
-    ASSERT_TRUE(waitFor([&] { return module().stepper.outputs() == 0x12; }));
+    ASSERT_TRUE(waitFor([&] { return module().stepper.outputs == 0x12; }));
     click("stepperOutput5Box");
-    ASSERT_TRUE(waitFor([&] { return module().stepper.outputs() == 0x02; }));
+    ASSERT_TRUE(waitFor([&] { return module().stepper.outputs == 0x02; }));
     EXPECT_EQ(text("stepperOutput2State"), QStringLiteral("high"));
     EXPECT_EQ(outputs().toInt(), 2);
     type("stepperOutput2Name", QStringLiteral("Coolant"));
@@ -339,7 +339,7 @@ TEST_F(SteppersByHand, TheEstopInputStopsItUnlessItIsIgnored) {
               QStringLiteral("If checked, the E-stop input does not stop the motor."));
     EXPECT_EQ(text("stepperIgnoreEstopState"), QStringLiteral("● not sent"));
     click("stepperApplyParametersButton");
-    ASSERT_TRUE(waitFor([&] { return module().stepper.parameters()->ignoreEstop; }));
+    ASSERT_TRUE(waitFor([&] { return module().stepper.parameters->ignoreEstop; }));
     click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() > 0; }));
     click("stepperMotorOffButton");

@@ -24,7 +24,7 @@ using namespace Qt::StringLiterals;
 namespace {
 
 double speedUnit(const ModuleState& module) {
-    const auto& parameters = module.stepper.parameters();
+    const auto& parameters = module.stepper.parameters;
     return StepperSpeed(parameters ? parameters->speedMode : stepper::SpeedMode::X1).unit();
 }
 

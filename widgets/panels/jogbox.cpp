@@ -106,7 +106,7 @@ QString JogBox::outcome() const {
     const auto hold = wanted(false);
     if (!hold || !hold->pace)
         return m_speed->problemText();
-    const stepper::SetParameters& parameters = *m_context.state().stepper.parameters();
+    const stepper::SetParameters& parameters = *m_context.state().stepper.parameters;
     return texts::profiledSpeed(StepperSpeed(parameters.speedMode), hold->pace->speed,
                                 parameters.minimumProfileSpeed, m_speed->scale());
 }

@@ -97,10 +97,10 @@ QString StepperDetailsBox::timer() const {
         return u"–"_s;
     const QString count = texts::grouped(*module.latest->timerCount);
     // At rest, the count is left from the last motion.
-    if (!module.stepper.parameters() || !module.moving())
+    if (!module.stepper.parameters || !module.moving())
         return count;
     const double rate =
-        StepperSpeed(module.stepper.parameters()->speedMode).ofCount(*module.latest->timerCount);
+        StepperSpeed(module.stepper.parameters->speedMode).ofCount(*module.latest->timerCount);
     return tr("%1 = %2").arg(count, texts::stepsPerSecond(rate, m_context.scale()));
 }
 

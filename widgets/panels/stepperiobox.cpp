@@ -120,14 +120,14 @@ void StepperIoBox::showNames() {
 }
 
 void StepperIoBox::showModule() {
-    if (m_context.state().stepper.outputs())
+    if (m_context.state().stepper.outputs)
         m_staged = {};
     showNames();
     refresh();
 }
 
 void StepperIoBox::choose(std::size_t output, bool on) {
-    if (const auto known = m_context.state().stepper.outputs()) {
+    if (const auto known = m_context.state().stepper.outputs) {
         const unsigned bit = 1U << output;
         const unsigned outputs = on ? *known | bit : *known & ~bit;
         m_context.ask(stepperintent::SetOutputs{static_cast<std::uint8_t>(outputs)});
@@ -154,7 +154,7 @@ void StepperIoBox::sendAll() {
 }
 
 QString StepperIoBox::effectOf(std::size_t input, bool active) const {
-    const auto& parameters = m_context.state().stepper.parameters();
+    const auto& parameters = m_context.state().stepper.parameters;
     const bool limitsIgnored = parameters && parameters->ignoreLimits;
     const auto blocked = [this](bool reverse) {
         return m_context.chipReverse(reverse) ? tr("blocks reverse") : tr("blocks forward");
@@ -174,7 +174,7 @@ QString StepperIoBox::effectOf(std::size_t input, bool active) const {
 
 void StepperIoBox::refresh() {
     const ModuleState& module = m_context.state();
-    const auto known = module.stepper.outputs();
+    const auto known = module.stepper.outputs;
     const QString reason = m_context.reasonNow(IntentKind::SetOutputs);
     for (std::size_t i = 0; i < kOutputs; ++i) {
         const Output& output = m_outputs[i];

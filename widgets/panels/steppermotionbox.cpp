@@ -312,7 +312,7 @@ QString StepperMotionBox::outcome() const {
     const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
     if (!m_mode->profiled())
         return texts::timedSpeed(speeds, speeds.timerFor(*speed), m_speed->scale());
-    const auto& parameters = m_context.state().stepper.parameters();
+    const auto& parameters = m_context.state().stepper.parameters;
     return texts::profiledSpeed(speeds, speeds.speedFor(*speed),
                                 parameters ? parameters->minimumProfileSpeed : 1, m_speed->scale());
 }
@@ -321,10 +321,10 @@ QString StepperMotionBox::outcome() const {
 QString StepperMotionBox::forecast() const {
     const auto speed = m_speed->native();
     const ModuleState& module = m_context.state();
-    if (!speed || !module.stepper.parameters())
+    if (!speed || !module.stepper.parameters)
         return {};
     const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
-    const int minimum = module.stepper.parameters()->minimumProfileSpeed;
+    const int minimum = module.stepper.parameters->minimumProfileSpeed;
     const int acceleration = stepperdefaults::accelerationTime(m_context.settings());
     if (!m_mode->hasGoal()) {
         if (!m_mode->profiled())

@@ -146,7 +146,7 @@ std::optional<StagedForm::Values> StepperParametersBox::kept() const {
 }
 
 std::optional<StagedForm::Values> StepperParametersBox::sent() const {
-    return valuesOf(context().state().stepper.parameters());
+    return valuesOf(context().state().stepper.parameters);
 }
 
 std::optional<stepper::SetParameters> StepperParametersBox::parameters() const {

@@ -83,7 +83,7 @@ void StepperRampBox::refresh() {
     const auto time = m_time->value();
     look::setText(m_acceleration, time ? texts::acceleration(speeds, static_cast<int>(*time), m_cap->scale())
                                        : m_time->problemText());
-    const auto loaded = stepper.accelerationTime();
+    const auto loaded = stepper.accelerationTime;
     using Mark = StagedForm::Mark;
     StagedForm::showMark(m_state,
                          !loaded           ? Mark::Unknown

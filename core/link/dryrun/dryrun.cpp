@@ -165,10 +165,10 @@ private:
             tell(index, intent::ControlIo{*real.io});
         if (real.scIo)
             tell(index, intent::ControlSc{*real.scIo});
-        if (real.stepper.parameters())
-            tell(index, stepperintent::SetParameters{*real.stepper.parameters()});
-        if (real.isStepper() && real.stepper.outputs())
-            tell(index, stepperintent::SetOutputs{*real.stepper.outputs()});
+        if (real.stepper.parameters)
+            tell(index, stepperintent::SetParameters{*real.stepper.parameters});
+        if (real.isStepper() && real.stepper.outputs)
+            tell(index, stepperintent::SetOutputs{*real.stepper.outputs});
         if (real.driveOn())
             tell(index, intent::Enable{});
         if (real.home.place())

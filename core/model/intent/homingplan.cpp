@@ -22,7 +22,7 @@ namespace {
 [[nodiscard]] std::optional<Refusal> whyNotHomeStep(const ModuleState& module) {
     const stepper::StatusByte status = module.latest->stepperStatus();
     return firstUnmet({{status.powerOn(), Refusal::NoPower},
-                       {module.stepper.parameters().has_value(), Refusal::ParametersUnknown},
+                       {module.stepper.parameters.has_value(), Refusal::ParametersUnknown},
                        {status.amplifierEnabled(), Refusal::AmplifierOff},
                        {!status.moving(), Refusal::Moving}});
 }

@@ -40,7 +40,7 @@ std::optional<bus::HoldToMove> jog(const ModuleState& module, const AxisSettings
             CountsPerTickSquared(servodefaults::toFixed(servodefaults::motionOf(axis).acceleration));
         return hold;
     }
-    const auto& parameters = module.stepper.parameters();
+    const auto& parameters = module.stepper.parameters;
     if (!parameters)
         return std::nullopt;
     const double units = std::floor(speed / StepperSpeed(parameters->speedMode).unit() + kGrain);

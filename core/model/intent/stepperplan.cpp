@@ -23,7 +23,7 @@ namespace {
     if (const auto refusal = whyInaccessible(as, module))
         return refusal;
     return firstUnmet({{stepper.powered(), Refusal::NoPower},
-                       {stepper.parameters().has_value(), Refusal::ParametersUnknown},
+                       {stepper.parameters.has_value(), Refusal::ParametersUnknown},
                        {stepper.amplifierOn(), Refusal::AmplifierOff},
                        {!stepper.estopActs(), Refusal::EstopActive}});
 }
@@ -140,18 +140,18 @@ private:
 
 /// Why the loaded motion cannot start now.
 [[nodiscard]] std::optional<Refusal> whyNotStart(const ModuleState& module) {
-    if (!module.stepper.waiting())
+    if (!module.stepper.waiting)
         return Refusal::NothingLoaded;
     if (const auto problem = loadedProblem(module))
         return problem->refusal;
-    return whyNotStarted(*module.stepper.waiting(), module);
+    return whyNotStarted(*module.stepper.waiting, module);
 }
 
 [[nodiscard]] std::optional<Refusal> whyNotEnable(const ModuleState& module) {
     const StepperState& stepper = module.stepper;
     // Before the parameters are set, the holding current is 0, so nothing would hold.
     return firstUnmet({{stepper.powered(), Refusal::NoPower},
-                       {stepper.parameters().has_value(), Refusal::ParametersUnknown},
+                       {stepper.parameters.has_value(), Refusal::ParametersUnknown},
                        {!stepper.tooHot(), Refusal::TooHot},
                        {!stepper.moving(), Refusal::NeedsStop}});
 }
@@ -176,7 +176,7 @@ double speedOf(const StepperMotion& motion, const ModuleState& module) {
 }
 
 double speedOf(const stepper::LoadTrajectory& load, const ModuleState& module) {
-    const auto& parameters = module.stepper.parameters();
+    const auto& parameters = module.stepper.parameters;
     if (!parameters)
         return 0.0;
     const StepperSpeed mode(parameters->speedMode);
@@ -274,7 +274,7 @@ std::optional<Refusal> whyNot(const StepperMotion& wanted, const ModuleState& mo
 std::optional<Refusal> whyNotSet(const stepper::SetParameters& parameters, const ModuleState& module) {
     if (const auto refusal = whyNotStep(IntentKind::SetParameters, module))
         return refusal;
-    const auto& now = module.stepper.parameters();
+    const auto& now = module.stepper.parameters;
     const bool inMotion = now && stepper::sameInMotion(*now, parameters);
     return module.moving() && !inMotion ? std::optional(Refusal::NeedsStop) : std::nullopt;
 }
@@ -301,7 +301,7 @@ bus::Order smoothStop(const ModuleState& module) {
     if (!module.isStepper())
         return {module.info.index, ServoCommand(servo::StopMotor{true, servo::StopManner::Smoothly, {}})};
     const StepperState& stepper = module.stepper;
-    const bool ramp = stepper.accelerationTime() || stepper.mode() == StepperMode::Trapezoidal ||
+    const bool ramp = stepper.accelerationTime || stepper.mode() == StepperMode::Trapezoidal ||
                       stepper.mode() == StepperMode::VelocityProfile;
     const auto manner = ramp ? stepper::StopManner::Smoothly : stepper::StopManner::Abruptly;
     return {module.info.index, StepperCommand(stepper::StopMotor{stepper.amplifierOn(), manner})};

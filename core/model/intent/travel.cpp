@@ -189,7 +189,7 @@ private:
 /// The effect of a load once it is started.
 [[nodiscard]] Course courseOf(const servo::LoadTrajectory& load, const ModuleState& module) {
     Course course;
-    if (!load.servo || load.profile == servo::ProfileMode::Velocity)
+    if (!load.isTrapezoidal())
         course.reverse = load.reverse;
     else if (load.position && load.relative)
         course.goal =
@@ -306,12 +306,12 @@ std::optional<TravelProblem> travelProblem(const Intent& intent, const ModuleSta
 std::optional<TravelProblem> loadedProblem(const ModuleState& module) {
     if (const auto load = module.waiting())
         return asItStands(courseOf(*load, module), module);
-    const auto& waits = module.stepper.waiting();
+    const auto& waits = module.stepper.waiting;
     return waits ? asItStands(courseOf(*waits, module), module) : std::nullopt;
 }
 
 tl::expected<bus::HoldToMove, TravelProblem> withinTravel(bus::HoldToMove hold, const ModuleState& module) {
-    const auto& parameters = module.stepper.parameters();
+    const auto& parameters = module.stepper.parameters;
     const double velocity = !hold.pace   ? toCounts(hold.velocity)
                             : parameters ? StepperSpeed(parameters->speedMode).ofSpeed(hold.pace->speed)
                                          : 0.0;

@@ -248,7 +248,7 @@ AxisSettings toldTo(const ModuleState& module) {
     told.io = module.io;
     if (module.scIo)
         told.fastPath = module.scIo->fastPath;
-    told.parameters = module.stepper.parameters();
+    told.parameters = module.stepper.parameters;
     return told;
 }
 

@@ -141,20 +141,21 @@ int ModuleState::direction() const {
 }
 
 bool ModuleState::limitEnds(int direction) const {
-    if (!isServo() || !scIo || scIo->limitStop == servo::LimitStop::None || !latest)
-        return false;
-    const servo::StatusByte status = latest->servoStatus();
-    return (direction > 0 && status.limit1()) || (direction < 0 && status.limit2());
+    return direction != 0 && isServo() && latest &&
+           ServoRegisters::limitEnds(latest->servoStatus(), direction < 0);
 }
 
-/// Handles a stop by the chip itself: it holds there, and the loaded goal is no longer reached.
-void ModuleState::endAtLimit() {
-    if (!servoOn() || !latest->servoStatus().moveDone() || !limitEnds(direction()))
-        return;
+/// The chip has stopped by itself: it holds there, and the loaded goal is no longer reached.
+void ModuleState::endedByChip() {
     motion = MotionMode::Velocity;
     goalVelocity = 0.0;
     stopped();
     m_goal.reset();
+}
+
+void ModuleState::endAtLimit() {
+    if (servoOn() && latest->servoStatus().moveDone() && limitEnds(direction()))
+        endedByChip();
 }
 
 void ModuleState::watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore) {
@@ -180,19 +181,14 @@ bool ModuleState::watchHome(const bus::Sample& sample) {
     const bool found = homing.apply(sample);
     if (!found || !isServo())
         return found;
+    if (homing.stops())
+        endedByChip();
     const bool off = sample.report.aux && !servo::AuxByte{*sample.report.aux}.servoOn();
     if (off && homing.switchesOff()) {
         offCommanded = true;
         switchedItselfOff = false;
         m_looksWhileOff = 0;
         motion = MotionMode::None;
-    } else if (homing.stops()) {
-        motion = MotionMode::Velocity;
-    }
-    if (homing.stops()) {
-        goalVelocity = 0.0;
-        stopped();
-        m_goal.reset();
     }
     return true;
 }
@@ -204,7 +200,7 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
     if (const auto* step = std::get_if<StepperCommand>(&executed.command)) {
         stepper.apply(*step, executed.time);
         amplifierEnabled = stepper.amplifierOn();
-        loadWaiting = stepper.waiting().has_value();
+        loadWaiting = stepper.waiting.has_value();
     }
     if (const auto* told = std::get_if<IoCommand>(&executed.command))
         pins.apply(*told);
@@ -223,7 +219,7 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         apply(*stop, executed.time);
     } else if (const auto* add = std::get_if<servo::AddPathPoints>(command)) {
         if (add->startsPath())
-            startPath(executed.time);
+            commanded(MotionMode::Path, executed.time);
     } else if (setsCounter(executed.command)) {
         m_goal.reset();
         m_held.reset();
@@ -282,73 +278,59 @@ void ModuleState::confirmedAtRest() {
         m_goal.reset();
 }
 
-void ModuleState::applyLoaded(TimePoint time) {
+void ModuleState::commanded(MotionMode mode, TimePoint time) {
     motionCommandedAt = time;
-    const std::optional<std::int32_t> from = goal();
-    const servo::LoadTrajectory started = trajectory();
-    const double magnitude = toCounts(started.velocity.value_or(CountsPerTick()));
-    m_goal.reset();
-    m_held.reset();
-    if (!started.servo) {
-        motion = MotionMode::Pwm;
-        offCommanded = true;
-        m_looksWhileOff = 0;
-        return;
-    }
-    const bool velocityMode = started.profile == servo::ProfileMode::Velocity;
-    const bool reverse = velocityMode       ? started.reverse
-                         : started.relative ? started.position && started.position->value() < 0
-                                            : latest && latest->position && started.position &&
-                                                  started.position->value() < *latest->position;
-    noteCommand(time, magnitude == 0.0 ? 0 : reverse ? -1 : 1, magnitude);
-    offCommanded = m_motionUnknown = false;
-    motion = velocityMode ? MotionMode::Velocity : MotionMode::Trapezoidal;
-    if (!velocityMode && started.position) {
-        if (!started.relative)
-            m_goal = started.position->value();
-        else if (from)
-            m_goal = *from + started.position->value();
-        m_goalReverse = reverse;
-    }
-    goalVelocity = started.reverse ? -magnitude : magnitude;
-}
-
-void ModuleState::startPath(TimePoint time) {
-    motionCommandedAt = time;
-    motion = MotionMode::Path;
-    offCommanded = m_motionUnknown = false;
+    motion = mode;
     goalVelocity = 0.0;
+    offCommanded = mode == MotionMode::None || mode == MotionMode::Pwm;
+    m_motionUnknown = m_motionUnknown && mode == MotionMode::Pwm;
     m_goal.reset();
     m_goalReverse.reset();
     m_held.reset();
+}
+
+void ModuleState::applyLoaded(TimePoint time) {
+    const std::optional<std::int32_t> from = goal();
+    const servo::LoadTrajectory started = trajectory();
+    if (!started.servo) {
+        commanded(MotionMode::Pwm, time);
+        m_looksWhileOff = 0;
+        return;
+    }
+    const double magnitude = toCounts(started.velocity.value_or(CountsPerTick()));
+    const bool reverse = started.isVelocityMode() ? started.reverse
+                         : started.relative       ? started.position && started.position->value() < 0
+                                                  : latest && latest->position && started.position &&
+                                                  started.position->value() < *latest->position;
+    noteCommand(time, magnitude == 0.0 ? 0 : reverse ? -1 : 1, magnitude);
+    commanded(started.isVelocityMode() ? MotionMode::Velocity : MotionMode::Trapezoidal, time);
+    goalVelocity = started.reverse ? -magnitude : magnitude;
+    if (started.isVelocityMode() || !started.position)
+        return;
+    if (!started.relative)
+        m_goal = started.position->value();
+    else if (from)
+        m_goal = *from + started.position->value();
+    m_goalReverse = reverse;
 }
 
 void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
     if (stop.manner == servo::StopManner::AmplifierOnly)
         return;
-    if (stop.manner != servo::StopManner::MotorOff)
+    const bool off = stop.manner == servo::StopManner::MotorOff;
+    const bool here = stop.manner == servo::StopManner::Here;
+    if (!off)
         noteCommand(time, 0, 0.0);
-    m_held = stop.manner == servo::StopManner::MotorOff || stop.manner == servo::StopManner::Here
-                 ? std::nullopt
-                 : heldThroughStop();
-    motionCommandedAt = time;
-    goalVelocity = 0.0;
-    m_goal.reset();
-    m_goalReverse.reset();
-    if (stop.manner == servo::StopManner::Here)
+    const auto held = off || here ? std::nullopt : heldThroughStop();
+    commanded(off ? MotionMode::None : MotionMode::Velocity, time);
+    m_held = held;
+    if (here)
         m_goal = stop.here.value();
-    m_motionUnknown = false;
     m_looksWhileOff = 0;
-    if (stop.manner == servo::StopManner::MotorOff) {
-        motion = MotionMode::None;
-        offCommanded = true;
-        // Switching the motor off implies that the user has noticed that it is off, so it acknowledges an
-        // earlier trip.
+    // Switching the motor off implies that the user has noticed that it is off, so it acknowledges an earlier
+    // trip.
+    if (off)
         switchedItselfOff = powerLostWhileOn = false;
-    } else {
-        motion = MotionMode::Velocity;
-        offCommanded = false;
-    }
 }
 
 /// DS-V 5.2, Stop Motor: a servo switched on by a stop holds its present position. A servo already at rest

@@ -147,14 +147,16 @@ struct ModuleState : ServoRegisters {
     [[nodiscard]] Activity activity() const;
 
 private:
+    /// A command has started or stopped a motion; call after whatever depends on the one before.
+    void commanded(MotionMode mode, TimePoint time);
     void applyLoaded(TimePoint time);
     void apply(const servo::StopMotor& stop, TimePoint time);
-    void startPath(TimePoint time);
     void watchPath(const StatusReport& report);
     void watchDrift(const bus::Sample& sample, bool wasOn);
     [[nodiscard]] bool watchHome(const bus::Sample& sample);
     /// Direction of a motion that we started, -1 or 1; 0: unknown.
     [[nodiscard]] int direction() const;
+    void endedByChip();
     void endAtLimit();
     void watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore);
     [[nodiscard]] LimitWatch::Limits closedLimits() const;

@@ -24,15 +24,15 @@ inline constexpr std::uint8_t kAccelerationTime = 40;  ///< 10 ms from one integ
 }
 /// The speed mode of the parameters in force; before any are in force, of those in the settings.
 [[nodiscard]] inline StepperSpeed speedMode(const StepperState& stepper, const AxisSettings& settings) {
-    if (stepper.parameters())
-        return StepperSpeed(stepper.parameters()->speedMode);
+    if (stepper.parameters)
+        return StepperSpeed(stepper.parameters->speedMode);
     return StepperSpeed(settings.parameters ? settings.parameters->speedMode : stepper::SpeedMode::X1);
 }
 
 /// The lowest speed that the chip runs in a profile (DS-S 5.1).
 [[nodiscard]] inline double slowestProfile(const StepperState& stepper, const AxisSettings& settings) {
     const StepperSpeed mode = speedMode(stepper, settings);
-    return stepper.parameters() ? mode.ofSpeed(stepper.parameters()->minimumProfileSpeed) : mode.slowest();
+    return stepper.parameters ? mode.ofSpeed(stepper.parameters->minimumProfileSpeed) : mode.slowest();
 }
 /// `speed`, limited to the fastest that the axis may move.
 [[nodiscard]] inline double atMost(double speed, const AxisSettings& settings) {

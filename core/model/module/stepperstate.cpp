@@ -8,12 +8,12 @@
 namespace nmc {
 
 void StepperState::attached() {
-    m_registers.outputs.reset();
+    outputs.reset();
 }
 
 void StepperState::restarted() {
     *this = StepperState{};
-    m_registers.outputs.reset();
+    outputs.reset();
 }
 
 // ---- Status ----
@@ -87,16 +87,16 @@ void StepperState::watchMotion(bool wasMoving, bool homeFound) {
 }
 
 bool StepperState::estopActs() const {
-    return m_inputs.estop() && !(m_registers.parameters && m_registers.parameters->ignoreEstop);
+    return m_inputs.estop() && !(parameters && parameters->ignoreEstop);
 }
 
 bool StepperState::limitActs(bool reverse) const {
     const bool active = reverse ? m_inputs.limit2() : m_inputs.limit1();
-    return active && !(m_registers.parameters && m_registers.parameters->ignoreLimits);
+    return active && !(parameters && parameters->ignoreLimits);
 }
 
 bool StepperState::tooHot() const {
-    return m_registers.parameters && m_analog && *m_analog < m_registers.parameters->thermalLimit;
+    return parameters && m_analog && *m_analog < parameters->thermalLimit;
 }
 
 StepperMode StepperState::mode() const {
@@ -136,8 +136,8 @@ struct StepperState::Executed {
             s.started(load, time);
     }
     void operator()(const StartMotion&) const {
-        if (s.m_registers.waiting)
-            s.started(*s.m_registers.waiting, time);
+        if (s.waiting)
+            s.started(*s.waiting, time);
     }
     void operator()(const stepper::StopMotor& stop) const { s.stopped(stop, time); }
     void operator()(const stepper::SetHoming& homing) const { s.m_homingSwitchesOff = homing.motorOff; }
@@ -146,7 +146,7 @@ struct StepperState::Executed {
 
 void StepperState::apply(const StepperCommand& executed, TimePoint time) {
     std::visit(Executed{*this, time}, executed);
-    m_registers.apply(executed);
+    StepperRegisters::apply(executed);
 }
 
 void StepperState::started(const stepper::LoadTrajectory& load, TimePoint time) {

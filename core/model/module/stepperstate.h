@@ -14,7 +14,10 @@ namespace nmc {
 /// What a PIC-STEP was sent in this connection, and what follows from that and its status; a part of
 /// ModuleState. The chip composes the reply to a command before it carries the command out, so only a status
 /// latched later shows its effect.
-class StepperState {
+///
+/// The registers are public members, as confirmed in this connection. Without parameters, motion is not
+/// allowed.
+class StepperState : public StepperRegisters {
 public:
     /// The module was found as another host left it.
     void attached();
@@ -24,21 +27,6 @@ public:
     /// shows that what homing watched for has just occurred.
     void apply(const StatusReport& latest, TimePoint time, bool homeFound = false);
     void apply(const StepperCommand& executed, TimePoint time);
-
-    /// Empty: not set in this connection, so motion is not allowed.
-    [[nodiscard]] const std::optional<stepper::SetParameters>& parameters() const {
-        return m_registers.parameters;
-    }
-    /// OUT1..OUT5 as bits 0..4; empty: unknown.
-    [[nodiscard]] std::optional<std::uint8_t> outputs() const { return m_registers.outputs; }
-    /// Acceleration time of the ramp for the next smooth stop; empty: unknown.
-    [[nodiscard]] std::optional<std::uint8_t> accelerationTime() const {
-        return m_registers.accelerationTime;
-    }
-    /// A confirmed load that waits for a start.
-    [[nodiscard]] const std::optional<stepper::LoadTrajectory>& waiting() const {
-        return m_registers.waiting;
-    }
 
     [[nodiscard]] bool amplifierOn() const { return m_on; }
     /// The module switched its amplifier off without a command, according to two replies in a row, and has
@@ -81,7 +69,6 @@ private:
     std::optional<std::int32_t> m_position;
     std::optional<std::uint16_t> m_timer;
 
-    StepperRegisters m_registers;
     StepperRun m_run;
     std::optional<TimePoint> m_startedAt;   ///< a motion was started, and no later status has arrived
     std::optional<TimePoint> m_switchedAt;  ///< the amplifier was switched, and no later status has arrived

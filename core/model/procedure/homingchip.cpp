@@ -41,10 +41,10 @@ using Stop = HomingRecipe::Stop;
 
 HomingChip::HomingChip(const ModuleState& module)
     : m_module(module.info.index), m_identity(module.info.identity) {
-    if (module.stepper.parameters())
-        m_speedUnit = StepperSpeed(module.stepper.parameters()->speedMode).unit();
-    m_offOnLimit = module.stepper.parameters() && module.stepper.parameters()->motorOffOnLimitOrEstop &&
-                   !module.stepper.parameters()->ignoreLimits;
+    if (module.stepper.parameters)
+        m_speedUnit = StepperSpeed(module.stepper.parameters->speedMode).unit();
+    m_offOnLimit = module.stepper.parameters && module.stepper.parameters->motorOffOnLimitOrEstop &&
+                   !module.stepper.parameters->ignoreLimits;
 }
 
 bool HomingChip::goesOff(const HomingRecipe& recipe) const {

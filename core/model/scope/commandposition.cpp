@@ -170,12 +170,9 @@ void CommandPosition::start(const bus::CommandExecuted& executed) {
 }
 
 void CommandPosition::startAs(const bus::CommandExecuted& executed) {
-    explain(executed);
+    commanded(executed);
     const servo::LoadTrajectory load = m_registers.trajectory();
     const double velocity = toCounts(load.velocity.value_or(CountsPerTick()));
-    m_commanded = executed.time;
-    m_repeated = executed.early > Duration{};
-    m_effective = showsFrom(executed, m_tick);
     if (!load.servo)
         return switchedOff();
     m_servoOn = true;
@@ -218,10 +215,7 @@ void CommandPosition::runAt(double velocity, const Moments& when) {
 void CommandPosition::stop(const servo::StopMotor& stop, const bus::CommandExecuted& executed) {
     if (stop.manner == servo::StopManner::AmplifierOnly)
         return;
-    explain(executed);
-    m_commanded = executed.time;
-    m_repeated = executed.early > Duration{};
-    m_effective = showsFrom(executed, m_tick);
+    commanded(executed);
     const bool wasOn = std::exchange(m_servoOn, true);
     switch (stop.manner) {
         case servo::StopManner::AmplifierOnly:
@@ -355,10 +349,13 @@ void CommandPosition::learnContradiction(const bus::Sample& sample, servo::Statu
 
 /// A command executed before the unexplained motion began explains it. Otherwise the motion leads to an
 /// unknown position.
-void CommandPosition::explain(const bus::CommandExecuted& executed) {
+void CommandPosition::commanded(const bus::CommandExecuted& executed) {
     if (m_strange && executed.time >= *m_strange)
         m_envelope.reset();
     m_strange.reset();
+    m_commanded = executed.time;
+    m_repeated = executed.early > Duration{};
+    m_effective = showsFrom(executed, m_tick);
 }
 
 /// DS-V 5.3: move_done is clear during a trapezoidal move and while one velocity changes into another;

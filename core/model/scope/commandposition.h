@@ -79,7 +79,8 @@ private:
     void learnProgress(const bus::Sample& sample, servo::StatusByte status, servo::AuxByte aux);
     void learnContradiction(const bus::Sample& sample, servo::StatusByte status);
     void learnStanding(const bus::Sample& sample, servo::StatusByte status);
-    void explain(const bus::CommandExecuted& executed);
+    /// The command starts or stops a motion.
+    void commanded(const bus::CommandExecuted& executed);
 
     void switchedOff();
     void rest(const CommandEstimate& held);

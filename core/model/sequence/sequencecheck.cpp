@@ -212,7 +212,7 @@ private:
             return output == 1 ? module.io->limit1Output : module.io->limit2Output;
         std::optional<unsigned> levels;
         if (module.isStepper())
-            levels = module.stepper.outputs();
+            levels = module.stepper.outputs;
         else if (module.isIo() && module.latest)
             levels = module.pins.levels(*module.latest);
         return levels ? std::optional(hasBit(*levels, output - 1U)) : std::nullopt;
@@ -364,7 +364,7 @@ tl::expected<Intent, SequenceProblem::Kind> outputIntent(const action::SetOutput
     using Kind = SequenceProblem::Kind;
     const unsigned pin = set.output - 1U;
     if (module.isStepper() && pin < 5) {
-        const auto now = module.stepper.outputs();
+        const auto now = module.stepper.outputs;
         if (!now)
             return tl::unexpected(Kind::OutputsUnknown);
         const unsigned others = *now & ~(1U << pin);
