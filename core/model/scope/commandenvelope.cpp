@@ -176,33 +176,18 @@ void CommandEnvelope::stretch(double factor, const Moments& before, const Moment
     m_settling *= factor;
 }
 
-bool CommandEnvelope::ended(ProfileCurve::Phase phase, TimePoint by) {
-    std::array<Duration, 3> late{};
+bool CommandEnvelope::reported(ProfileCurve::Phase phase, int sign, TimePoint bound) {
+    std::array<Duration, 3> off{};  // how far the phase ends on the wrong side of the bound
     for (const Side side : {Low, Likely, High}) {
         const double length = m_curves[side].profile.endOf(phase);
         if (!std::isfinite(length))
             return true;
-        late[side] = m_curves[side].start + fromSeconds(length) - by;
+        off[side] = sign * (m_curves[side].start + fromSeconds(length) - bound);
     }
-    const auto [least, most] = std::ranges::minmax_element(late);
+    const auto [least, most] = std::ranges::minmax_element(off);
     const bool contradicts = *least > Duration{};
     for (const Side side : {Low, Likely, High})
-        m_curves[side].moveStart(-(contradicts ? *most : std::max(Duration{}, late[side])));
-    return !contradicts;
-}
-
-bool CommandEnvelope::goesOn(ProfileCurve::Phase phase, TimePoint yet) {
-    std::array<Duration, 3> early{};
-    for (const Side side : {Low, Likely, High}) {
-        const double length = m_curves[side].profile.endOf(phase);
-        if (!std::isfinite(length))
-            return true;
-        early[side] = yet - (m_curves[side].start + fromSeconds(length));
-    }
-    const auto [least, most] = std::ranges::minmax_element(early);
-    const bool contradicts = *least > Duration{};
-    for (const Side side : {Low, Likely, High})
-        m_curves[side].moveStart(contradicts ? *most : std::max(Duration{}, early[side]));
+        m_curves[side].moveStart(-sign * (contradicts ? *most : std::max(Duration{}, off[side])));
     return !contradicts;
 }
 

@@ -34,7 +34,6 @@ struct Moments {
 ///
 /// The only thing it knows of the chip is that its profile advances in steps of a servo tick. Velocities are
 /// in counts/s unless stated otherwise.
-/// said otherwise.
 class CommandEnvelope {
 public:
     /// The servo tick in s, and the acceleration in counts per servo tick squared.
@@ -62,9 +61,9 @@ public:
     // Reports of the module. If one contradicts the curves, all three are moved to match it, and false is
     // returned.
     /// A phase of the last change has ended, at the latest at `by`.
-    bool ended(ProfileCurve::Phase phase, TimePoint by);
+    bool ended(ProfileCurve::Phase phase, TimePoint by) { return reported(phase, 1, by); }
     /// A phase of the last change has not ended, at the earliest at `yet`.
-    bool goesOn(ProfileCurve::Phase phase, TimePoint yet);
+    bool goesOn(ProfileCurve::Phase phase, TimePoint yet) { return reported(phase, -1, yet); }
 
 private:
     struct Curve {
@@ -75,6 +74,8 @@ private:
     };
     enum Side : std::size_t { Low, Likely, High };
 
+    /// A phase ends no later than `bound` (`sign` 1), or no earlier (-1).
+    bool reported(ProfileCurve::Phase phase, int sign, TimePoint bound);
     [[nodiscard]] Curve changed(Side side, double velocity, Pace pace, const Moments& when) const;
     [[nodiscard]] Curve changedTrapezoid(Side side, double velocity, Pace pace, const Moments& when) const;
     /// Changes one of the three curves from `start` on, for one side; `apart` is as in Moments.

@@ -22,6 +22,10 @@ constexpr double kRampTicks = 8;
     return executed.time + std::max(Duration{}, executed.late) + kShowsAfter * tick;
 }
 
+[[nodiscard]] CommandEstimate exactly(double position) {
+    return {position, position, position};
+}
+
 /// The window in which a module latched what the bus reports with this time (bus::Sample).
 [[nodiscard]] TickClock::Window windowOf(TimePoint time, Duration late) {
     return {time - kServoTick / 2, time + kServoTick / 2 + bus::kPromptWithin + late};
@@ -217,26 +221,16 @@ void CommandPosition::stop(const servo::StopMotor& stop, const bus::CommandExecu
         return;
     commanded(executed);
     const bool wasOn = std::exchange(m_servoOn, true);
-    switch (stop.manner) {
-        case servo::StopManner::AmplifierOnly:
-            break;
-        case servo::StopManner::MotorOff:
-            switchedOff();
-            break;
-        case servo::StopManner::Here:
-            rest({static_cast<double>(stop.here.value()), static_cast<double>(stop.here.value()),
-                  static_cast<double>(stop.here.value())});
-            break;
-        case servo::StopManner::Abruptly:
-        case servo::StopManner::Smoothly:
-            if (!wasOn)
-                m_awaiting = Awaiting::HeldPosition;
-            else if (stop.manner == servo::StopManner::Smoothly)
-                runAt(0.0, begun(executed));
-            else
-                freeze(shown(executed));
-            break;
-    }
+    if (stop.manner == servo::StopManner::MotorOff)
+        switchedOff();
+    else if (stop.manner == servo::StopManner::Here)
+        rest(exactly(stop.here.value()));
+    else if (!wasOn)
+        m_awaiting = Awaiting::HeldPosition;
+    else if (stop.manner == servo::StopManner::Smoothly)
+        runAt(0.0, begun(executed));
+    else
+        freeze(shown(executed));
 }
 
 /// Position and command position become 0; the goal of a completed move loses its meaning.
@@ -364,7 +358,7 @@ void CommandPosition::learnProgress(const bus::Sample& sample, servo::StatusByte
     // The end of a move permits further actions, so one reply is not enough.
     const bool done = status.moveDone() && servo::StatusByte{sample.report.status}.moveDone();
     if (done && (m_motion == Motion::Trapezoid || m_awaiting == Awaiting::EndOfMove))
-        return rest({m_runningGoal, m_runningGoal, m_runningGoal});
+        return rest(exactly(m_runningGoal));
     if (!m_envelope || m_motion == Motion::None)
         return;
     // A phase ends with the first step at or after its end, which the curve passes half a tick later; a chip
