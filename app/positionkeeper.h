@@ -10,7 +10,7 @@
 #include "link/connection/busstore.h"
 #include "link/files/backgroundjob.h"
 #include "link/files/filewriter.h"
-#include "model/module/positionmemory.h"
+#include "model/machinefile/positionfile.h"
 
 namespace nmc {
 

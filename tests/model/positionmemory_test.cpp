@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last position of an axis is offered to a module that has forgotten it. Expected values are calculated
 // by hand.
-#include "model/module/positionmemory.h"
+#include "model/machinefile/positionfile.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "model/module/linkstate.h"
@@ -59,16 +57,5 @@ private:
     RememberedPositions m_remembered;
     std::map<ModuleIndex, Counter> m_new;  ///< found, but not yet seen with a position
 };
-
-/// What is remembered about the chain at one port.
-struct RememberedChain {
-    std::string machine;  ///< name of the machine; empty: it had none
-    RememberedPositions positions;
-    bool operator==(const RememberedChain&) const = default;
-};
-
-/// Converts to and from the text of a file; any other text reads as an empty chain.
-[[nodiscard]] std::string writeRemembered(const RememberedChain& chain);
-[[nodiscard]] RememberedChain readRemembered(std::string_view text);
 
 }  // namespace nmc
