@@ -67,10 +67,6 @@ std::optional<Event> CommandLane::accepted(const ReplyEnd& end) {
     return std::nullopt;
 }
 
-Event CommandLane::failed(Outcome outcome) {
-    return finish(outcome);
-}
-
 std::vector<Event> CommandLane::cancelAll() {
     std::vector<Event> events;
     while (!empty())

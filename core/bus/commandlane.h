@@ -52,8 +52,8 @@ public:
     /// The order was accepted; the next one becomes current. Returns the final event if it was the last.
     /// `end`: of its exchange.
     [[nodiscard]] std::optional<Event> accepted(const ReplyEnd& end);
-    /// The order failed, which ends the operation.
-    [[nodiscard]] Event failed(Outcome outcome);
+    /// Ends the operation.
+    [[nodiscard]] Event finish(Outcome outcome);
     /// The group operation has ended.
     [[nodiscard]] GroupFinished finishGroup(Outcome outcome, std::vector<GroupMember> members = {});
     /// Cancels everything that is waiting or running.
@@ -74,7 +74,6 @@ private:
     };
     [[nodiscard]] static bool concerns(const Waiting& waiting, const std::vector<ModuleIndex>& modules);
     [[nodiscard]] bool push(Waiting waiting);
-    Event finish(Outcome outcome);
     [[nodiscard]] std::vector<GroupMember> membersOfChange(Outcome outcome) const;
     void next();
     void beginFront();

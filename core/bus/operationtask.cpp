@@ -46,7 +46,7 @@ Next OperationTask::next(TimePoint now) {
         return verifyStep();
     if (m_commands.sineOver() || m_commands.endedByChip()) {
         const Outcome outcome = m_commands.sineOver() ? Outcome::Cancelled : Outcome::Forbidden;
-        m_events.emplace_back(m_commands.failed(outcome));
+        m_events.emplace_back(m_commands.finish(outcome));
         return Again{};
     }
     if (m_commands.group() != nullptr)
@@ -76,7 +76,7 @@ Next OperationTask::next(TimePoint now) {
         case Permission::Never:
             break;
     }
-    m_events.emplace_back(m_commands.failed(Outcome::Forbidden));
+    m_events.emplace_back(m_commands.finish(Outcome::Forbidden));
     return Again{};
 }
 
@@ -87,7 +87,7 @@ Next OperationTask::send() {
     if (owed && mayStartMotion(order.command)) {
         // A motor whose motion strayed must be seen at rest first.
         if (!ofOperator(owed->cause) || owed->target.needsStop()) {
-            m_events.emplace_back(m_commands.failed(Outcome::Forbidden));
+            m_events.emplace_back(m_commands.finish(Outcome::Forbidden));
             return Again{};
         }
         owed.reset();  // the user wants it to move again
@@ -179,7 +179,7 @@ void OperationTask::fail(const ReplyEnd& end) {
     if (m_commands.group() == nullptr)
         m_chain.takeUnanswered(m_commands.order().module, end.latched);
     m_group.reportUnknown();
-    m_events.emplace_back(m_commands.failed(refused ? Outcome::Refused : Outcome::NoAnswer));
+    m_events.emplace_back(m_commands.finish(refused ? Outcome::Refused : Outcome::NoAnswer));
 }
 
 }  // namespace nmc::bus

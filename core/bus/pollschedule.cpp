@@ -41,8 +41,8 @@ std::optional<PollSchedule::Turn> PollSchedule::next(TimePoint now) {
         m_modules[*probe].full = false;
         return turn(*probe);
     }
-    const auto rest = longestAgo([](const Module& m) { return !m.watched; });
-    const auto watched = longestAgo([](const Module& m) { return m.watched; });
+    const auto rest = longestAgo([](const Module& m) { return !m.silent && !m.watched; });
+    const auto watched = longestAgo([](const Module& m) { return !m.silent && m.watched; });
     if (!rest || !watched)
         return rest ? std::optional(turn(*rest)) : watched ? std::optional(turn(*watched)) : std::nullopt;
     // If the line cannot carry five polls per second for each of them, watched modules still get every other
@@ -64,7 +64,7 @@ PollSchedule::Turn PollSchedule::nextInFocus(TimePoint now) {
     if (m_backgroundLast) {
         m_focus->othersAsked = now;
         const Module* const module = &m_modules[focused];
-        return take(*longestAgo([module](const Module& m) { return &m != module; }), now);
+        return take(*longestAgo([module](const Module& m) { return !m.silent && &m != module; }), now);
     }
     Turn turn = take(focused, now);
     turn.brief = std::exchange(turn.full, false);
@@ -72,25 +72,16 @@ PollSchedule::Turn PollSchedule::nextInFocus(TimePoint now) {
 }
 
 std::optional<std::size_t> PollSchedule::silentTurn(TimePoint now) const {
-    std::optional<std::size_t> first;
-    for (std::size_t i = 0; i < m_modules.size(); ++i) {
-        const Module& module = m_modules[i];
-        if (module.silent && !module.retired && now >= dueTime(module) &&
-            (!first || module.order < m_modules[*first].order))
-            first = i;
-    }
-    return first;
+    return longestAgo([&](const Module& m) { return m.silent && !m.retired && now >= dueTime(m); });
 }
 
-/// The answering module that has waited longest.
+/// The module that has waited longest.
 template <typename Wanted>
 std::optional<std::size_t> PollSchedule::longestAgo(Wanted wanted) const {
     std::optional<std::size_t> first;
-    for (std::size_t i = 0; i < m_modules.size(); ++i) {
-        const Module& module = m_modules[i];
-        if (!module.silent && wanted(module) && (!first || module.order < m_modules[*first].order))
+    for (std::size_t i = 0; i < m_modules.size(); ++i)
+        if (wanted(m_modules[i]) && (!first || m_modules[i].order < m_modules[*first].order))
             first = i;
-    }
     return first;
 }
 

@@ -471,12 +471,16 @@ struct HoldExpired {
     ModuleIndex module;
 };
 
-using Event =
-    std::variant<Sample, CommandExecuted, ConnectProgress, ChainFound, ConnectFailed, OperationFinished,
-                 StopFinished, ModuleUnresponsive, CommandRefused, LinkLost, HoldExpired, HealthChanged,
-                 ModuleRestarted, MotionSuspect, GroupFinished, GroupChanged, RateChanged, RateChangeFailed,
-                 OwedStopConfirmed, Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion,
-                 AddressChanged, PathProgress, StoppedBeforeLimit, ModulesSeen, CommandUnanswered>;
+/// Events that only show in the state of the modules and the link.
+using StateEvent = std::variant<Sample, CommandExecuted, ConnectProgress, GroupChanged, PathProgress,
+                                ModulesSeen, CommandUnanswered>;
+/// Events that a user or a task under way may also have to hear about.
+using NewsEvent = std::variant<ChainFound, ConnectFailed, OperationFinished, StopFinished, ModuleUnresponsive,
+                               CommandRefused, LinkLost, HoldExpired, HealthChanged, ModuleRestarted,
+                               MotionSuspect, GroupFinished, RateChanged, RateChangeFailed, OwedStopConfirmed,
+                               Readdressed, ReaddressFailed, EchoNoticed, ForeignTraffic, ForeignMotion,
+                               AddressChanged, StoppedBeforeLimit>;
+using Event = Join<StateEvent, NewsEvent>;
 
 /// The engine's requests to the transport, to be carried out in order.
 struct SetHostBaud {

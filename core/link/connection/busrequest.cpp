@@ -33,14 +33,13 @@ struct Ends {
         return std::holds_alternative<Readdress>(request) || std::holds_alternative<ResetModule>(request);
     }
     bool operator()(
-        const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress, bus::ChainFound,
-                    bus::ConnectFailed, bus::StopFinished, bus::ModuleUnresponsive, bus::CommandRefused,
-                    bus::LinkLost, bus::HoldExpired, bus::HealthChanged, bus::ModuleRestarted,
-                    bus::MotionSuspect, bus::StoppedBeforeLimit, bus::GroupChanged, bus::OwedStopConfirmed,
-                    bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion, bus::PathProgress,
-                    bus::ModulesSeen, bus::CommandUnanswered> auto&) const {
+        const AnyOf<bus::ChainFound, bus::ConnectFailed, bus::StopFinished, bus::ModuleUnresponsive,
+                    bus::CommandRefused, bus::LinkLost, bus::HoldExpired, bus::HealthChanged,
+                    bus::ModuleRestarted, bus::MotionSuspect, bus::StoppedBeforeLimit, bus::OwedStopConfirmed,
+                    bus::EchoNoticed, bus::ForeignTraffic, bus::ForeignMotion> auto&) const {
         return false;
     }
+    bool operator()(const In<bus::StateEvent> auto&) const { return false; }
 };
 
 }  // namespace

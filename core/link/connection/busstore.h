@@ -14,16 +14,10 @@
 
 namespace nmc {
 
-/// Events that the user should hear about and the state does not show; samples and progress are part of the
-/// state.
+/// Events that the user should hear about and the state does not show.
 using StoreEvent =
-    std::variant<bus::ChainFound, bus::ConnectFailed, bus::OperationFinished, bus::StopFinished,
-                 bus::ModuleUnresponsive, bus::CommandRefused, bus::LinkLost, bus::HoldExpired,
-                 bus::HealthChanged, bus::ModuleRestarted, bus::MotionSuspect, bus::StoppedBeforeLimit,
-                 bus::GroupFinished, bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed,
-                 bus::Readdressed, bus::ReaddressFailed, bus::EchoNoticed, bus::ForeignTraffic,
-                 bus::ForeignMotion, bus::AddressChanged, PortClosed, SimulatorAnswered, PanelFroze,
-                 ComputerSlept, GuardianStopped, GuardianMissing, LineLent, LendingProblem>;
+    Join<bus::NewsEvent, std::variant<PortClosed, SimulatorAnswered, PanelFroze, ComputerSlept,
+                                      GuardianStopped, GuardianMissing, LineLent, LendingProblem>>;
 
 /// The GUI thread's copy of the connection: drains the worker's events at most 60 times a second and turns
 /// them into module states and histories. Everything else in the GUI reads them from here.

@@ -31,11 +31,10 @@ struct SequenceNews {
             run.onTakenOver(member.module);
     }
     void operator()(const AnyOf<bus::ChainFound, bus::ConnectFailed> auto&) const { run.onClosed(); }
-    void operator()(const AnyOf<bus::Sample, bus::CommandExecuted, bus::ConnectProgress,
-                                bus::OperationFinished, bus::CommandRefused, bus::GroupChanged,
-                                bus::RateChanged, bus::RateChangeFailed, bus::OwedStopConfirmed,
-                                bus::Readdressed, bus::AddressChanged, bus::ReaddressFailed, bus::EchoNoticed,
-                                bus::PathProgress, bus::ModulesSeen, bus::CommandUnanswered> auto&) const {}
+    void operator()(const AnyOf<bus::OperationFinished, bus::CommandRefused, bus::RateChanged,
+                                bus::RateChangeFailed, bus::OwedStopConfirmed, bus::Readdressed,
+                                bus::AddressChanged, bus::ReaddressFailed, bus::EchoNoticed> auto&) const {}
+    void operator()(const In<bus::StateEvent> auto&) const {}
 };
 
 }  // namespace nmc
