@@ -143,7 +143,7 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
     connect(&m_window, &MainWindow::stopAllRequested, &m_commander, &Commander::endRuns);
     connect(&m_window, &MainWindow::simulatorLineEntered, &m_worker,
-            [this](const QString& line) { m_worker.control(line.toStdString()); });
+            [this](const QString& line) { m_worker.ask(ControlLine{line.toStdString()}); });
     connect(&m_window, &MainWindow::packetRecordingWanted, &m_worker, &BusWorker::setRecording);
     connect(&m_commander.procedures(), &ProcedureController::reported, &m_window, &MainWindow::showProcedure);
 
@@ -162,8 +162,10 @@ void Composition::wireWindow() {
     connect(requests, &Requests::letProgramThrough, &m_worker, &BusWorker::letThrough);
     connect(requests, &Requests::endLending, &m_worker, &BusWorker::endLending);
     connect(requests, &Requests::acceptChain, &m_connection, &Connection::acceptChain);
-    connect(requests, &Requests::rate, &m_worker, &BusWorker::changeRate);
-    connect(requests, &Requests::address, &m_worker, &BusWorker::changeAddress);
+    connect(requests, &Requests::rate, this, [this](std::uint32_t baud) { m_worker.ask(ChangeRate{baud}); });
+    connect(requests, &Requests::address, this, [this](ModuleIndex module, BusAddress address) {
+        m_worker.ask(Readdress{module, address});
+    });
     connect(requests, &Requests::groupChange, this, &Composition::change);
     connect(requests, &Requests::groupNamed, &m_machine, &MachineController::nameGroup);
     connect(requests, &Requests::groupCommand, &m_commander, &Commander::command);

@@ -39,7 +39,7 @@ void MessageActions::act(const Message& message, MessageAction action) {
         case MessageAction::LookFirst:
             return lookFirst(message.key);  // until the user has looked, or the motor was seen at rest
         case MessageAction::Readdress:
-            return m_worker.readdress(*message.module);  // the message remains until it is done
+            return m_worker.ask(Readdress{*message.module});  // the message remains until it is done
         case MessageAction::WorkWith:
             return m_connection.acceptChain();  // ends the message if this is allowed now
         case MessageAction::ConnectOffered:

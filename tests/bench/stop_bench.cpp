@@ -152,7 +152,8 @@ private:
                            [is](const ModuleState& module) { return (module.*is)(); });
     }
     void submit(std::vector<bus::Order> steps) {
-        m_composition.worker().submit({bus::OperationId(1'000'000 + ++m_operation), std::move(steps)});
+        m_composition.worker().ask(
+            bus::Operation{bus::OperationId(1'000'000 + ++m_operation), std::move(steps)});
     }
 
     void startAll() {

@@ -76,7 +76,7 @@ public:
     }
     /// Carries out the steps, and continues until this many more samples have been compared.
     [[nodiscard]] bool follow(std::vector<bus::Order> steps, std::size_t samples) {
-        m_worker.submit({bus::OperationId(++m_operations), std::move(steps)});
+        m_worker.ask(bus::Operation{bus::OperationId(++m_operations), std::move(steps)});
         if (!waitFor<bus::OperationFinished>())
             return false;
         const std::size_t enough = m_comparison.figures.samples() + samples;

@@ -158,10 +158,10 @@ private:
             const auto step = [i](ServoCommand command) {
                 return bus::Order{ModuleIndex(i), std::move(command)};
             };
-            m_composition->worker().submit(
-                {bus::OperationId(1'000'000U + i),
-                 {step(gains), step(servo::StopMotor{true, servo::StopManner::Abruptly, {}}), step(load),
-                  step(StartMotion{})}});
+            m_composition->worker().ask(
+                bus::Operation{bus::OperationId(1'000'000U + i),
+                               {step(gains), step(servo::StopMotor{true, servo::StopManner::Abruptly, {}}),
+                                step(load), step(StartMotion{})}});
         }
     }
 

@@ -69,7 +69,7 @@ public:
     }
 
     void submit(std::vector<bus::Order> steps) {
-        m_worker.submit({bus::OperationId(++m_lastId), std::move(steps)});
+        m_worker.ask(bus::Operation{bus::OperationId(++m_lastId), std::move(steps)});
     }
     /// Sends the steps, waits, and returns how they ended.
     bus::Outcome carryOut(std::vector<bus::Order> steps) {

@@ -92,7 +92,7 @@ bool setGoing(testing_support::Connection& connection, std::string_view motion, 
     }
     const auto group = [&connection](std::uint32_t id, auto what) {
         connection.forgetNews();
-        connection.worker().submit(bus::GroupOperation{bus::OperationId(id), what});
+        connection.worker().ask(bus::GroupOperation{bus::OperationId(id), what});
         return connection.waitFor<bus::GroupFinished>() &&
                connection.news<bus::GroupFinished>()->outcome == bus::Outcome::Done;
     };

@@ -31,7 +31,7 @@ void moveAndStop(Path& path) {
 
     // A program cannot change what is connected to a real port. The line is sent before the gains, so that it
     // would have been answered by now.
-    connection.worker().control("set 2 power 0");
+    connection.worker().ask(ControlLine{"set 2 power 0"});
     // Without an integral term, the motor rests where the filter no longer overcomes dry friction: at most 2
     // of 255, which is 2 * 256 / Kp 200 = 2.6 counts.
     ASSERT_EQ(
@@ -85,7 +85,7 @@ TEST(SerialPathRates, ChangeToAnyDivisorWhileAMotorHoldsAndTheNextConnectionFind
         ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
         for (const std::uint32_t baud : {62'500U, 57'600U}) {
             connection.forgetNews();
-            connection.worker().changeRate(baud);
+            connection.worker().ask(ChangeRate{baud});
             ASSERT_TRUE(connection.waitFor<bus::RateChanged>());
             EXPECT_EQ(connection.store().link().baud, baud);
             EXPECT_NEAR(sim.state(1)[QStringLiteral("baud")].toInt(), static_cast<int>(baud), 0.02 * baud);

@@ -188,10 +188,10 @@ TEST_F(HomingPage, AStepperFindsItsHomeSwitchToo) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
     std::ignore = stepFirst.control(u"set 1 home_switch_at 600"_s);
     const stepper::SetParameters parameters{stepper::SpeedMode::X1, false, false, false, 4, 200, 50, 0};
-    panel.composition().worker().submit(
-        {bus::OperationId(1'000'000),
-         {{ModuleIndex(0), StepperCommand(parameters)},
-          {ModuleIndex(0), StepperCommand(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly})}}});
+    panel.composition().worker().ask(bus::Operation{
+        bus::OperationId(1'000'000),
+        {{ModuleIndex(0), StepperCommand(parameters)},
+         {ModuleIndex(0), StepperCommand(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly})}}});
     ASSERT_TRUE(panel.waitFor([&] { return !whyNot(IntentKind::Home, panel.module()); }));
     HomingRecipe recipe = firstRecipe({ModuleType::Stepper, 1});
     recipe.reverse = false;

@@ -72,11 +72,11 @@ std::optional<bus::OperationId> Commander::carryOut(ModuleIndex index, const Int
         return std::nullopt;
     }
     if (std::holds_alternative<intent::ResetModule>(intent)) {
-        m_worker.resetModule(index);
+        m_worker.ask(ResetModule{index});
         return std::nullopt;
     }
     if (const auto* save = std::get_if<intent::SaveConfiguration>(&intent)) {
-        m_worker.resetModule(index, save->configuration);
+        m_worker.ask(ResetModule{index, save->configuration});
         return std::nullopt;
     }
     if (const auto* declare = std::get_if<intent::DeclarePosition>(&intent)) {
@@ -118,14 +118,14 @@ void Commander::command(const bus::GroupCommand& command) {
         if (command.action == ResetPosition)
             m_procedures.cancel(module);
     }
-    m_worker.submit(bus::GroupOperation{id, command});
+    m_worker.ask(bus::GroupOperation{id, command});
     for (const ModuleIndex module : members)
         if (stops)
             m_procedures.overtake(module);
 }
 
 void Commander::change(const bus::GroupChange& change) {
-    m_worker.submit(bus::GroupOperation{nextId(), change});
+    m_worker.ask(bus::GroupOperation{nextId(), change});
 }
 
 /// Members known to be in the group, and modules whose group is unknown.
@@ -173,7 +173,7 @@ bus::OperationId Commander::submit(bus::Operation operation) {
     if (!moved.empty())
         emit aboutToMove(id, moved);
     operation.id = id;
-    m_worker.submit(std::move(operation));
+    m_worker.ask(std::move(operation));
     return id;
 }
 

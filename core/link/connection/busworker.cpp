@@ -20,72 +20,42 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
 
 void BusWorker::connectAgain() {
     qCDebug(requestLog) << "find the chain anew";
-    m_loop.requestBox().search(RequestBox::Search::Again);
+    wish([](auto& wishes) { wishes.search = RequestBox::Search::Again; });
 }
 
 void BusWorker::restart() {
     qCDebug(requestLog) << "restart the network";
-    m_loop.requestBox().search(RequestBox::Search::Restart);
+    wish([](auto& wishes) { wishes.search = RequestBox::Search::Restart; });
 }
 
-void BusWorker::submit(bus::Operation operation) {
-    qCDebug(requestLog).noquote() << logLine(operation).c_str();
-    m_loop.ask(std::move(operation));
-}
-
-void BusWorker::submit(bus::GroupOperation operation) {
-    qCDebug(requestLog).noquote() << logLine(operation).c_str();
-    m_loop.ask(operation);
-}
-
-void BusWorker::changeRate(std::uint32_t baud) {
-    qCDebug(requestLog) << "change the rate to" << baud;
-    m_loop.ask(ChangeRate{baud});
-}
-
-void BusWorker::readdress(ModuleIndex module) {
-    qCDebug(requestLog) << "readdress module" << module.value() + 1;
-    m_loop.ask(Readdress{module});
-}
-
-void BusWorker::resetModule(ModuleIndex module, const std::optional<servo::HardReset>& configuration) {
-    qCDebug(requestLog) << "reset module" << module.value() + 1;
-    m_loop.ask(ResetModule{module, configuration});
-}
-
-void BusWorker::changeAddress(ModuleIndex module, BusAddress address) {
-    qCDebug(requestLog) << "change the address of module" << module.value() + 1 << "to" << address.value();
-    m_loop.ask(Readdress{module, address});
-}
-
-void BusWorker::control(std::string line) {
-    qCDebug(requestLog).noquote() << "simulator:" << line.c_str();
-    m_loop.ask(ControlLine{std::move(line)});
+void BusWorker::ask(BusRequest request) {
+    qCDebug(requestLog).noquote() << logLine(request).c_str();
+    m_loop.ask(std::move(request));
 }
 
 void BusWorker::hold(const bus::HoldToMove& hold) {
     qCDebug(requestLog) << "hold to move, module" << hold.module.value() + 1;
-    m_loop.requestBox().hold(hold);
+    wish([&](auto& wishes) { wishes.held = hold; });
 }
 
 void BusWorker::release() {
     qCDebug(requestLog) << "release";
-    m_loop.requestBox().release();
+    wish([](auto& wishes) { wishes.release(); });
 }
 
 void BusWorker::lend(std::string path) {
     qCDebug(requestLog) << "lend the line at" << path.c_str();
-    m_loop.requestBox().lend(std::move(path));
+    wish([&](auto& wishes) { wishes.lendAt = std::move(path); });
 }
 
 void BusWorker::letThrough() {
     qCDebug(requestLog) << "let the program through";
-    m_loop.requestBox().letThrough();
+    wish([](auto& wishes) { wishes.letThrough = true; });
 }
 
 void BusWorker::endLending() {
     qCDebug(requestLog) << "end lending";
-    m_loop.requestBox().endLending();
+    wish([](auto& wishes) { wishes.stopLending(); });
 }
 
 std::vector<WorkerEvent> BusWorker::takeEvents() {

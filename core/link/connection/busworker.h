@@ -42,36 +42,29 @@ public:
     /// Restarts the network, which loses positions and gains. Motors are stopped first.
     void restart();
     /// Polls the modules on display more often (Engine::watch).
-    void watch(std::vector<ModuleIndex> modules) { m_loop.requestBox().watch(std::move(modules)); }
+    void watch(std::vector<ModuleIndex> modules) {
+        wish([&](auto& wishes) { wishes.watched = std::move(modules); });
+    }
     /// Polls one module as fast as the line allows, for at most 5 s; nothing ends it (Engine::focus).
-    void focus(std::optional<ModuleIndex> module) { m_loop.requestBox().focus(module); }
+    void focus(std::optional<ModuleIndex> module) {
+        wish([&](auto& wishes) { wishes.focused = module; });
+    }
     /// Keeps the gains being tried on a module (Engine::keepTrial).
-    void keepTrial(ModuleIndex module) { m_loop.requestBox().keepTrial(module); }
+    void keepTrial(ModuleIndex module) {
+        wish([&](auto& wishes) { wishes.kept.push_back(module); });
+    }
     /// Sets, for each module, the PIC-I/O outputs that a stop of everything takes low
     /// (Engine::setStopOutputs).
     void setStopOutputs(std::vector<bus::StopOutputs> outputs) {
-        m_loop.requestBox().setStopOutputs(std::move(outputs));
+        wish([&](auto& wishes) { wishes.stopOutputs = std::move(outputs); });
     }
     /// Sets the travel limits of each axis in its chip's present counts (Engine::setTravelLimits).
     void setTravelLimits(std::vector<bus::TravelLimits> limits) {
-        m_loop.requestBox().setTravelLimits(std::move(limits));
+        wish([&](auto& wishes) { wishes.travelLimits = std::move(limits); });
     }
-    /// Ends in exactly one bus::OperationFinished: at once with Cancelled when too many requests are waiting,
-    /// or when nothing is connected.
-    void submit(bus::Operation operation);
-    /// Submits a group operation; bus::GroupFinished follows.
-    void submit(bus::GroupOperation operation);
-    /// Gives a restarted module its address back; bus::Readdressed or bus::ReaddressFailed follows.
-    void readdress(ModuleIndex module);
-    /// Resets one module and restores its address; bus::Readdressed or bus::ReaddressFailed follows.
-    void resetModule(ModuleIndex module, const std::optional<servo::HardReset>& configuration = {});
-    /// Gives a module another address; bus::AddressChanged or bus::ReaddressFailed follows.
-    void changeAddress(ModuleIndex module, BusAddress address);
-    /// Switches the chain to another rate; bus::RateChanged or bus::RateChangeFailed follows.
-    void changeRate(std::uint32_t baud);
-    /// Sends a control line to the built-in simulator (sim/control.h); SimulatorAnswered follows. A real port
-    /// ignores it.
-    void control(std::string line);
+    /// Ends in exactly one event (link/connection/busrequest.h): at once with a refusal when too many
+    /// requests are waiting, or when nothing is connected. A real port ignores a control line.
+    void ask(BusRequest request);
     void hold(const bus::HoldToMove& hold);
     void release();
     void stopAll() { m_loop.stopAll(); }
@@ -102,6 +95,7 @@ signals:
     void eventsReady();
 
 private:
+    void wish(auto change) { m_loop.requestBox().wish(change); }
     void log(const std::vector<WorkerEvent>& events);
 
     BusLoop m_loop{[this] { emit eventsReady(); }};

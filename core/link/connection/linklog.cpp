@@ -4,6 +4,7 @@
 #include <chrono>
 #include <vector>
 
+#include "base/enumname.h"
 #include "base/overloaded.h"
 #include "bus/commandlane.h"
 #include "protocol/describe.h"
@@ -37,33 +38,7 @@ std::string list(const std::vector<ModuleIndex>& modules) {
 }
 
 std::string word(bus::Outcome outcome) {
-    switch (outcome) {
-        case bus::Outcome::Done:
-            return "done";
-        case bus::Outcome::Refused:
-            return "refused";
-        case bus::Outcome::NoAnswer:
-            return "no answer";
-        case bus::Outcome::Forbidden:
-            return "forbidden";
-        case bus::Outcome::Cancelled:
-            return "cancelled";
-        case bus::Outcome::QueueFull:
-            return "queue full";
-    }
-    return {};
-}
-
-std::string word(bus::LinkHealth health) {
-    switch (health) {
-        case bus::LinkHealth::Good:
-            return "good";
-        case bus::LinkHealth::Marginal:
-            return "marginal";
-        case bus::LinkHealth::Lost:
-            return "lost";
-    }
-    return {};
+    return std::string(enumName<bus::Outcome::QueueFull>(outcome));
 }
 
 template <typename Enum>
@@ -125,7 +100,8 @@ struct EventLine {
         return name(expired.module) + ": hold expired";
     }
     std::string operator()(const bus::HealthChanged& changed) const {
-        return "health of " + name(changed.module) + ": " + word(changed.health) + ", wrong " +
+        return "health of " + name(changed.module) + ": " +
+               std::string(enumName<bus::LinkHealth::Lost>(changed.health)) + ", wrong " +
                std::to_string(changed.wrong) + " of " + std::to_string(changed.of);
     }
     std::string operator()(const bus::ModuleRestarted& restarted) const {
@@ -198,34 +174,42 @@ struct EventLine {
     }
 };
 
+struct RequestLine {
+    std::string operator()(const bus::Operation& operation) const {
+        std::string text = "operation " + std::to_string(operation.id.value());
+        for (const bus::Order& step : operation.orders) {
+            const auto words = [](const auto& command) { return describeCommand(command); };
+            text += "; " + name(step.module) + ' ' + std::visit(words, step.command);
+        }
+        return text;
+    }
+    std::string operator()(const bus::GroupOperation& operation) const {
+        const std::string text = "group operation " + std::to_string(operation.id.value()) + ": ";
+        if (const auto* change = std::get_if<bus::GroupChange>(&operation.what))
+            return text + name(change->module) + " to group " + std::to_string(change->place.group) +
+                   (change->place.leader ? " as leader" : "");
+        const auto& command = std::get<bus::GroupCommand>(operation.what);
+        return text + "group " + std::to_string(command.group) + ", action " + number(command.action);
+    }
+    std::string operator()(const ChangeRate& change) const {
+        return "change the rate to " + std::to_string(change.baud);
+    }
+    std::string operator()(const Readdress& readdress) const {
+        return "give " + name(readdress.module) + " address " +
+               (readdress.address ? std::to_string(readdress.address->value()) : "as before");
+    }
+    std::string operator()(const ResetModule& reset) const { return "reset " + name(reset.module); }
+    std::string operator()(const ControlLine& line) const { return "simulator: " + line.text; }
+};
+
 }  // namespace
 
 std::string logLine(const WorkerEvent& event) {
     return std::visit(EventLine{}, event);
 }
 
-std::string logLine(const bus::Operation& operation) {
-    std::string text = "operation " + std::to_string(operation.id.value());
-    for (const bus::Order& step : operation.orders) {
-        const auto words = [](const auto& command) { return describeCommand(command); };
-        text += "; " + name(step.module) + ' ' + std::visit(words, step.command);
-    }
-    return text;
-}
-
-std::string logLine(const bus::GroupOperation& operation) {
-    return "group operation " + std::to_string(operation.id.value()) + ": " +
-           std::visit(Overloaded{
-                          [](const bus::GroupChange& change) {
-                              return name(change.module) + " to group " + std::to_string(change.place.group) +
-                                     (change.place.leader ? " as leader" : "");
-                          },
-                          [](const bus::GroupCommand& command) {
-                              return "group " + std::to_string(command.group) + ", action " +
-                                     number(command.action);
-                          },
-                      },
-                      operation.what);
+std::string logLine(const BusRequest& request) {
+    return std::visit(RequestLine{}, request);
 }
 
 }  // namespace nmc

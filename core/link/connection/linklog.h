@@ -4,7 +4,7 @@
 #include <QLoggingCategory>
 #include <string>
 
-#include "bus/types.h"
+#include "link/connection/busrequest.h"
 #include "link/connection/workerevent.h"
 
 /// Logging of the link for fault-finding: off by default, and then as cheap as a comparison.
@@ -18,7 +18,6 @@ Q_DECLARE_LOGGING_CATEGORY(requestLog)  ///< nmc.link.requests: requests to the 
 
 /// Formats one line; the line is empty for events that come with every exchange.
 [[nodiscard]] std::string logLine(const WorkerEvent& event);
-[[nodiscard]] std::string logLine(const bus::Operation& operation);
-[[nodiscard]] std::string logLine(const bus::GroupOperation& operation);
+[[nodiscard]] std::string logLine(const BusRequest& request);
 
 }  // namespace nmc

@@ -3,15 +3,6 @@
 
 namespace nmc {
 
-template <typename Change>
-void RequestBox::change(Change change) {
-    {
-        const std::scoped_lock lock(m_mutex);
-        change(m_waiting);
-    }
-    m_wakeup.wake();
-}
-
 void RequestBox::stopAll() {
     m_stop = true;
     m_wakeup.wake();
@@ -20,56 +11,6 @@ void RequestBox::stopAll() {
 void RequestBox::close() {
     ++m_closes;
     m_wakeup.wake();
-}
-
-void RequestBox::search(Search how) {
-    change([how](Taken& waiting) { waiting.search = how; });
-}
-
-void RequestBox::watch(std::vector<ModuleIndex> modules) {
-    change([&modules](Taken& waiting) { waiting.watched = std::move(modules); });
-}
-
-void RequestBox::keepTrial(ModuleIndex module) {
-    change([module](Taken& waiting) { waiting.kept.push_back(module); });
-}
-
-void RequestBox::focus(std::optional<ModuleIndex> module) {
-    change([module](Taken& waiting) { waiting.focused = module; });
-}
-
-void RequestBox::setStopOutputs(std::vector<bus::StopOutputs> outputs) {
-    change([&outputs](Taken& waiting) { waiting.stopOutputs = std::move(outputs); });
-}
-
-void RequestBox::setTravelLimits(std::vector<bus::TravelLimits> limits) {
-    change([&limits](Taken& waiting) { waiting.travelLimits = std::move(limits); });
-}
-
-void RequestBox::hold(const bus::HoldToMove& hold) {
-    change([&hold](Taken& waiting) { waiting.held = hold; });
-}
-
-void RequestBox::release() {
-    change([](Taken& waiting) {
-        waiting.held.reset();
-        waiting.released = true;
-    });
-}
-
-void RequestBox::lend(std::string path) {
-    change([&path](Taken& waiting) { waiting.lendAt = std::move(path); });
-}
-
-void RequestBox::letThrough() {
-    change([](Taken& waiting) { waiting.letThrough = true; });
-}
-
-void RequestBox::endLending() {
-    change([](Taken& waiting) {
-        waiting.lendAt.reset();
-        waiting.endLending = true;
-    });
 }
 
 bool RequestBox::offer(BusRequest& request) {
@@ -97,13 +38,13 @@ std::vector<BusRequest> RequestBox::end() {
     return std::exchange(m_waiting, {}).requests;
 }
 
-RequestBox::Taken RequestBox::take() {
+RequestBox::Wishes RequestBox::take() {
     // The wake-up is reset before anything is read, so that a request arriving meanwhile wakes the next
     // iteration.
     m_wakeup.reset();
     const bool stop = m_stop.exchange(false);
     const std::scoped_lock lock(m_mutex);
-    Taken taken = std::exchange(m_waiting, {});
+    Wishes taken = std::exchange(m_waiting, {});
     taken.stop = stop;
     return taken;
 }

@@ -30,7 +30,7 @@ public:
         Restart  ///< reset it
     };
     /// In order of execution: stops come first, motions last.
-    struct Taken {
+    struct Wishes {
         bool stop = false;
         bool released = false;
         std::optional<Search> search;
@@ -44,6 +44,9 @@ public:
         std::optional<std::string> lendAt;  ///< the path of a terminal
         bool letThrough = false;            ///< Engine::letThrough
         bool endLending = false;
+
+        void release() { held.reset(), released = true; }
+        void stopLending() { lendAt.reset(), endLending = true; }
     };
 
     // From any thread, and from a signal handler.
@@ -51,17 +54,15 @@ public:
     void close();
 
     // From any thread.
-    void search(Search how);
-    void watch(std::vector<ModuleIndex> modules);
-    void focus(std::optional<ModuleIndex> module);
-    void keepTrial(ModuleIndex module);
-    void setStopOutputs(std::vector<bus::StopOutputs> outputs);
-    void setTravelLimits(std::vector<bus::TravelLimits> limits);
-    void hold(const bus::HoldToMove& hold);
-    void release();
-    void lend(std::string path);
-    void letThrough();
-    void endLending();
+    /// Calls `change` with the wishes that wait.
+    template <typename Change>
+    void wish(Change change) {
+        {
+            const std::scoped_lock lock(m_mutex);
+            change(m_waiting);
+        }
+        m_wakeup.wake();
+    }
     /// Returns false when the request is not taken, because too many are waiting or no bus thread runs to
     /// take them; `request` is then unchanged.
     [[nodiscard]] bool offer(BusRequest& request);
@@ -75,23 +76,20 @@ public:
     /// Bus thread: stops taking requests and returns those still waiting, which the caller must refuse.
     [[nodiscard]] std::vector<BusRequest> end();
     /// Bus thread: takes everything that is waiting.
-    [[nodiscard]] Taken take();
+    [[nodiscard]] Wishes take();
     /// Bus thread; remains true until begin().
     [[nodiscard]] bool closeWanted() const { return m_closes != m_closesBefore; }
     /// Becomes readable when there is something to take.
     [[nodiscard]] int wakeFd() const { return m_wakeup.fd(); }
 
 private:
-    template <typename Change>
-    void change(Change change);
-
     Wakeup m_wakeup;
     std::atomic<bool> m_stop{false};
     std::atomic<unsigned> m_closes{0};
     unsigned m_closesBefore = 0;  ///< set while no bus thread runs
     std::mutex m_mutex;
     bool m_begun = false;
-    Taken m_waiting;
+    Wishes m_waiting;
 };
 
 }  // namespace nmc

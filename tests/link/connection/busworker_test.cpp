@@ -101,14 +101,14 @@ TEST_F(BusWorkerTest, CanBeOpenedAgainAndDestroyedWhileOpen) {
 TEST_F(BusWorkerTest, HasTheSimulatorAnswerControlLines) {
     connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
-    connection.worker().control("set 2 power 0");
+    connection.worker().ask(ControlLine{"set 2 power 0"});
     ASSERT_TRUE(connection.waitFor<SimulatorAnswered>());
     EXPECT_EQ(connection.news<SimulatorAnswered>()->line, "set 2 power 0");
     EXPECT_EQ(connection.news<SimulatorAnswered>()->json, R"({"ok":true})");
     EXPECT_TRUE(connection.waitUntil([&] { return connection.module(1).activity() == Activity::NoPower; }))
         << "the status shows what was set at the bench";
     connection.forgetNews();
-    connection.worker().control("set 9 power 0");
+    connection.worker().ask(ControlLine{"set 9 power 0"});
     ASSERT_TRUE(connection.waitFor<SimulatorAnswered>());
     EXPECT_NE(connection.news<SimulatorAnswered>()->json.find("error"), std::string::npos);
 }

@@ -20,7 +20,7 @@ protected:
 
     [[nodiscard]] bus::Outcome carryOut(std::variant<bus::GroupChange, bus::GroupCommand> what) {
         connection.forgetNews();
-        connection.worker().submit(bus::GroupOperation{bus::OperationId(++lastId), what});
+        connection.worker().ask(bus::GroupOperation{bus::OperationId(++lastId), what});
         if (!connection.waitFor<bus::GroupFinished>())
             return bus::Outcome::Cancelled;
         return connection.news<bus::GroupFinished>()->outcome;
@@ -67,12 +67,12 @@ TEST_F(Chainwide, AGroupStopsAtOnceAndSoDoesTheStore) {
 }
 
 TEST_F(Chainwide, AModuleTakesAnotherAddressAndTheStoreKnowsIt) {
-    connection.worker().changeAddress(ModuleIndex(1), BusAddress(77));
+    connection.worker().ask(Readdress{ModuleIndex(1), BusAddress(77)});
     ASSERT_TRUE(connection.waitFor<bus::AddressChanged>());
     EXPECT_EQ(connection.module(1).info.address, BusAddress(77));
     EXPECT_EQ(sim.state(2)[u"address"_s].toInt(), 77);
     EXPECT_EQ(connection.carryOut(gainsAndEnable(1)), bus::Outcome::Done);
-    connection.worker().changeAddress(ModuleIndex(1), BusAddress(1));
+    connection.worker().ask(Readdress{ModuleIndex(1), BusAddress(1)});
     ASSERT_TRUE(connection.waitFor<bus::ReaddressFailed>());
     EXPECT_EQ(connection.news<bus::ReaddressFailed>()->reason, bus::ReaddressFailed::Reason::Taken);
 }
@@ -81,7 +81,7 @@ TEST_F(Chainwide, RateChangesWhileTheMotorsHold) {
     ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
     for (const std::uint32_t baud : {115'200U, 57'600U}) {
         connection.forgetNews();
-        connection.worker().changeRate(baud);
+        connection.worker().ask(ChangeRate{baud});
         ASSERT_TRUE(connection.waitFor<bus::RateChanged>());
         EXPECT_EQ(connection.store().link().baud, baud);
         EXPECT_NEAR(sim.state(1)[u"baud"_s].toInt(), static_cast<int>(baud), 0.02 * baud);

@@ -80,7 +80,7 @@ TEST_F(NothingLost, AReleaseIsHeardBehindAnyNumberOfRequests) {
 }
 
 TEST_F(NothingLost, ARateThatCannotBeAskedForIsRefused) {
-    connection.worker().changeRate(115'200);
+    connection.worker().ask(ChangeRate{115'200});
     ASSERT_TRUE(connection.waitFor<bus::RateChangeFailed>());
     EXPECT_EQ(connection.news<bus::RateChangeFailed>()->reason, bus::RateChangeFailed::Reason::NotNow);
     EXPECT_EQ(connection.news<bus::RateChangeFailed>()->wanted, 115'200U);
@@ -107,7 +107,7 @@ TEST_F(NothingLost, NobodyAnsweringIsSaidAndSoIsThePortThatGoesThenOnce) {
 TEST_F(NothingLost, FiguresBehindANewSearchAreNoUnderflow) {
     open();
     using std::chrono::seconds;
-    connection.worker().control("fault bus drop status n=3");
+    connection.worker().ask(ControlLine{"fault bus drop status n=3"});
     const auto errors = [this] { return connection.worker().statistics().errors(); };
     ASSERT_TRUE(connection.waitUntil([&errors] { return errors() >= 3; }));
     (void)connection.store().pullFigures(TimePoint(seconds(10)));

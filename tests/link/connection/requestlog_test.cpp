@@ -42,7 +42,7 @@ TEST(LinkLog, TellsOfRequestsAndWhatBecameOfThem) {
     EXPECT_THAT(lines,
                 Contains(StartsWith("nmc.link.requests: operation 2; module 2 Load Trajectory: position "
                                     "2000,")));
-    EXPECT_THAT(lines, Contains("nmc.link: operation 2: done"));
+    EXPECT_THAT(lines, Contains("nmc.link: operation 2: Done"));
     EXPECT_THAT(lines, Contains(StartsWith("nmc.link: stop finished: stopped 1 2, not reached none")));
     EXPECT_EQ(lines.back(), "nmc.link: port closed");
 }
