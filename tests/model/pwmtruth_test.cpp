@@ -82,8 +82,10 @@ private:
         ASSERT_EQ(m_latches.front().position, made->position);
         // The value belongs to the sample before.
         if (const auto value = m_pwm.take(*made, gains)) {
-            m_inside.push_back(m_truthBefore >= value->low && m_truthBefore <= value->high);
-            m_halfBands.push_back((value->high - value->low) / 2);
+            const auto low = static_cast<double>(value->errorLow);
+            const auto high = static_cast<double>(value->errorHigh);
+            m_inside.push_back(m_truthBefore >= low && m_truthBefore <= high);
+            m_halfBands.push_back((high - low) / 2);
         }
         m_truthBefore = m_latches.front().pwm;
     }

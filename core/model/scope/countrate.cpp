@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/scope/countrate.h"
 
+#include <utility>
+
 namespace nmc {
 
-std::optional<CountRate::Value> CountRate::take(const ScopeSample& sample) {
+std::optional<ScopeSample> CountRate::take(const ScopeSample& sample) {
     if (sample.gapBefore)
         m_readings.clear();
     m_gap = m_gap || sample.gapBefore;
@@ -23,9 +25,8 @@ std::optional<CountRate::Value> CountRate::take(const ScopeSample& sample) {
         m_readings.pop_front();
     if (m_readings.size() < 2 || here.time - m_readings.front().time < kTime)
         return std::nullopt;
-    const Value made{here.time, perSecond(m_readings.front()), m_gap};
-    m_gap = false;
-    return made;
+    const double rate = perSecond(m_readings.front());
+    return derivedValue(here.time, rate, rate, rate, std::exchange(m_gap, false));
 }
 
 }  // namespace nmc

@@ -16,13 +16,8 @@ public:
     /// More than the timer's 5.0 MHz is not counting; the counter was cleared (docs/family.md).
     static constexpr double kMax = 5.5e6;
 
-    struct Value {
-        TimePoint time;
-        double value = 0;  ///< counts/s
-        bool gapBefore = false;
-    };
-    /// Samples must be in order of time; a sample without a counter value of its own yields nothing.
-    [[nodiscard]] std::optional<Value> take(const ScopeSample& sample);
+    /// Counts/s. Samples must be in order of time; one without a counter value of its own yields nothing.
+    [[nodiscard]] std::optional<ScopeSample> take(const ScopeSample& sample);
 
 private:
     struct Reading {

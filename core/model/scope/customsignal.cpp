@@ -21,7 +21,7 @@ std::optional<ScopeSample> CustomSignalMaker::take(const ScopeSample& sample, Sc
     m_filtered = share < 1 ? m_filtered + share * (*value - m_filtered) : *value;
     const bool gap = !m_last;
     m_last = sample.time;
-    return derivedSample(sample.time, m_filtered, m_filtered, m_filtered, gap);
+    return derivedValue(sample.time, m_filtered, m_filtered, m_filtered, gap);
 }
 
 std::optional<double> CustomSignalMaker::valueAt(const ScopeSample& sample, ScopeSignal signal,

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/scope/measuredacceleration.h"
 
+#include <utility>
+
 namespace nmc {
 
-std::optional<MeasuredAcceleration::Value> MeasuredAcceleration::take(const ScopeSample& sample) {
+std::optional<ScopeSample> MeasuredAcceleration::take(const ScopeSample& sample) {
     if (sample.gapBefore)
         m_places.clear();
     m_gap = m_gap || sample.gapBefore;
@@ -13,10 +15,9 @@ std::optional<MeasuredAcceleration::Value> MeasuredAcceleration::take(const Scop
     const Duration time = sample.time - m_places.front().time;
     if (m_places.size() < kFewest || time < kTime)
         return std::nullopt;
-    Value made{m_places.front().time + time / 2, 0, m_gap};
-    made.value = fitted(made.time);
-    m_gap = false;
-    return made;
+    const TimePoint middle = m_places.front().time + time / 2;
+    const double value = fitted(middle);
+    return derivedValue(middle, value, value, value, std::exchange(m_gap, false));
 }
 
 /// Fits y = a + b t + c t^2 by least squares, for c. Times are relative to their mean, so that the sum of t

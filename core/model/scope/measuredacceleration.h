@@ -16,13 +16,8 @@ public:
     static constexpr Duration kTime = std::chrono::milliseconds(40);
     static constexpr std::size_t kFewest = 5;  ///< minimum where polls are less frequent
 
-    struct Value {
-        TimePoint time;
-        double value = 0;  ///< counts/s^2
-        bool gapBefore = false;
-    };
-    /// Samples must be in order of time.
-    [[nodiscard]] std::optional<Value> take(const ScopeSample& sample);
+    /// Counts/s^2. Samples must be in order of time.
+    [[nodiscard]] std::optional<ScopeSample> take(const ScopeSample& sample);
 
 private:
     struct Place {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/time.h"
 
@@ -30,8 +31,8 @@ double toAmplifier(const servo::SetGain& gains, double output) {
 
 }  // namespace
 
-std::optional<PwmOutput::Value> PwmOutput::take(const ScopeSample& sample,
-                                                const std::optional<servo::SetGain>& gains) {
+std::optional<ScopeSample> PwmOutput::take(const ScopeSample& sample,
+                                           const std::optional<servo::SetGain>& gains) {
     if (!gains || !sample.errorKnown() || (sample.aux & kServoOn) == 0) {
         const auto made = finished({});
         m_last.reset();
@@ -65,7 +66,7 @@ PwmOutput::Range PwmOutput::advanced(const Known& before, const ScopeSample& to,
             add(before.sum.high, before.sample.errorHigh, to.errorHigh)};
 }
 
-std::optional<PwmOutput::Value> PwmOutput::finished(std::optional<Change> changeAfter) {
+std::optional<ScopeSample> PwmOutput::finished(std::optional<Change> changeAfter) {
     if (!m_last || !(m_last->changeBefore || changeAfter))
         return std::nullopt;
     const ScopeSample& sample = m_last->sample;
@@ -80,16 +81,14 @@ std::optional<PwmOutput::Value> PwmOutput::finished(std::optional<Change> change
     const auto output = [&](double error, double change, double sum) {
         return toAmplifier(gains, gains.kp * error + gains.kd * change + gains.ki * std::trunc(sum / 256));
     };
-    Value made{sample.time,
-               output(static_cast<double>(sample.error), (before + after) / 2, m_last->sum.likely),
-               output(std::floor(static_cast<double>(sample.errorLow)), least, m_last->sum.low),
-               output(static_cast<double>(sample.errorHigh), most, m_last->sum.high), m_gap};
+    const double likely = output(static_cast<double>(sample.error), (before + after) / 2, m_last->sum.likely);
+    double low = output(std::floor(static_cast<double>(sample.errorLow)), least, m_last->sum.low);
+    double high = output(static_cast<double>(sample.errorHigh), most, m_last->sum.high);
     if (gains.cl != 0 && (sample.status & kOvercurrent) != 0) {
-        made.low = std::min(made.low, 0.0);
-        made.high = std::max(made.high, 0.0);
+        low = std::min(low, 0.0);
+        high = std::max(high, 0.0);
     }
-    m_gap = false;
-    return made;
+    return derivedValue(sample.time, likely, low, high, std::exchange(m_gap, false));
 }
 
 }  // namespace nmc

@@ -19,18 +19,11 @@ namespace nmc {
 /// down to 0. Pure.
 class PwmOutput {
 public:
-    struct Value {
-        TimePoint time;
-        double likely = 0;
-        double low = 0;
-        double high = 0;
-        bool gapBefore = false;
-    };
     /// Samples must be in order of time, with the gains in force. Returns the value for the previous sample,
     /// because the change of the error at a sample needs a sample on either side. Returns nothing for a servo
     /// that is off, or whose error or gains are unknown.
-    [[nodiscard]] std::optional<Value> take(const ScopeSample& sample,
-                                            const std::optional<servo::SetGain>& gains);
+    [[nodiscard]] std::optional<ScopeSample> take(const ScopeSample& sample,
+                                                  const std::optional<servo::SetGain>& gains);
 
 private:
     struct Range {
@@ -48,7 +41,7 @@ private:
         std::optional<Change> changeBefore{};
     };
     [[nodiscard]] static Range advanced(const Known& before, const ScopeSample& to, double ticks);
-    [[nodiscard]] std::optional<Value> finished(std::optional<Change> changeAfter);
+    [[nodiscard]] std::optional<ScopeSample> finished(std::optional<Change> changeAfter);
 
     std::optional<Known> m_last;
     bool m_gap = true;  ///< a gap precedes the next value

@@ -22,10 +22,6 @@ struct ModuleSignal {
     bool operator==(const ModuleSignal&) const = default;
 };
 
-/// A derived value in the form of a sample with a calculated error, because that has bounds.
-[[nodiscard]] ScopeSample derivedSample(TimePoint time, double likely, double low, double high,
-                                        bool gapBefore);
-
 /// Computes the values of a signal that no sample contains, from its module's samples as they arrive. Pure.
 class SignalMaker {
 public:
@@ -38,8 +34,8 @@ public:
     explicit SignalMaker(const ModuleSignal& of);
 
     [[nodiscard]] const ModuleSignal& of() const { return m_of; }
-    /// Samples must be in order of time; `gains` are all known gains, always of the same history. Returns a
-    /// derivedSample(), or nothing when there is no value yet, or it is unknown.
+    /// Samples must be in order of time; `gains` are all known gains, always of the same history. Returns
+    /// nothing when there is no value yet, or it is unknown; otherwise as derivedValue().
     [[nodiscard]] std::optional<ScopeSample> take(const ScopeSample& sample,
                                                   const std::vector<GainsChange>& gains);
 
