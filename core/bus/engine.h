@@ -268,20 +268,21 @@ private:
     std::vector<StopOutputs> m_stopOutputs;
     std::deque<Work> m_works;  ///< oldest first: at most one, and one that only awaits surplus bytes
 
-    Recovery m_recovery{m_chain, m_line, m_events};
-    StopLane m_stops{m_chain, m_recovery, m_line, m_events};
-    RestartSearch m_restartSearch{m_chain, m_recovery, m_line, m_events};
-    SearchTask m_search{m_line, m_events};
-    RateTask m_rate{m_config, m_chain, m_events};
-    WayBack m_wayBack{m_rate, m_chain, m_stops, m_recovery, m_line};
-    ReaddressTask m_readdress{m_config, m_chain, m_restartSearch, m_line, m_events};
-    TrialTask m_trials{m_chain, m_events};
-    HoldTask m_hold{m_config, m_chain, m_events};
-    OperationTask m_operations{m_chain, m_line, m_events};
-    PathTask m_path{m_chain, m_line, m_events};
-    PollTask m_polls{m_chain, m_recovery, m_restartSearch};
-    WellAgain m_wellAgain{m_chain};
-    Lending m_lending{m_chain, m_recovery, m_line, m_events};
+    Shared m_shared{m_chain, m_line, m_events};
+    Recovery m_recovery{m_shared, m_line.statistics()};
+    StopLane m_stops{m_shared, m_recovery};
+    RestartSearch m_restartSearch{m_shared, m_recovery};
+    SearchTask m_search{m_shared};
+    RateTask m_rate{m_shared, m_config};
+    WayBack m_wayBack{m_shared, m_rate, m_stops, m_recovery};
+    ReaddressTask m_readdress{m_shared, m_config, m_restartSearch};
+    TrialTask m_trials{m_shared};
+    HoldTask m_hold{m_shared, m_config};
+    OperationTask m_operations{m_shared};
+    PathTask m_path{m_shared};
+    PollTask m_polls{m_shared, m_recovery, m_restartSearch};
+    WellAgain m_wellAgain{m_shared};
+    Lending m_lending{m_shared, m_recovery};
     std::array<Task*, 13> m_tasks{&m_trials,    &m_operations,    &m_path,   &m_hold,     &m_rate,
                                   &m_readdress, &m_restartSearch, &m_search, &m_recovery, &m_wayBack,
                                   &m_wellAgain, &m_stops,         &m_polls};

@@ -17,8 +17,8 @@ namespace nmc::bus {
 /// to a group for all members, sends them once, and checks the outcome at each member (grouprun.h).
 class GroupWork {
 public:
-    GroupWork(Chain& chain, const Line& line, CommandLane& commands, std::vector<Event>& events)
-        : m_chain(chain), m_line(line), m_commands(commands), m_events(events) {}
+    GroupWork(const Shared& shared, CommandLane& commands)
+        : m_chain(shared.chain), m_line(shared.line), m_commands(commands), m_events(shared.events) {}
 
     void cancel() { m_run.reset(); }
     /// Only some of these members have started: returned once, after the operation has ended.

@@ -16,8 +16,7 @@ namespace nmc::bus {
 /// the hold.
 class HoldTask : public Task {
 public:
-    HoldTask(const EngineConfig& config, Chain& chain, std::vector<Event>& events)
-        : m_chain(chain), m_events(events), m_lane(config.holdTimeout) {}
+    HoldTask(const Shared& shared, const EngineConfig& config) : Task(shared), m_lane(config.holdTimeout) {}
 
     /// Has no effect if that press is over.
     void hold(const HoldToMove& hold, TimePoint now);
@@ -52,8 +51,6 @@ private:
     [[nodiscard]] Next nextTowards(std::int32_t goal, const Order& load);
     [[nodiscard]] Next sendOrder(const Order& order);
 
-    Chain& m_chain;
-    std::vector<Event>& m_events;
     HoldLane m_lane;
     std::optional<HoldToMove> m_sentBefore;  ///< sent before, restored if the start is refused
     unsigned m_refusals = 0;                 ///< consecutive

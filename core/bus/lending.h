@@ -26,8 +26,7 @@ public:
     /// How long a stop waits for the end of a packet that the program has begun.
     static constexpr Duration kPatience = std::chrono::milliseconds(20);
 
-    Lending(Chain& chain, Recovery& recovery, const Line& line, std::vector<Event>& events)
-        : m_chain(chain), m_recovery(recovery), m_line(line), m_events(events) {}
+    Lending(const Shared& shared, Recovery& recovery) : Task(shared), m_recovery(recovery) {}
 
     void begin();
     /// Modules of unheard type are forgotten: a search finds out what they are.
@@ -85,10 +84,7 @@ private:
     void onHeard(const Ask& ask, const ReplyEnd& end);
     void become(std::vector<ModuleInfo> modules, std::optional<BusAddress> reset = {});
 
-    Chain& m_chain;
     Recovery& m_recovery;
-    const Line& m_line;
-    std::vector<Event>& m_events;
     Phase m_phase = Phase::None;
     PacketSplitter m_packets;
     std::deque<Passed> m_passed;

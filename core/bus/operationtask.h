@@ -17,8 +17,7 @@ namespace nmc::bus {
 /// OperationFinished or GroupFinished.
 class OperationTask : public Task {
 public:
-    OperationTask(Chain& chain, const Line& line, std::vector<Event>& events)
-        : m_chain(chain), m_events(events), m_group(chain, line, m_commands, events) {}
+    explicit OperationTask(const Shared& shared) : Task(shared), m_group(shared, m_commands) {}
 
     /// Returns false if too many are waiting; the operation was not accepted.
     [[nodiscard]] bool submit(Operation operation) { return m_commands.submit(std::move(operation)); }
@@ -61,8 +60,6 @@ private:
     void accept(const ReplyEnd& end);
     void fail(const ReplyEnd& end);
 
-    Chain& m_chain;
-    std::vector<Event>& m_events;
     CommandLane m_commands;
     GroupWork m_group;
     std::optional<Verification> m_verification;

@@ -26,8 +26,7 @@ namespace nmc::bus {
 /// in exactly one OperationFinished, preceded by a PathProgress that states how it ended.
 class PathTask : public Task {
 public:
-    PathTask(Chain& chain, const Line& line, std::vector<Event>& events)
-        : m_chain(chain), m_line(line), m_events(events) {}
+    using Task::Task;
 
     /// Returns false while another path is active; the operation was not accepted.
     [[nodiscard]] bool begin(const Operation& operation);
@@ -116,9 +115,6 @@ private:
     void reportProgress(TimePoint now);
     void end(PathEnd how, std::optional<ModuleIndex> by = {}, const std::vector<ModuleIndex>& stopped = {});
 
-    Chain& m_chain;
-    const Line& m_line;
-    std::vector<Event>& m_events;
     std::shared_ptr<const PathPlan> m_plan;
     OperationId m_id;
     std::vector<Axis> m_axes;

@@ -11,8 +11,8 @@ namespace nmc::bus {
 /// The regular polls (pollschedule.h), when nothing else needs the line, and the rare ones to silent modules.
 class PollTask : public Task {
 public:
-    PollTask(Chain& chain, Recovery& recovery, RestartSearch& search)
-        : m_chain(chain), m_recovery(recovery), m_search(search) {}
+    PollTask(const Shared& shared, Recovery& recovery, RestartSearch& search)
+        : Task(shared), m_recovery(recovery), m_search(search) {}
 
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return true; }
     [[nodiscard]] bool pipelines() const override { return true; }
@@ -21,7 +21,6 @@ public:
     [[nodiscard]] std::optional<TimePoint> due() const override { return m_chain.schedule().nextDue(); }
 
 private:
-    Chain& m_chain;
     Recovery& m_recovery;
     RestartSearch& m_search;
 };

@@ -17,8 +17,7 @@ namespace nmc::bus {
 class RateTask : public Task {
 public:
     /// Updates the rate in `config`, which the next search uses.
-    RateTask(EngineConfig& config, Chain& chain, std::vector<Event>& events)
-        : m_config(config), m_chain(chain), m_events(events) {}
+    RateTask(const Shared& shared, EngineConfig& config) : Task(shared), m_config(config) {}
 
     /// `busy`: something else is in progress. Refused with an event if the change is not possible.
     void begin(std::uint32_t baud, bool busy);
@@ -36,8 +35,6 @@ private:
     void finish(const RateChange::Ended& ended);
 
     EngineConfig& m_config;
-    Chain& m_chain;
-    std::vector<Event>& m_events;
     std::optional<RateChange> m_change;     ///< in progress
     std::optional<RateChange> m_abandoned;  ///< all modules are switched back to the old rate
 };
@@ -47,8 +44,8 @@ private:
 /// stop is confirmed as usual. Takes precedence over everything, including the stop.
 class WayBack : public Task {
 public:
-    WayBack(RateTask& rate, Chain& chain, StopLane& stops, Recovery& recovery, const Line& line)
-        : m_rate(rate), m_chain(chain), m_stops(stops), m_recovery(recovery), m_line(line) {}
+    WayBack(const Shared& shared, RateTask& rate, StopLane& stops, Recovery& recovery)
+        : Task(shared), m_rate(rate), m_stops(stops), m_recovery(recovery) {}
 
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return m_rate.m_abandoned.has_value(); }
     [[nodiscard]] Next next(TimePoint now) override;
@@ -59,10 +56,8 @@ public:
 
 private:
     RateTask& m_rate;
-    Chain& m_chain;
     StopLane& m_stops;
     Recovery& m_recovery;
-    const Line& m_line;
     bool m_underWay = false;  ///< its script is on the line, so a change is abandoned
 };
 

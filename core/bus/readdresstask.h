@@ -18,9 +18,8 @@ namespace nmc::bus {
 /// 2.3). Ends in Readdressed, AddressChanged or ReaddressFailed.
 class ReaddressTask : public Task {
 public:
-    ReaddressTask(const EngineConfig& config, Chain& chain, RestartSearch& restarts, const Line& line,
-                  std::vector<Event>& events)
-        : m_config(config), m_chain(chain), m_restarts(restarts), m_line(line), m_events(events) {}
+    ReaddressTask(const Shared& shared, const EngineConfig& config, RestartSearch& restarts)
+        : Task(shared), m_config(config), m_restarts(restarts) {}
 
     /// For a module that has restarted by itself. `busy`: something else is in progress. Refused with an
     /// event if not possible: only while nothing moves, because the chain is not polled in the meantime.
@@ -59,10 +58,7 @@ private:
     void moved();
 
     const EngineConfig& m_config;
-    Chain& m_chain;
     RestartSearch& m_restarts;
-    const Line& m_line;
-    std::vector<Event>& m_events;
     std::optional<ModuleIndex> m_module;
     Payload m_reset;                 ///< for Stage::Reset
     std::optional<BusAddress> m_to;  ///< the other address

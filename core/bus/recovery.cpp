@@ -119,7 +119,7 @@ Next Recovery::next(TimePoint /*now*/) {
 /// Steps 2 and 3 of link.md 2.2. The module in doubt is challenged afterwards.
 Line::Script Recovery::resync() {
     m_state = LineState::Resyncing;
-    ++m_line.statistics().resyncs;
+    ++m_statistics.resyncs;
     return {Line::Pause{m_quarantine}, DiscardInput{}, Line::Nulls{}, Line::Lag{kAfterNulls}, DiscardInput{}};
 }
 

@@ -19,8 +19,7 @@ namespace nmc::bus {
 /// As a task, it runs the way back; a stop takes precedence, and uses only the nulls (flush()).
 class Recovery : public Task {
 public:
-    Recovery(Chain& chain, Line& line, std::vector<Event>& events)
-        : m_chain(chain), m_line(line), m_events(events) {}
+    Recovery(const Shared& shared, LinkStatistics& statistics) : Task(shared), m_statistics(statistics) {}
 
     /// Call for another chain, or another search for it: there is no evidence against the line.
     void reset();
@@ -115,9 +114,7 @@ private:
     void setUnresponsive(ModuleIndex module, TimePoint now);
     void loseAll(TimePoint now);
 
-    Chain& m_chain;
-    Line& m_line;  ///< its timing, and its statistics
-    std::vector<Event>& m_events;
+    LinkStatistics& m_statistics;
     LineState m_state = LineState::Trusted;
     Duration m_quarantine = kMinQuarantine;
     std::optional<Doubt> m_doubt;

@@ -16,8 +16,7 @@ namespace nmc::bus {
 /// all others are queried first to verify that they still answer.
 class RestartSearch : public Task {
 public:
-    RestartSearch(Chain& chain, Recovery& recovery, const Line& line, std::vector<Event>& events)
-        : m_chain(chain), m_recovery(recovery), m_line(line), m_events(events) {}
+    RestartSearch(const Shared& shared, Recovery& recovery) : Task(shared), m_recovery(recovery) {}
 
     /// A module has just failed its challenge.
     void onLost(ModuleIndex module);
@@ -49,10 +48,7 @@ private:
     void name();
     void report(ModuleIndex module, bool quiet);
 
-    Chain& m_chain;
     Recovery& m_recovery;
-    const Line& m_line;
-    std::vector<Event>& m_events;
     Stage m_stage = Stage::None;
     std::optional<ModuleIndex> m_lookedFor;
     std::optional<ModuleIdentity> m_unaddressed;

@@ -22,7 +22,7 @@ public:
     /// computer.
     static constexpr Duration kPatience = std::chrono::milliseconds(50);
 
-    SearchTask(const Line& line, std::vector<Event>& events) : m_line(line), m_events(events) {}
+    using Task::Task;
 
     void begin(const EngineConfig& config, Discovery::Start start);
     /// It has begun to assign addresses, and continues with that.
@@ -52,8 +52,6 @@ private:
     [[nodiscard]] bool repeats(const ConnectFailed& failed);
     void end(Result result);
 
-    const Line& m_line;
-    std::vector<Event>& m_events;
     EngineConfig m_config;
     Discovery::Start m_start = Discovery::Start::Look;
     std::optional<Discovery> m_discovery;

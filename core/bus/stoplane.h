@@ -24,8 +24,7 @@ public:
     /// For the whole stop of all modules.
     static constexpr Duration kLimit = std::chrono::seconds(2);
 
-    StopLane(Chain& chain, Recovery& recovery, const Line& line, std::vector<Event>& events)
-        : m_chain(chain), m_recovery(recovery), m_line(line), m_events(events) {}
+    StopLane(const Shared& shared, Recovery& recovery) : Task(shared), m_recovery(recovery) {}
 
     // ---- stops of all modules, at the chain's known rate ----
 
@@ -102,10 +101,7 @@ private:
                                          Duration underWay = {}) const;
     void noteBlindStops();
 
-    Chain& m_chain;
     Recovery& m_recovery;
-    const Line& m_line;
-    std::vector<Event>& m_events;
 
     std::optional<Run> m_run;
     TimePoint m_pressed;      ///< time of the first request that the stop of all modules answers

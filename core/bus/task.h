@@ -65,12 +65,22 @@ struct Change {
     }
 };
 
+class Chain;
+
+/// What the tasks of an engine share.
+struct Shared {
+    Chain& chain;
+    const Line& line;
+    std::vector<Event>& events;
+};
+
 /// One concern of the engine: a stop, a search, an operation, polls. The engine asks its tasks in a fixed
 /// order (engine.cpp) for their requests, carries these out on the line, and returns the results. A task
 /// never uses the line itself. Pure.
 class Task {
 public:
-    Task() = default;
+    explicit Task(const Shared& shared)
+        : m_chain(shared.chain), m_line(shared.line), m_events(shared.events) {}
     virtual ~Task() = default;
     Task(const Task&) = delete;
     Task& operator=(const Task&) = delete;
@@ -89,6 +99,11 @@ public:
     virtual bool onChange(const Change&) { return false; }
     /// When wants() may become true by the passage of time alone.
     [[nodiscard]] virtual std::optional<TimePoint> due() const { return std::nullopt; }
+
+protected:
+    Chain& m_chain;
+    const Line& m_line;
+    std::vector<Event>& m_events;
 };
 
 }  // namespace nmc::bus

@@ -19,7 +19,7 @@ namespace nmc::bus {
 /// OperationFinished: once the previous gains are in force, or it is unknown whether they are.
 class TrialTask : public Task {
 public:
-    TrialTask(Chain& chain, std::vector<Event>& events) : m_chain(chain), m_events(events) {}
+    using Task::Task;
 
     /// Returns false if the module is not there, or gains are already being tried on it.
     [[nodiscard]] bool begin(const Operation& operation);
@@ -48,9 +48,6 @@ public:
 private:
     void goBack(Trial& trial, std::optional<TrialEnd> why);
     void report(ModuleIndex module, Outcome outcome);
-
-    Chain& m_chain;
-    std::vector<Event>& m_events;
 };
 
 }  // namespace nmc::bus

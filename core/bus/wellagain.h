@@ -18,7 +18,7 @@ public:
     static constexpr Duration kWell = std::chrono::seconds(2);
     static constexpr Duration kBetween = std::chrono::milliseconds(100);
 
-    explicit WellAgain(Chain& chain) : m_chain(chain) {}
+    using Task::Task;
 
     /// `whole`: the link was given up, and not single modules.
     void begin(bool whole, TimePoint now);
@@ -39,7 +39,6 @@ public:
 private:
     [[nodiscard]] bool asks(const Chain::Module& module) const;
 
-    Chain& m_chain;
     bool m_whole = false;
     std::optional<TimePoint>
         m_due;  ///< of the next query, since begin(), until the line is well or another search
