@@ -63,7 +63,7 @@ protected:
         ASSERT_TRUE(waitFor<bus::ChainFound>());
         // By then, all are known to be at rest.
         ASSERT_TRUE(waitUntil([&] { return count<bus::Sample>() > 10; }));
-        loop.requestBox().wish([&](auto& wishes) { wishes.lendAt = path; });
+        loop.requestBox().change([&](auto& pending) { pending.lendAt = path; });
         ASSERT_TRUE(is(LineLent::State::Waiting));
     }
     /// What the program receives in answer to this.
@@ -168,7 +168,7 @@ TEST_F(LineLentAt, StopAllHoldsTheProgramOffUntilItIsLetThrough) {
     port.write(kNop);
     loop.stopAll();  // by its end, that was taken from the terminal
     ASSERT_TRUE(waitUntil([&] { return count<bus::StopFinished>() == 2; }));
-    loop.requestBox().wish([](auto& wishes) { wishes.letThrough = true; });
+    loop.requestBox().change([](auto& pending) { pending.letThrough = true; });
     ASSERT_TRUE(is(LineLent::State::InUse));
     EXPECT_EQ(exchange(port, {0xAA, 1, 0x13, 0x20, 0x34}, 4), (Bytes{0x19, 0, 4, 0x1D}))
         << "and nothing else was answered";
@@ -179,7 +179,7 @@ TEST_F(LineLentAt, TheUserEndsIt) {
     ASSERT_NO_FATAL_FAILURE(lend());
     Port port(path);
     ASSERT_EQ(exchange(port, {0xAA, 1, 0x13, 0x20, 0x34}, 4).size(), 4U);
-    loop.requestBox().wish([](auto& wishes) { wishes.stopLending(); });
+    loop.requestBox().change([](auto& pending) { pending.stopLending(); });
     ASSERT_TRUE(is(LineLent::State::Ended));
     EXPECT_FALSE(fs::exists(fs::symlink_status(path)));
     ASSERT_TRUE(waitUntil([&] { return count<bus::ChainFound>() == 2; }));
@@ -209,16 +209,16 @@ TEST_F(LineLentAt, NothingIsOverwritten) {
     openSimulator(simulatorConfig(), servoChain(1));
     ASSERT_TRUE(waitFor<bus::ChainFound>());
     std::ofstream(path) << "mine";
-    loop.requestBox().wish([&](auto& wishes) { wishes.lendAt = path; });
+    loop.requestBox().change([&](auto& pending) { pending.lendAt = path; });
     ASSERT_TRUE(waitFor<LendingProblem>());
     EXPECT_EQ(last<LendingProblem>()->kind, LendingProblem::Kind::Taken);
     EXPECT_EQ(fs::file_size(path), 4U);
     fs::remove(path);
     fs::create_symlink(testing::TempDir(), path);
-    loop.requestBox().wish([&](auto& wishes) { wishes.lendAt = path; });
+    loop.requestBox().change([&](auto& pending) { pending.lendAt = path; });
     ASSERT_TRUE(waitUntil([&] { return count<LendingProblem>() == 2; }));
     EXPECT_TRUE(fs::is_symlink(path)) << "a link that leads somewhere may be in use";
-    loop.requestBox().wish([&](auto& wishes) { wishes.lendAt = path + "/no/such/folder/x"; });
+    loop.requestBox().change([&](auto& pending) { pending.lendAt = path + "/no/such/folder/x"; });
     ASSERT_TRUE(waitUntil([&] { return count<LendingProblem>() == 3; }));
     EXPECT_EQ(last<LendingProblem>()->kind, LendingProblem::Kind::System);
 }
@@ -228,7 +228,7 @@ TEST_F(LineLentAt, NotWhileAMotorMoves) {
     ASSERT_TRUE(waitFor<bus::ChainFound>());
     loop.ask(runOn(1));
     ASSERT_TRUE(waitFor<bus::OperationFinished>());
-    loop.requestBox().wish([&](auto& wishes) { wishes.lendAt = path; });
+    loop.requestBox().change([&](auto& pending) { pending.lendAt = path; });
     ASSERT_TRUE(waitFor<LendingProblem>());
     EXPECT_EQ(last<LendingProblem>()->kind, LendingProblem::Kind::NotNow);
     EXPECT_FALSE(fs::exists(path)) << "and the terminal is gone";

@@ -103,7 +103,7 @@ std::optional<TimePoint> BusSession::nextTurn(TimePoint now) const {
 }
 
 void BusSession::takeRequests(TimePoint now) {
-    RequestBox::Wishes taken = m_channel.requests.take();
+    RequestBox::Pending taken = m_channel.requests.take();
     if (taken.stop)
         m_engine.stopAll(now);
     if (taken.released)

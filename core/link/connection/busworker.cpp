@@ -20,12 +20,12 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
 
 void BusWorker::connectAgain() {
     qCDebug(requestLog) << "find the chain anew";
-    wish([](auto& wishes) { wishes.search = RequestBox::Search::Again; });
+    change([](auto& pending) { pending.search = RequestBox::Search::Again; });
 }
 
 void BusWorker::restart() {
     qCDebug(requestLog) << "restart the network";
-    wish([](auto& wishes) { wishes.search = RequestBox::Search::Restart; });
+    change([](auto& pending) { pending.search = RequestBox::Search::Restart; });
 }
 
 void BusWorker::ask(BusRequest request) {
@@ -35,27 +35,27 @@ void BusWorker::ask(BusRequest request) {
 
 void BusWorker::hold(const bus::HoldToMove& hold) {
     qCDebug(requestLog) << "hold to move, module" << hold.module.value() + 1;
-    wish([&](auto& wishes) { wishes.held = hold; });
+    change([&](auto& pending) { pending.held = hold; });
 }
 
 void BusWorker::release() {
     qCDebug(requestLog) << "release";
-    wish([](auto& wishes) { wishes.release(); });
+    change([](auto& pending) { pending.release(); });
 }
 
 void BusWorker::lend(std::string path) {
     qCDebug(requestLog) << "lend the line at" << path.c_str();
-    wish([&](auto& wishes) { wishes.lendAt = std::move(path); });
+    change([&](auto& pending) { pending.lendAt = std::move(path); });
 }
 
 void BusWorker::letThrough() {
     qCDebug(requestLog) << "let the program through";
-    wish([](auto& wishes) { wishes.letThrough = true; });
+    change([](auto& pending) { pending.letThrough = true; });
 }
 
 void BusWorker::endLending() {
     qCDebug(requestLog) << "end lending";
-    wish([](auto& wishes) { wishes.stopLending(); });
+    change([](auto& pending) { pending.stopLending(); });
 }
 
 std::vector<WorkerEvent> BusWorker::takeEvents() {

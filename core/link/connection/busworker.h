@@ -43,24 +43,24 @@ public:
     void restart();
     /// Polls the modules on display more often (Engine::watch).
     void watch(std::vector<ModuleIndex> modules) {
-        wish([&](auto& wishes) { wishes.watched = std::move(modules); });
+        change([&](auto& pending) { pending.watched = std::move(modules); });
     }
     /// Polls one module as fast as the line allows, for at most 5 s; nothing ends it (Engine::focus).
     void focus(std::optional<ModuleIndex> module) {
-        wish([&](auto& wishes) { wishes.focused = module; });
+        change([&](auto& pending) { pending.focused = module; });
     }
     /// Keeps the gains being tried on a module (Engine::keepTrial).
     void keepTrial(ModuleIndex module) {
-        wish([&](auto& wishes) { wishes.kept.push_back(module); });
+        change([&](auto& pending) { pending.kept.push_back(module); });
     }
     /// Sets, for each module, the PIC-I/O outputs that a stop of everything takes low
     /// (Engine::setStopOutputs).
     void setStopOutputs(std::vector<bus::StopOutputs> outputs) {
-        wish([&](auto& wishes) { wishes.stopOutputs = std::move(outputs); });
+        change([&](auto& pending) { pending.stopOutputs = std::move(outputs); });
     }
     /// Sets the travel limits of each axis in its chip's present counts (Engine::setTravelLimits).
     void setTravelLimits(std::vector<bus::TravelLimits> limits) {
-        wish([&](auto& wishes) { wishes.travelLimits = std::move(limits); });
+        change([&](auto& pending) { pending.travelLimits = std::move(limits); });
     }
     /// Ends in exactly one event (link/connection/busrequest.h): at once with a refusal when too many
     /// requests are waiting, or when nothing is connected. A real port ignores a control line.
@@ -95,7 +95,7 @@ signals:
     void eventsReady();
 
 private:
-    void wish(auto change) { m_loop.requestBox().wish(change); }
+    void change(auto how) { m_loop.requestBox().change(how); }
     void log(const std::vector<WorkerEvent>& events);
 
     BusLoop m_loop{[this] { emit eventsReady(); }};

@@ -16,9 +16,9 @@ void RequestBox::close() {
 bool RequestBox::offer(BusRequest& request) {
     {
         const std::scoped_lock lock(m_mutex);
-        if (!m_begun || m_waiting.requests.size() == kCapacity)
+        if (!m_begun || m_pending.requests.size() == kCapacity)
             return false;
-        m_waiting.requests.push_back(std::move(request));
+        m_pending.requests.push_back(std::move(request));
     }
     m_wakeup.wake();
     return true;
@@ -27,7 +27,7 @@ bool RequestBox::offer(BusRequest& request) {
 void RequestBox::begin(unsigned closes) {
     const std::scoped_lock lock(m_mutex);
     m_begun = true;
-    m_waiting = {};
+    m_pending = {};
     m_stop = false;
     m_closesBefore = closes;
 }
@@ -35,16 +35,16 @@ void RequestBox::begin(unsigned closes) {
 std::vector<BusRequest> RequestBox::end() {
     const std::scoped_lock lock(m_mutex);
     m_begun = false;
-    return std::exchange(m_waiting, {}).requests;
+    return std::exchange(m_pending, {}).requests;
 }
 
-RequestBox::Wishes RequestBox::take() {
+RequestBox::Pending RequestBox::take() {
     // The wake-up is reset before anything is read, so that a request arriving meanwhile wakes the next
     // iteration.
     m_wakeup.reset();
     const bool stop = m_stop.exchange(false);
     const std::scoped_lock lock(m_mutex);
-    Wishes taken = std::exchange(m_waiting, {});
+    Pending taken = std::exchange(m_pending, {});
     taken.stop = stop;
     return taken;
 }

@@ -17,9 +17,9 @@
 
 namespace nmc {
 
-/// The path from the GUI thread to the bus thread. Nothing is lost on it: current wishes, such as a stop or a
-/// held motion, are state, of which the newest value counts; requests that are answered individually wait in
-/// a queue and are refused when it is full.
+/// The path from the GUI thread to the bus thread. Nothing is lost on it: pending changes, such as a stop or
+/// a held motion, are state, of which the newest value counts; requests that are answered individually wait
+/// in a queue and are refused when it is full.
 class RequestBox {
 public:
     static constexpr std::size_t kCapacity = 1'024;
@@ -30,7 +30,7 @@ public:
         Restart  ///< reset it
     };
     /// In order of execution: stops come first, motions last.
-    struct Wishes {
+    struct Pending {
         bool stop = false;
         bool released = false;
         std::optional<Search> search;
@@ -54,12 +54,12 @@ public:
     void close();
 
     // From any thread.
-    /// Calls `change` with the wishes that wait.
+    /// Calls `how` with what is pending.
     template <typename Change>
-    void wish(Change change) {
+    void change(Change how) {
         {
             const std::scoped_lock lock(m_mutex);
-            change(m_waiting);
+            how(m_pending);
         }
         m_wakeup.wake();
     }
@@ -76,7 +76,7 @@ public:
     /// Bus thread: stops taking requests and returns those still waiting, which the caller must refuse.
     [[nodiscard]] std::vector<BusRequest> end();
     /// Bus thread: takes everything that is waiting.
-    [[nodiscard]] Wishes take();
+    [[nodiscard]] Pending take();
     /// Bus thread; remains true until begin().
     [[nodiscard]] bool closeWanted() const { return m_closes != m_closesBefore; }
     /// Becomes readable when there is something to take.
@@ -89,7 +89,7 @@ private:
     unsigned m_closesBefore = 0;  ///< set while no bus thread runs
     std::mutex m_mutex;
     bool m_begun = false;
-    Wishes m_waiting;
+    Pending m_pending;
 };
 
 }  // namespace nmc
