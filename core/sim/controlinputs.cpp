@@ -103,8 +103,17 @@ constexpr std::array kInputs{
     pin("in1", Input::In1, Chips::Stepper, "pin IN1, 1 is high"),
     pin("in2", Input::In2, Chips::Stepper, "pin IN2, 1 is high"),
     pin("home_switch", Input::HomeSwitch, Chips::Stepper, "home switch, 1 is high"),
-    place("home_switch_at", Input::HomeSwitchAt, Chips::Stepper,
-          "the home switch is 1 from there on forward; none: as set"),
+    place("home_switch_at", Input::HomeSwitchAt, Chips::Both,
+          "the home switch (of a servo, at LIMIT1) is 1 from this load position on forward; none: as set"),
+    InputRow{"load_play",
+             Input::LoadPlay,
+             Chips::Both,
+             "0 to 10000 counts",
+             0,
+             10'000,
+             true,
+             {},
+             "that the encoder (a stepper's shaft) turns before the load with the home switch turns"},
     InputRow{"steps",
              Input::Pulses,
              Chips::Sc,
@@ -152,14 +161,15 @@ std::optional<Word> valueOf(const InputRow& row, std::string_view text) {
 struct Surroundings {
     double shaft = 0;
     bool limitsAutomatic = false;
-    bool homeSwitchAutomatic = false;
+    std::optional<Input> homeSwitch{};  ///< the pin that follows home_switch_at
 };
 
 Surroundings surroundings(const ModuleSnapshot& s) {
     if (s.stepper)
         return {static_cast<double>(s.stepper->shaft), s.stepper->limitsAutomatic,
-                s.stepper->homeSwitchAt.has_value()};
-    return {s.servo.shaftCounts, s.servo.limitsAutomatic, false};
+                s.stepper->homeSwitchAt ? std::optional(Input::HomeSwitch) : std::nullopt};
+    return {s.servo.shaftCounts, s.servo.limitsAutomatic,
+            s.servo.homeSwitchAt ? std::optional(Input::Limit1) : std::nullopt};
 }
 
 /// The reason why the module's present state forbids a value that is in range; empty when nothing does.
@@ -167,7 +177,7 @@ std::string conflict(const Surroundings& now, Input input, std::optional<double>
     const auto shaft = [&now] { return "the shaft is at " + std::to_string(now.shaft) + " counts"; };
     if ((input == Input::Limit1 || input == Input::Limit2) && now.limitsAutomatic)
         return "the limit switches follow the travel; use limits manual first";
-    if (input == Input::HomeSwitch && now.homeSwitchAutomatic)
+    if (input == now.homeSwitch)
         return "the home switch follows the shaft; use home_switch_at none first";
     if (input == Input::TravelMin && value && *value > now.shaft)
         return shaft() + "; allowed is up to that, or none";

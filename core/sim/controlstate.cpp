@@ -96,6 +96,7 @@ Json servoJson(const ModuleSnapshot& s) {
             {"inertia", servo.motor.inertiaKgM2},
             {"friction", servo.motor.coulombNm},
             {"play", servo.motor.playCounts},
+            {"load_play", servo.motor.loadPlayCounts},
             {"counts_per_turn", servo.motor.countsPerTurn},
             {"deadband", servo.motor.amplifierDeadbandPwm},
             {"gain", servo.motor.gain()},
@@ -105,6 +106,7 @@ Json servoJson(const ModuleSnapshot& s) {
             {"travel_min", orNull(servo.travelMin)},
             {"travel_max", orNull(servo.travelMax)},
             {"limits", servo.limitsAutomatic ? "auto" : "manual"},
+            {"home_switch_at", orNull(servo.homeSwitchAt)},
             {"gains", gainsJson(servo.gains)}};
 }
 
@@ -143,6 +145,7 @@ Json stepperJson(const StepperSnapshot& stepper) {
             {"travel_max", orNull(stepper.travelMax)},
             {"limits", stepper.limitsAutomatic ? "auto" : "manual"},
             {"home_switch_at", orNull(stepper.homeSwitchAt)},
+            {"load_play", stepper.loadPlay},
             {"outputs", stepper.outputs},
             {"current_limit", stepper.currentLimit}};
 }

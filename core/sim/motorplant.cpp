@@ -240,9 +240,8 @@ bool MotorPlant::isStopped(double torque) const {
                       : m_state.counts >= m_parameters.travelMaxCounts;
 }
 
-bool MotorPlant::index() const {
-    const auto turn = static_cast<std::int64_t>(m_parameters.countsPerTurn);
-    return shaft() % turn == 0;
+bool MotorPlant::index(std::int64_t encoder) const {
+    return encoder % static_cast<std::int64_t>(m_parameters.countsPerTurn) == 0;
 }
 
 std::uint8_t MotorPlant::currentSense() const {

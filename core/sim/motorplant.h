@@ -21,6 +21,7 @@ struct MotorParameters {
     double loadNm = 0.0;              ///< external torque; positive pulls the shaft backwards
     double countsPerTurn = 2000.0;    ///< encoder edges per turn
     std::int64_t playCounts = 0;      ///< counts that the shaft turns before the encoder follows
+    std::int64_t loadPlayCounts = 0;  ///< counts that the encoder turns before the home switch's cam follows
     double encoderNoiseCounts = 0.0;  ///< rms error of the encoder, drawn anew each tick
     double elasticInertiaKgM2 = 0.0;  ///< second mass on a spring at the shaft; 0: none
     double resonanceHz = 50.0;  ///< frequency at which shaft and second mass oscillate against each other
@@ -75,8 +76,8 @@ public:
         const auto whole = static_cast<std::int64_t>(m_state.counts);
         return whole - (m_state.counts < static_cast<double>(whole) ? 1 : 0);
     }
-    /// The encoder's index pulse: high for one count per turn.
-    [[nodiscard]] bool index() const;
+    /// The index pulse of an encoder at this position: high for one count per turn.
+    [[nodiscard]] bool index(std::int64_t encoder) const;
     [[nodiscard]] double currentAmperes() const { return m_state.amperes; }
     [[nodiscard]] double speedRadPerSecond() const { return m_state.radPerSecond; }
     /// Speed in counts per maximum-rate servo tick.

@@ -25,6 +25,8 @@ void ServoLoop::reset() {
     fresh.m_plant = m_plant;
     fresh.m_noise = m_noise;
     fresh.m_encoderShaft = m_encoderShaft;
+    fresh.m_load = m_load;
+    fresh.m_homeSwitchAt = m_homeSwitchAt;
     // The counter restarts from 0 wherever the shaft is.
     fresh.m_encoder = m_encoder;
     fresh.m_encoder.reset();
@@ -262,6 +264,7 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::Inertia:
         case Input::Friction:
         case Input::Play:
+        case Input::LoadPlay:
         case Input::CountsPerTurn:
         case Input::Deadband:
         case Input::Gain:
@@ -271,6 +274,11 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::TravelMin:
         case Input::TravelMax:
             setLoad(input, value);
+            return;
+        case Input::HomeSwitchAt:
+            m_homeSwitchAt.reset();
+            if (value)
+                m_homeSwitchAt = static_cast<std::int64_t>(*value);
             return;
         case Input::ServoOverrun:
             m_servoOverrun = true;
@@ -286,7 +294,6 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::In1:
         case Input::In2:
         case Input::HomeSwitch:
-        case Input::HomeSwitchAt:
             return;  // PIC-STEP only
     }
 }
@@ -327,6 +334,8 @@ void ServoLoop::setLoad(Input input, std::optional<double> value) {
         p.coulombNm = value.value_or(p.coulombNm);
     if (input == Input::Play)
         p.playCounts = static_cast<std::int64_t>(value.value_or(0.0));
+    if (input == Input::LoadPlay)
+        p.loadPlayCounts = static_cast<std::int64_t>(value.value_or(0.0));
     if (input == Input::CountsPerTurn)
         p.countsPerTurn = value.value_or(p.countsPerTurn);
     if (input == Input::Deadband)

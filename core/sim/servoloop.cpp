@@ -16,6 +16,7 @@ void ServoLoop::run(std::uint64_t ticks) {
 void ServoLoop::tick() {
     m_plant.advanceTick(static_cast<double>(m_pwm) / pwmSteps(), m_ampEnabled && isPowered());
     m_encoderShaft = std::clamp(m_encoderShaft, m_plant.shaft() - motor().playCounts, m_plant.shaft());
+    m_load = std::clamp(m_load, m_encoderShaft - motor().loadPlayCounts, m_encoderShaft);
     m_encoder.read(m_encoderShaft + encoderNoise());
     m_tripped = false;
     limitCurrent();
@@ -126,6 +127,8 @@ bool ServoLoop::limitPin(unsigned number) const {
     const unsigned control = m_pinControl;
     if ((control >> (2 + number) & 1U) == 0)
         return (control >> number & 1U) != 0;
+    if (number == 0 && m_homeSwitchAt)
+        return m_load >= *m_homeSwitchAt;
     if (!m_limitsAutomatic)
         return m_limitInput[number];
     const auto shaft = static_cast<double>(m_plant.shaft());
@@ -137,7 +140,7 @@ bool ServoLoop::limitPin(unsigned number) const {
 bool ServoLoop::indexPin() const {
     if (m_indexInput && m_plant.shaft() == m_indexInputAt)
         return *m_indexInput;
-    return m_plant.index();
+    return m_plant.index(m_encoderShaft);
 }
 
 std::uint8_t ServoLoop::analog() const {
@@ -201,6 +204,7 @@ ServoSnapshot ServoLoop::snapshot() const {
     s.limit2 = limitPin(1);
     s.index = indexPin();
     s.limitsAutomatic = m_limitsAutomatic;
+    s.homeSwitchAt = m_homeSwitchAt;
     s.motor = motor();
     if (std::isfinite(s.motor.travelMinCounts))
         s.travelMin = s.motor.travelMinCounts;

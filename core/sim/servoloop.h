@@ -166,6 +166,7 @@ private:
     std::uint8_t m_version;
     MotorPlant m_plant;
     std::int64_t m_encoderShaft = 0;  ///< counts; lags the shaft by at most the play
+    std::int64_t m_load = 0;          ///< counts; lags the encoder by at most the load's play
     Random m_noise{1};
     Encoder m_encoder;
     Profile m_profile;
@@ -206,6 +207,7 @@ private:
     std::int64_t m_pulses = 0;    ///< pulses at the step input not yet added to the command position
     bool m_limitsAutomatic = false;
     bool m_limitInput[2] = {false, false};
+    std::optional<std::int64_t> m_homeSwitchAt;
     std::optional<std::uint8_t> m_analogInput;
     std::optional<bool> m_indexInput;
     std::int64_t m_indexInputAt = 0;  ///< shaft position at which m_indexInput holds

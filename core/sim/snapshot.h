@@ -63,6 +63,7 @@ struct ServoSnapshot {
     MotorParameters motor;
     std::optional<double> travelMin;  ///< hard stops, in shaft counts
     std::optional<double> travelMax;
+    std::optional<std::int64_t> homeSwitchAt;  ///< load position of the home switch at LIMIT1
     Gains gains;
     std::optional<LaterServoSnapshot> later;  ///< CMC and SC only
 };
@@ -103,7 +104,8 @@ struct StepperSnapshot {
     bool limitsAutomatic = false;           ///< the limit pins follow the travel
     std::optional<std::int64_t> travelMin;  ///< hard stops, in steps of the shaft
     std::optional<std::int64_t> travelMax;
-    std::optional<std::int64_t> homeSwitchAt;  ///< shaft position of the home switch
+    std::optional<std::int64_t> homeSwitchAt;  ///< load position of the home switch
+    std::int64_t loadPlay = 0;                 ///< steps that the shaft turns before the load follows
     std::uint8_t outputs = 0;                  ///< bits 0 to 4: OUT1 to OUT5
     std::uint8_t currentLimit = 0;             ///< CUR_LIM, 255 is full current
 };
@@ -168,13 +170,15 @@ enum class Input : std::uint8_t {
     TravelMin,       ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: no hard stop
     TravelMax,       ///< shaft counts (a stepper's steps), not beyond the shaft; nothing: no hard stop
     Limits,          ///< 1: the limit pins follow travel_min and travel_max; 0: they are set by hand
+    HomeSwitchAt,    ///< load counts: the home switch is closed from there on forward; nothing: set by hand
+    LoadPlay,        ///< counts between encoder (a stepper's shaft) and load, >= 0
     ServoOverrun,    ///< 1: as if a tick had taken too long
-    // Steppers only. A stepper also has Limit1, Limit2, Power, Analog and the travel, but none of the others.
-    Estop,         ///< 0 or 1
-    In1,           ///< 0 or 1
-    In2,           ///< 0 or 1
-    HomeSwitch,    ///< 0 or 1
-    HomeSwitchAt,  ///< steps: the switch is closed from there on forward; nothing: it is set by hand
+    // Steppers only. A stepper also has Limit1, Limit2, Power, Analog, the travel, HomeSwitchAt and LoadPlay,
+    // but none of the others.
+    Estop,       ///< 0 or 1
+    In1,         ///< 0 or 1
+    In2,         ///< 0 or 1
+    HomeSwitch,  ///< 0 or 1
     // SC only.
     Pulses,     ///< number of step pulses to add, negative in reverse: -32768..32767
     VoltSense,  ///< volts, 0..5

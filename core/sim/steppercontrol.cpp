@@ -217,6 +217,7 @@ StepperSnapshot StepperControl::snapshot() const {
     s.travelMin = m_machine.travelMin();
     s.travelMax = m_machine.travelMax();
     s.homeSwitchAt = m_machine.homeSwitchAt();
+    s.loadPlay = m_machine.loadPlay();
     s.outputs = m_outputs;
     s.currentLimit = m_current.limit();
     return s;

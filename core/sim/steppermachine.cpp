@@ -47,6 +47,9 @@ void StepperMachine::set(Input input, std::optional<double> value) {
             if (value)
                 m_homeSwitchAt = steps;
             return;
+        case Input::LoadPlay:
+            m_loadPlay = steps;
+            return turn(0);
         case Input::Index:
         case Input::Load:
         case Input::Inertia:
@@ -68,6 +71,7 @@ void StepperMachine::set(Input input, std::optional<double> value) {
 
 void StepperMachine::turn(std::int64_t steps) {
     m_shaft = std::clamp(m_shaft + steps, m_travelMin, m_travelMax);
+    m_load = std::clamp(m_load, m_shaft - m_loadPlay, m_shaft);
 }
 
 StepperPins StepperMachine::pins() const {
@@ -77,7 +81,7 @@ StepperPins StepperMachine::pins() const {
         pins.limit2 = m_shaft <= m_travelMin;
     }
     if (m_homeSwitchAt)
-        pins.homeSwitch = m_shaft >= *m_homeSwitchAt;
+        pins.homeSwitch = m_load >= *m_homeSwitchAt;
     return pins;
 }
 

@@ -29,6 +29,7 @@ public:
     [[nodiscard]] std::optional<std::int64_t> travelMin() const;
     [[nodiscard]] std::optional<std::int64_t> travelMax() const;
     [[nodiscard]] std::optional<std::int64_t> homeSwitchAt() const { return m_homeSwitchAt; }
+    [[nodiscard]] std::int64_t loadPlay() const { return m_loadPlay; }
 
 private:
     static constexpr std::int64_t kNoMin = std::numeric_limits<std::int64_t>::min();
@@ -36,6 +37,8 @@ private:
 
     StepperPins m_set;
     std::int64_t m_shaft = 0;
+    std::int64_t m_loadPlay = 0;
+    std::int64_t m_load = 0;  ///< lags the shaft by at most its play
     std::int64_t m_travelMin = kNoMin;
     std::int64_t m_travelMax = kNoMax;
     bool m_limitsAutomatic = false;

@@ -248,6 +248,15 @@ TEST_F(Control, AHardStopCannotBePutBeyondTheShaftNorALimitSetThatFollowsIt) {
     EXPECT_EQ(say("state 1")["limit1"], true);
     say("set 1 travel_min none");
     EXPECT_EQ(say("state 1")["limit1"], false);
+    say("set 1 limits manual");
+    say("set 1 load_play 40");
+    say("set 1 home_switch_at 0");
+    EXPECT_THAT(errorOf("set 1 limit1 0"), HasSubstr("home_switch_at none first"));
+    EXPECT_EQ(say("state 1")["limit1"], true);
+    EXPECT_EQ(say("state 1")["home_switch_at"], 0);
+    EXPECT_EQ(say("state 1")["load_play"], 40);
+    say("set 1 limit2 1");
+    EXPECT_EQ(say("state 1")["limit2"], true);
 }
 
 TEST_F(Control, AServoOverrunSetsItsStickyBitUntilTheHostClearsIt) {
@@ -294,11 +303,11 @@ TEST_F(Control, ANameOfTheOtherKindOfModuleIsAnErrorThatNamesWhatIsAllowed) {
                                              "travel_max, limits, estop, in1, in2, home_switch, "
                                              "home_switch_at"));
     EXPECT_THAT(errorOf("set 2 analog auto"), HasSubstr("0 to 255"));
-    for (const char* line : {"set 1 estop 1", "set 1 in1 1", "set 1 home_switch 1", "set 1 home_switch_at 5"})
+    for (const char* line : {"set 1 estop 1", "set 1 in1 1", "set 1 home_switch 1"})
         EXPECT_THAT(errorOf(line), HasSubstr("allowed are limit1, limit2, index, power, analog, load, "
                                              "inertia, friction, play, counts_per_turn, deadband, gain, "
                                              "encoder_noise, elastic_inertia, resonance, travel_min, "
-                                             "travel_max, limits, servo_overrun"));
+                                             "travel_max, limits, servo_overrun, home_switch_at, load_play"));
 }
 
 TEST_F(Control, PinsAndAdInputsOfAPicIoHaveNumbers) {

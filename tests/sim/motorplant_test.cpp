@@ -186,12 +186,12 @@ TEST(MotorPlant, AnAmplifierWithADeadbandGivesNothingBelowIt) {
 
 TEST(MotorPlant, TheIndexIsHighForOneCountInATurn) {
     MotorPlant motor;
-    EXPECT_TRUE(motor.index());
+    EXPECT_TRUE(motor.index(motor.shaft()));
     int high = 0;
     std::int64_t lastHigh = 0;
     for (int i = 0; i < 20000; ++i) {
         motor.advanceTick(-3, true);  // slower than a count per tick
-        if (motor.index() && motor.shaft() != lastHigh) {
+        if (motor.index(motor.shaft()) && motor.shaft() != lastHigh) {
             ++high;
             lastHigh = motor.shaft();
             EXPECT_EQ(motor.shaft() % 2000, 0);

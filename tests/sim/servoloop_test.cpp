@@ -72,6 +72,44 @@ TEST(ServoLoop, TurnsItsEncoderBehindThePlay) {
     EXPECT_EQ(loop.position(), static_cast<std::int32_t>(std::floor(loop.snapshot().shaftCounts)));
 }
 
+/// The index belongs to the encoder, and the switch at LIMIT1 to the load.
+TEST(ServoLoop, PutsTheIndexAtTheEncoderAndTheHomeSwitchBehindTheLoadsPlay) {
+    MotorParameters motor;
+    motor.playCounts = 30;
+    motor.loadPlayCounts = 50;
+    ServoLoop loop(4);
+    loop.setMotor(motor);
+    loop.reset();
+    loop.set(Input::HomeSwitchAt, 300.0);
+    loop.setAmplifier(true);
+    const auto drive = [&](bool reverse) {
+        Trajectory pwm;
+        pwm.control = static_cast<std::uint8_t>(Trajectory::kPwm | (reverse ? Trajectory::kReverse : 0));
+        pwm.pwm = 3;  // slower than a count per tick
+        loop.load(pwm);
+        loop.start();
+    };
+    // Runs until the level changes; returns the encoder's position there.
+    const auto change = [&](bool ServoSnapshot::*pin) {
+        const bool before = loop.snapshot().*pin;
+        for (int tick = 0; tick < 60'000 && loop.snapshot().*pin == before; ++tick)
+            loop.run(1);
+        EXPECT_NE(loop.snapshot().*pin, before);
+        return loop.position();
+    };
+    drive(false);
+    EXPECT_EQ(change(&ServoSnapshot::index), 1);
+    EXPECT_EQ(change(&ServoSnapshot::limit1), 350);
+    EXPECT_NEAR(loop.snapshot().shaftCounts, 380.5, 0.5);
+    EXPECT_EQ(change(&ServoSnapshot::index), 2'000);
+    drive(true);
+    EXPECT_EQ(change(&ServoSnapshot::limit1), 299);
+    EXPECT_FALSE(loop.snapshot().limit2) << "only LIMIT1 has the switch";
+    loop.set(Input::HomeSwitchAt, std::nullopt);
+    loop.set(Input::Limit1, 1.0);
+    EXPECT_TRUE(loop.snapshot().limit1) << "set by hand again";
+}
+
 TEST(Encoder, SaysWhenThe32BitCounterWraps) {
     Encoder e;
     std::int64_t shaft = 0;

@@ -113,6 +113,20 @@ TEST_F(StepperMachineTest, TheHomeSwitchIsClosedFromItsPlaceOnForward) {
     EXPECT_EQ(state()["inputs"]["home_switch"], true);
 }
 
+TEST_F(StepperMachineTest, TheHomeSwitchIsBehindTheLoadsPlay) {
+    must("set 1 home_switch_at 50");
+    must("set 1 load_play 20");
+    moveTo(69);
+    EXPECT_EQ(state()["inputs"]["home_switch"], false);
+    moveTo(70);
+    EXPECT_EQ(state()["inputs"]["home_switch"], true);
+    moveTo(50);
+    EXPECT_EQ(state()["inputs"]["home_switch"], true) << "the shaft turns within the play";
+    moveTo(49);
+    EXPECT_EQ(state()["inputs"]["home_switch"], false);
+    EXPECT_EQ(state()["load_play"], 20);
+}
+
 TEST_F(StepperMachineTest, WhatFollowsTheShaftCannotBeSetNorAStopPutBeyondIt) {
     must("set 1 limits auto");
     EXPECT_EQ(say("set 1 limit1 1")["error"],

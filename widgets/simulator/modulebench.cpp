@@ -311,11 +311,12 @@ void ModuleBench::showState(const QJsonObject& state) {
         return showPins(state);
     const bool limitsAutomatic = state["limits"_L1].toString() == "auto"_L1;
     const bool homeAutomatic = state["home_switch_at"_L1].isDouble();
+    const QString homeSwitch = m_type == ModuleType::Stepper ? u"home_switch"_s : u"limit1"_s;
     m_limitsAutomatic->setChecked(limitsAutomatic);
     for (const Switch& one : m_switches) {
         one.box->setChecked(stateValue(state, one.name).toBool());
-        const bool follows = (limitsAutomatic && one.name.startsWith("limit"_L1)) ||
-                             (homeAutomatic && one.name == "home_switch"_L1);
+        const bool follows =
+            (limitsAutomatic && one.name.startsWith("limit"_L1)) || (homeAutomatic && one.name == homeSwitch);
         look::setPossible(one.box, follows ? tr("Follows the motor's position: see Mechanics.") : QString(),
                           one.meaning);
     }
