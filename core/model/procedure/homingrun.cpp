@@ -55,8 +55,9 @@ constexpr Duration kLastCount = std::chrono::seconds(5);
 
 }  // namespace
 
-HomingRun::HomingRun(HomingRecipe recipe, std::int32_t tolerance, const ModuleState& module)
-    : Procedure(module.info.index, ProcedureKind::Homing),
+HomingRun::HomingRun(ProcedureKind kind, HomingRecipe recipe, std::int32_t tolerance,
+                     const ModuleState& module)
+    : Procedure(module.info.index, kind),
       m_recipe(effective(std::move(recipe), module.info.identity)),
       m_tolerance(tolerance),
       m_range(rangeOf(m_recipe, module)),
@@ -112,7 +113,7 @@ HomingRun::Next HomingRun::beginSearch(const HomingLook& seen, TimePoint now) {
     if (!m_backedOff)
         m_from = seen.position;
     HomingChip::Motion ahead = motion();
-    if (anyActive(seen)) {
+    if (leavesFirst(seen)) {
         // The chip looks for a change from now on: it would find the place where the switch is left.
         ahead.reverse = !ahead.reverse;
         const bool again = std::exchange(m_backedOff, true);
@@ -227,6 +228,10 @@ HomingRun::Next HomingRun::read(const HomingLook& seen, TimePoint now) {
         m_report.home.reset();
         return fail(ProcedureFailure::ReadingsDiffer);
     }
+    return found(seen, now);
+}
+
+HomingRun::Next HomingRun::found(const HomingLook& seen, TimePoint now) {
     if (!m_recipe.goToHome)
         return disarm();
     return enter(ProcedureStage::GoingHome, now, seen.on ? HomingChip::Orders{} : m_chip.enable());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "bus/standstill.h"
 #include "model/intent/travel.h"
@@ -26,7 +27,24 @@ public:
     /// `recipe` must fit the module (model/intent/homingplan.h). `tolerance`: counts from home at which the
     /// motor may rest so that home is still made zero. The report contains the distance that remains when its
     /// time is over.
-    HomingRun(HomingRecipe recipe, std::int32_t tolerance, const ModuleState& module);
+    HomingRun(HomingRecipe recipe, std::int32_t tolerance, const ModuleState& module)
+        : HomingRun(ProcedureKind::Homing, std::move(recipe), tolerance, module) {}
+
+protected:
+    HomingRun(ProcedureKind kind, HomingRecipe recipe, std::int32_t tolerance, const ModuleState& module);
+
+    /// Called when the motor stands and ProcedureReport::home has been read: returns what follows.
+    [[nodiscard]] virtual Next found(const HomingLook& seen, TimePoint now);
+    /// True if the motor must leave what it searches for before the search begins.
+    [[nodiscard]] virtual bool leavesFirst(const HomingLook& seen) const { return anyActive(seen); }
+    /// True if anything that it searches for is active.
+    [[nodiscard]] bool anyActive(const HomingLook& seen) const;
+    [[nodiscard]] Next beginSearch(const HomingLook& seen, TimePoint now);
+    /// Ends the run.
+    [[nodiscard]] Next disarm();
+    /// Reverses the direction of the next search.
+    void turnRound() { m_recipe.reverse = !m_recipe.reverse; }
+    [[nodiscard]] const HomingRecipe& recipe() const { return m_recipe; }
 
 private:
     enum class Sent : std::uint8_t { Nothing, Commands, Enable, FirstRead, SecondRead, LastWord };
@@ -35,7 +53,6 @@ private:
     [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const override;
     [[nodiscard]] Next decide(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next prepare(const HomingLook& seen, TimePoint now);
-    [[nodiscard]] Next beginSearch(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next backOff(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next search(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next getUpToSpeed(const HomingLook& seen, TimePoint now);
@@ -43,7 +60,6 @@ private:
     [[nodiscard]] Next read(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next goHome(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next makeZero(const HomingLook& seen, TimePoint now);
-    [[nodiscard]] Next disarm();
     [[nodiscard]] Next tell(HomingChip::Orders orders, Sent what = Sent::Commands);
     [[nodiscard]] Next enter(ProcedureStage stage, TimePoint now, HomingChip::Orders orders);
 
@@ -52,7 +68,6 @@ private:
     [[nodiscard]] HomingChip::Motion motion() const;
     [[nodiscard]] bool startsUnwatched() const;
     [[nodiscard]] bool mayGoOff() const { return m_goesOff; }
-    [[nodiscard]] bool anyActive(const HomingLook& seen) const;
     [[nodiscard]] bool tooFar(const HomingLook& seen) const;
     [[nodiscard]] bool beyondTravel(const HomingLook& seen) const;
     [[nodiscard]] bool tooLong(TimePoint now) const;
