@@ -38,6 +38,7 @@ QString testAdvice(ProcedureFailure failure) {
         case ProcedureFailure::SoftLimit:
         case ProcedureFailure::StoppedShort:
         case ProcedureFailure::NotAtHome:
+        case ProcedureFailure::Bounced:
         case ProcedureFailure::Swings:
         case ProcedureFailure::Saturates:
         case ProcedureFailure::NotStarted:
@@ -103,6 +104,7 @@ Words responseFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::SoftLimit:
         case ProcedureFailure::ReadingsDiffer:
         case ProcedureFailure::NotAtHome:
+        case ProcedureFailure::Bounced:
         case ProcedureFailure::Swings:
         case ProcedureFailure::Saturates:
         case ProcedureFailure::NotStarted:
@@ -153,6 +155,7 @@ Words tryFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::NotStill:
         case ProcedureFailure::Unstable:
         case ProcedureFailure::NotAtHome:
+        case ProcedureFailure::Bounced:
         case ProcedureFailure::StoppedShort:
         case ProcedureFailure::NotStarted:
         case ProcedureFailure::UnderRun:

@@ -76,6 +76,7 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
         case ProcedureFailure::Reversed:
+        case ProcedureFailure::Bounced:
             return {};  // does not occur here
         case ProcedureFailure::NotAtHome:
             return {
@@ -128,6 +129,7 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
         case ProcedureFailure::OffPath:
         case ProcedureFailure::NotFollowing:
         case ProcedureFailure::Reversed:
+        case ProcedureFailure::Bounced:
             return {};  // does not occur here
     }
     return {};
@@ -201,6 +203,10 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
             words = testFailed(report, who);
         else if (report.kind == ProcedureKind::DirectionCheck)
             words = directionFailed(*report.failure, who);
+        else if (report.kind == ProcedureKind::Repeatability)
+            words = {Texts::tr("%1 did not finish its approaches.").arg(who),
+                     repeatabilityFailure(*report.failure),
+                     freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};
         else if (report.kind == ProcedureKind::FollowPath)
             words = {Texts::tr("%1 has not finished its path.").arg(who), pathFailure(*report.failure),
                      freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};
@@ -233,7 +239,9 @@ std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisS
 }
 
 QString procedureStage(const ProcedureReport& report) {
-    const QString stage = homingStage(report.stage);
+    const bool captured =
+        report.kind == ProcedureKind::Repeatability && report.stage == ProcedureStage::Reading;
+    const QString stage = captured ? Texts::tr("Reading the captured position") : homingStage(report.stage);
     if (report.rounds < 2 || report.over())
         return stage;
     return Texts::tr("%1, %2 of %3").arg(stage).arg(report.round).arg(report.rounds);
@@ -290,8 +298,24 @@ QString procedureFailure(ProcedureFailure failure) {
         case ProcedureFailure::Reversed:
             return Texts::tr(
                 "The motor swung so far that it reversed, and was commanded to hold. Raise the speed, or lower the amplitude.");
+        case ProcedureFailure::Bounced:
+            return Texts::tr(
+                "The switch changed again while the motor stopped beyond it: it bounces, or its cam is too short. The motor is at rest. Move more slowly, or raise the acceleration.");
     }
     return {};
+}
+
+QString repeatabilityFailure(ProcedureFailure failure) {
+    if (failure == ProcedureFailure::TravelLimit || failure == ProcedureFailure::TimeLimit)
+        return Texts::tr(
+            "The switch or index did not change within the search distance and the time limit. It may be stuck, closed on both sides, or in the other direction; above 1 count per tick, an index can be missed. The motor was stopped.");
+    if (failure == ProcedureFailure::SoftLimit)
+        return Texts::tr(
+            "The switch or index did not change within the travel limits. The motor was stopped.");
+    if (failure == ProcedureFailure::NotFound)
+        return Texts::tr(
+            "A limit switch or the E-stop input ended the motion before the switch changed. The motor is at rest.");
+    return procedureFailure(failure);
 }
 
 QString directionFound(const DirectionFound& found) {

@@ -113,6 +113,8 @@ namespace texts {
 [[nodiscard]] QString procedureStage(const ProcedureReport& report);
 /// Why a procedure has failed, and what state it leaves.
 [[nodiscard]] QString procedureFailure(ProcedureFailure failure);
+/// The same for approaches of a switch or an index.
+[[nodiscard]] QString repeatabilityFailure(ProcedureFailure failure);
 /// Why a square wave, a frequency response or another loop test has failed, and what to do.
 [[nodiscard]] QString loopTestFailure(ProcedureFailure failure);
 /// What a direction check has found, and what to do about it; plain text.

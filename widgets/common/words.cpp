@@ -216,6 +216,10 @@ QString refusal(Refusal refusal) {
             return Texts::tr("This chip version does not support it.");
         case Refusal::NothingToFind:
             return Texts::tr("Select at least one home condition.");
+        case Refusal::NoSingleInput:
+            return Texts::tr("Choose one switch or the index, and nothing else.");
+        case Refusal::TooFewOrMany:
+            return Texts::tr("Approach it 2 to 100 times from each side.");
         case Refusal::NoSearchLimits:
             return Texts::tr("Enter a search distance and a time limit above 0.");
         case Refusal::LimitActive:

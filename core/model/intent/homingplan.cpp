@@ -66,6 +66,16 @@ std::optional<Refusal> whyNotHome(const HomingRecipe& recipe, const ModuleState&
     return output ? std::optional(Refusal::LimitIsOutput) : std::nullopt;
 }
 
+std::optional<Refusal> whyNot(const intent::MeasureRepeatability& wanted, const ModuleState& module) {
+    const HomingRecipe& r = wanted.recipe;
+    const int inputs = int{r.onLimit1} + int{r.onLimit2} + int{r.onIndex} + int{r.onHomeSwitch};
+    if (const auto refusal = whyNotHome(r, module))
+        return refusal;
+    return firstUnmet(
+        {{inputs == 1 && !r.onPositionError && !r.onCurrentLimit && !r.thenIndex, Refusal::NoSingleInput},
+         {wanted.times >= kFewestApproaches && wanted.times <= kMostApproaches, Refusal::TooFewOrMany}});
+}
+
 std::optional<Refusal> whyNotArm(const intent::ArmLimitStop& arm, const ModuleState& module) {
     if (const auto refusal = whyNot(IntentKind::ArmLimitStop, module))
         return refusal;

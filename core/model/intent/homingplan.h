@@ -5,12 +5,17 @@
 
 #include "model/intent/intent.h"
 
-/// Preconditions of a home search and of an armed limit stop. Pure.
+/// Preconditions of a home search, of measuring at what it finds, and of an armed limit stop. Pure.
 namespace nmc {
 
 /// Preconditions that are independent of the recipe.
 [[nodiscard]] std::optional<Refusal> whyNotHome(const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNotHome(const HomingRecipe& recipe, const ModuleState& module);
+/// From each side.
+inline constexpr unsigned kFewestApproaches = 2;
+inline constexpr unsigned kMostApproaches = 100;
+[[nodiscard]] std::optional<Refusal> whyNot(const intent::MeasureRepeatability& wanted,
+                                            const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNotArm(const intent::ArmLimitStop& arm, const ModuleState& module);
 [[nodiscard]] servo::SetHoming limitStop(const intent::ArmLimitStop& arm);
 

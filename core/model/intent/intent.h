@@ -89,6 +89,13 @@ struct Home {
     /// Distance from home, in counts, at which the motor may rest and still be set to zero (homeTolerance()).
     std::int32_t tolerance = 0;
 };
+/// Approaches one switch or the index from both sides, to see how repeatable that is and how much backlash
+/// there is. The conditions of `recipe` are that one input; its direction is the one in which the switch
+/// closes; how it ends is ignored. A procedure.
+struct MeasureRepeatability {
+    HomingRecipe recipe;
+    unsigned times = 10;  ///< from each side
+};
 /// Makes trapezoidal moves by a distance, one after the other. A procedure.
 struct MoveBy {
     Rounds moves;
@@ -172,8 +179,9 @@ using AnyModuleIntent =
 using MotorSetting = std::variant<intent::Enable, intent::StopSmoothly, intent::StopAbruptly,
                                   intent::MotorOff, intent::SetAmplifier, intent::ResetPosition,
                                   intent::SaveAsHome, intent::DeclarePosition, intent::StartLoaded>;
-/// MoveBy and Home are procedures; so is Move where the axis has backlash to take up.
-using MoveIntent = std::variant<intent::Move, intent::LoadMove, intent::GoHome, intent::MoveBy, intent::Home>;
+/// MoveBy, Home and MeasureRepeatability are procedures; so is Move where the axis has backlash to take up.
+using MoveIntent = std::variant<intent::Move, intent::LoadMove, intent::GoHome, intent::MoveBy, intent::Home,
+                                intent::MeasureRepeatability>;
 using ServoSetting =
     std::variant<intent::ApplyGains, intent::KeepGains, intent::ClearStickyBits, intent::StopHere,
                  intent::ControlIo, intent::ControlSc, intent::SaveConfiguration, intent::ArmLimitStop>;
@@ -216,6 +224,8 @@ enum class Refusal : std::uint8_t {
     ServoOn,         ///< PWM mode requires the servo to be off
     VersionLacksIt,  ///< the chip's version does not have it
     NothingToFind,   ///< no home condition was chosen
+    NoSingleInput,   ///< a measurement needs one switch or the index, and nothing else
+    TooFewOrMany,    ///< approaches: kFewestApproaches to kMostApproaches
     NoSearchLimits,  ///< a search without travel or time limit
     LimitActive,     ///< a stop on its change would occur when the switch is left
     LimitClosed,     ///< SC: does not start towards a closed limit

@@ -41,6 +41,9 @@ struct MotorPlanner : Planner {
     // Procedures are planned elsewhere (model/procedure/procedures.h); this only determines why one is not
     // possible.
     Plan operator()(const intent::Home& home) const { return unless(whyNotHome(home.recipe, module)); }
+    Plan operator()(const intent::MeasureRepeatability& wanted) const {
+        return unless(whyNot(wanted, module));
+    }
     // Planned for all chips in plan().
     Plan operator()(const In<AnyModuleIntent> auto&) const { return Orders{}; }
     Plan operator()(const intent::GoHome&) const { return Orders{}; }

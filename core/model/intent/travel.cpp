@@ -76,8 +76,9 @@ struct CourseOf {
     std::optional<Course> operator()(const intent::DrivePwm& drive) const {
         return drive.pwm == 0 ? std::nullopt : std::optional(Course{.reverse = drive.reverse});
     }
-    std::optional<Course> operator()(const intent::Home& home) const {
-        const HomingRecipe& recipe = home.recipe;
+    std::optional<Course> operator()(
+        const AnyOf<intent::Home, intent::MeasureRepeatability> auto& search) const {
+        const HomingRecipe& recipe = search.recipe;
         return Course{.velocity = recipe.thenIndex ? std::max(recipe.velocity, recipe.indexVelocity)
                                                    : recipe.velocity};
     }

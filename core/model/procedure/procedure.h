@@ -13,6 +13,7 @@
 #include "model/intent/responsetaken.h"
 #include "model/module/modulestate.h"
 #include "model/procedure/directionfound.h"
+#include "model/procedure/repeatability.h"
 
 namespace nmc {
 
@@ -28,6 +29,7 @@ enum class ProcedureKind : std::uint8_t {
     Approach,  ///< a move that takes up the backlash on the way
     TryGains,
     FollowPath,  ///< PIC-SERVO CMC and SC
+    Repeatability,
 };
 
 /// The time for a motor to come to rest before and after a test.
@@ -91,6 +93,7 @@ enum class ProcedureFailure : std::uint8_t {
     OffPath,       ///< the command position was not where the points lead
     NotFollowing,  ///< the position stays, or does not follow the sine of the command
     Reversed,      ///< the motor turned back although it was to keep moving
+    Bounced,       ///< the switch changed again while the motor stopped beyond it
 };
 
 /// The state of a procedure as shown in the window.
@@ -109,6 +112,7 @@ struct ProcedureReport {
     std::optional<servo::SetGain> gains{};      ///< FrequencyResponse: those with which it is measured
     double speed = 0.0;                         ///< FrequencyResponse: counts/s, while it is measured
     std::optional<DirectionFound> direction{};  ///< DirectionCheck: present once it is known
+    EdgeCaptures edges{};                       ///< Repeatability: those captured so far
     bool kept = false;                          ///< TryGains: the gains stay in force
     std::optional<bus::PathProgress> path{};    ///< FollowPath: present once it has started
 

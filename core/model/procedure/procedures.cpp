@@ -13,6 +13,7 @@
 #include "model/procedure/homingrun.h"
 #include "model/procedure/moveby.h"
 #include "model/procedure/pathrun.h"
+#include "model/procedure/repeatabilityrun.h"
 #include "model/procedure/squarewave.h"
 #include "model/procedure/stepresponse.h"
 #include "model/procedure/stepseries.h"
@@ -42,6 +43,9 @@ struct ProcedureOf {
         return std::make_unique<Run>(wanted..., module);
     }
     Made operator()(const intent::Home& home) const { return make<HomingRun>(home.recipe, home.tolerance); }
+    Made operator()(const intent::MeasureRepeatability& wanted) const {
+        return make<RepeatabilityRun>(wanted);
+    }
     Made operator()(const intent::Move& move) const { return approachFor(move.motion, module); }
     Made operator()(const intent::LoadMove&) const { return nullptr; }  // goes straight to its goal
     Made operator()(const intent::GoHome& home) const { return approachFor(*motionOf(home, module), module); }
