@@ -16,6 +16,7 @@
 #include "widgets/panels/command.h"
 #include "widgets/panels/homingform.h"
 #include "widgets/panels/limitstopbox.h"
+#include "widgets/panels/repeatabilitybox.h"
 
 namespace nmc {
 
@@ -107,6 +108,7 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
         m_limitStop = new LimitStopBox(m_context, content);
         inner->addWidget(m_limitStop);
     }
+    inner->addWidget(new RepeatabilityBox(m_context, content));
     inner->addStretch(1);
     auto* scroll = new UpAndDown(this);
     look::name(scroll, named(u"homingScroll"_s), tr("Search settings"));

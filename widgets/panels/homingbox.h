@@ -15,8 +15,8 @@ class HomingForm;
 class LimitStopBox;
 
 /// Everything about home of one module, of either chip: how it is searched for, progress and result of the
-/// search, and, for a PIC-SERVO, the limit stop. Edits are kept in the settings of the axis; they send
-/// nothing.
+/// search, how well it repeats, and, for a PIC-SERVO, the limit stop. Edits are kept in the settings of the
+/// axis; they send nothing.
 class HomingBox : public QWidget {
     Q_OBJECT
 

@@ -130,9 +130,9 @@ void LimitStopBox::showSettings() {
     refresh();
 }
 
-bool LimitStopBox::homing() const {
-    const auto search = m_context.procedure(ProcedureKind::Homing);
-    return search && !search->over();
+bool LimitStopBox::isReplaced(const ModuleContext& context) {
+    const auto search = context.runningProcedure();
+    return search && (search->kind == ProcedureKind::Homing || search->kind == ProcedureKind::Repeatability);
 }
 
 intent::ArmLimitStop LimitStopBox::wanted() const {
@@ -147,8 +147,8 @@ intent::ArmLimitStop LimitStopBox::wanted() const {
 QString LimitStopBox::whyNotArmed() const {
     if (!m_context.connected())
         return texts::refusal(Refusal::NotConnected);
-    if (homing())
-        return tr("A search for home is running and uses the same function of the chip.");
+    if (isReplaced(m_context))
+        return tr("A search for home or a measurement is running and uses the same function of the chip.");
     if (const auto refusal = whyNotArm(wanted(), m_context.state()))
         return texts::refusal(*refusal);
     if (!wanted().any())
@@ -179,8 +179,8 @@ void LimitStopBox::refresh() {
     const bool armed = module.homing.state() != Watch::Idle ||
                        (module.latest && module.latest->servoStatus().homeInProgress());
     QString reason = never;
-    if (reason.isEmpty() && homing())
-        reason = tr("A search for home is running and uses the same function of the chip.");
+    if (reason.isEmpty() && isReplaced(m_context))
+        reason = tr("A search for home or a measurement is running and uses the same function of the chip.");
     else if (reason.isEmpty() && m_each->isChecked())
         reason = tr("The limit stop is armed for each motion. Clear that check box first.");
     else if (reason.isEmpty())
@@ -197,8 +197,8 @@ void LimitStopBox::refreshState() {
     QString state = tr("○ Not armed: a limit switch alone does not stop the motor.");
     if (module.info.identity.version < servo::kAutoStopVersion)
         state = tr("○ This chip version cannot stop at a limit switch.");
-    else if (homing())
-        state = tr("○ Not armed: the search for home has replaced it.");
+    else if (isReplaced(m_context))
+        state = tr("○ Not armed: the search for home or the measurement has replaced it.");
     else if (watch.state() == Watch::Armed && watch.stops())
         state = tr("● Armed: stops at %1, once.").arg(limits(watch));
     else if (watch.state() == Watch::Tripped && watch.stops())

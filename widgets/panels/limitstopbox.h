@@ -22,13 +22,14 @@ class LimitStopBox : public QGroupBox {
 public:
     LimitStopBox(ModuleContext& context, QWidget* parent);
 
+    /// True while a search for home or a measurement uses the same function of the chip.
+    [[nodiscard]] static bool isReplaced(const ModuleContext& context);
+
 private:
     void refresh();
     void refreshState();
     [[nodiscard]] intent::ArmLimitStop wanted() const;
     [[nodiscard]] QString whyNotArmed() const;
-    /// True if a search for home is running; it uses the same function of the chip.
-    [[nodiscard]] bool homing() const;
     void keep();
     void showSettings();
     [[nodiscard]] std::array<QAbstractButton*, 4> conditions() const {

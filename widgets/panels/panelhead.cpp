@@ -19,6 +19,7 @@
 #include "widgets/common/words.h"
 #include "widgets/common/workwords.h"
 #include "widgets/panels/command.h"
+#include "widgets/panels/limitstopbox.h"
 
 namespace nmc {
 
@@ -332,7 +333,7 @@ void PanelHead::refreshSigns() {
     m_travel->setToolTip(texts::travelState(module, m_context.scale()));
     if (m_limitStop != nullptr) {
         using Watch = HomeWatch::State;
-        const bool stops = module.homing.stops();
+        const bool stops = module.homing.stops() && !LimitStopBox::isReplaced(m_context);
         look::setText(m_limitStop, !stops                                    ? QString()
                                    : module.homing.state() == Watch::Armed   ? tr("● Limit stop armed")
                                    : module.homing.state() == Watch::Tripped ? tr("▲ Limit stop tripped")
