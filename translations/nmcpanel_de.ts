@@ -5402,6 +5402,38 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
         <translation>Der Motor käme der Positionsfehlergrenze zu nahe, die den Servo abschaltet. Sprung oder Amplitude verkleinern oder EL erhöhen.</translation>
     </message>
+    <message>
+        <source>%1 did not finish its approaches.</source>
+        <translation>%1 hat die Anfahrten nicht beendet.</translation>
+    </message>
+    <message>
+        <source>Reading the captured position</source>
+        <translation>Liest die erfasste Position</translation>
+    </message>
+    <message>
+        <source>The switch changed again while the motor stopped beyond it: it bounces, or its cam is too short. The motor is at rest. Move more slowly, or raise the acceleration.</source>
+        <translation>Der Schalter hat noch einmal gewechselt, während der Motor dahinter anhielt: Er prellt, oder der Nocken ist zu kurz. Der Motor steht. Langsamer fahren oder die Beschleunigung erhöhen.</translation>
+    </message>
+    <message>
+        <source>The switch or index did not change within the search distance and the time limit. It may be stuck, closed on both sides, or in the other direction; above 1 count per tick, an index can be missed. The motor was stopped.</source>
+        <translation>Schalter oder Index hat sich innerhalb von Suchweg und Zeitgrenze nicht geändert. Er kann klemmen, auf beiden Seiten geschlossen sein oder in der anderen Richtung liegen; über 1 Inkrement je Takt kann ein Index verpasst werden. Der Motor wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>The switch or index did not change within the travel limits. The motor was stopped.</source>
+        <translation>Schalter oder Index hat sich innerhalb der Verfahrgrenzen nicht geändert. Der Motor wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>A limit switch or the E-stop input ended the motion before the switch changed. The motor is at rest.</source>
+        <translation>Ein Endschalter oder der Not-Halt-Eingang hat die Bewegung beendet, bevor der Schalter wechselte. Der Motor steht.</translation>
+    </message>
+    <message>
+        <source>Choose one switch or the index, and nothing else.</source>
+        <translation>Genau einen Schalter oder den Index wählen.</translation>
+    </message>
+    <message>
+        <source>Approach it 2 to 100 times from each side.</source>
+        <translation>2 bis 100 Anfahrten von jeder Seite wählen.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -8619,10 +8651,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Stoppen bei</translation>
     </message>
     <message>
-        <source>A search for home is running and uses the same function of the chip.</source>
-        <translation>Eine Referenzfahrt läuft und benutzt dieselbe Funktion des Chips.</translation>
-    </message>
-    <message>
         <source>Select a limit switch first.</source>
         <translation>Zuerst einen Endschalter wählen.</translation>
     </message>
@@ -8665,10 +8693,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>○ This chip version cannot stop at a limit switch.</source>
         <translation>○ Diese Version des Chips kann nicht von selbst an einem Endschalter stoppen.</translation>
-    </message>
-    <message>
-        <source>○ Not armed: the search for home has replaced it.</source>
-        <translation>○ Nicht scharf: Die Referenzfahrt hat ihn ersetzt.</translation>
     </message>
     <message>
         <source>● Armed: stops at %1, once.</source>
@@ -8733,6 +8757,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>Der Endschalter-Stopp wird für jede Bewegung scharf geschaltet. Zuerst dieses Häkchen entfernen.</translation>
+    </message>
+    <message>
+        <source>A search for home or a measurement is running and uses the same function of the chip.</source>
+        <translation>Eine Referenzfahrt oder eine Messung läuft und benutzt dieselbe Funktion des Chips.</translation>
+    </message>
+    <message>
+        <source>○ Not armed: the search for home or the measurement has replaced it.</source>
+        <translation>○ Nicht scharf: Die Referenzfahrt oder die Messung hat ihn ersetzt.</translation>
     </message>
 </context>
 <context>
@@ -10761,6 +10793,145 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>The divisor</source>
         <translation>Der Teiler</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::RepeatabilityBox</name>
+    <message>
+        <source>Repeatability and backlash</source>
+        <translation>Wiederholgenauigkeit und Spiel</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Measure repeatability and backlash</source>
+        <translation>Wiederholgenauigkeit und Spiel messen</translation>
+    </message>
+    <message>
+        <source>Cancel measuring the repeatability</source>
+        <translation>Messung der Wiederholgenauigkeit abbrechen</translation>
+    </message>
+    <message>
+        <source>Use as backlash</source>
+        <translation>Als Spiel verwenden</translation>
+    </message>
+    <message>
+        <source>Use as backlash of the axis</source>
+        <translation>Als Spiel der Achse verwenden</translation>
+    </message>
+    <message>
+        <source>Result of the repeatability measurement</source>
+        <translation>Ergebnis der Messung der Wiederholgenauigkeit</translation>
+    </message>
+    <message>
+        <source>Approach this input</source>
+        <translation>Diesen Eingang anfahren</translation>
+    </message>
+    <message>
+        <source>The motor approaches it from both sides. Direction, acceleration, search distance and time limit are those of the search for home.</source>
+        <translation>Der Motor fährt ihn von beiden Seiten an. Richtung, Beschleunigung, Suchweg und Zeitgrenze sind die der Referenzfahrt.</translation>
+    </message>
+    <message>
+        <source>Velocity of the approach</source>
+        <translation>Geschwindigkeit der Anfahrt</translation>
+    </message>
+    <message>
+        <source>Slower is more exact: the chip looks at its inputs only once per servo tick.</source>
+        <translation>Langsamer ist genauer: Der Chip liest seine Eingänge nur einmal je Servotakt.</translation>
+    </message>
+    <message>
+        <source>Times from each side</source>
+        <translation>Anzahl von jeder Seite</translation>
+    </message>
+    <message>
+        <source>Number of approaches from each side.</source>
+        <translation>Anzahl der Anfahrten von jeder Seite.</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>Anfahren</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>from each side</source>
+        <translation>von jeder Seite</translation>
+    </message>
+    <message>
+        <source>The measurement is running.</source>
+        <translation>Die Messung läuft.</translation>
+    </message>
+    <message>
+        <source>Measure first.</source>
+        <translation>Zuerst messen.</translation>
+    </message>
+    <message>
+        <source>An index does not show the backlash of the load.</source>
+        <translation>Ein Index zeigt das Spiel der Last nicht.</translation>
+    </message>
+    <message>
+        <source>No backlash was found that exceeds its uncertainty.</source>
+        <translation>Es wurde kein Spiel gefunden, das größer als seine Unsicherheit ist.</translation>
+    </message>
+    <message>
+        <source>The axis has this backlash.</source>
+        <translation>Die Achse hat dieses Spiel.</translation>
+    </message>
+    <message>
+        <source>Not measured in this connection.</source>
+        <translation>In dieser Verbindung nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Forward, %4 times: mean %1, standard deviation %2, range %3</source>
+        <translation>Vorwärts, %4-mal: Mittelwert %1, Standardabweichung %2, Spanne %3</translation>
+    </message>
+    <message>
+        <source>Reverse, %4 times: mean %1, standard deviation %2, range %3</source>
+        <translation>Rückwärts, %4-mal: Mittelwert %1, Standardabweichung %2, Spanne %3</translation>
+    </message>
+    <message>
+        <source>Difference: %1 ± %2</source>
+        <translation>Differenz: %1 ± %2</translation>
+    </message>
+    <message>
+        <source>Backlash: %1 ± %2</source>
+        <translation>Spiel: %1 ± %2</translation>
+    </message>
+    <message>
+        <source>The index is on the encoder&apos;s own shaft: this shows how well a capture repeats, not the backlash of the load.</source>
+        <translation>Der Index sitzt auf der Welle des Encoders: Dies zeigt, wie gut sich eine Erfassung wiederholt, nicht das Spiel der Last.</translation>
+    </message>
+    <message>
+        <source>Below zero, so this is not backlash. The switch may bounce.</source>
+        <translation>Unter null, also kein Spiel. Vielleicht prellt der Schalter.</translation>
+    </message>
+    <message>
+        <source>Includes the hysteresis of the switch itself. Only with the encoder on the motor and the switch on the load does it show the backlash between them.</source>
+        <translation>Enthält die Hysterese des Schalters selbst. Nur mit dem Encoder am Motor und dem Schalter an der Last zeigt es das Spiel dazwischen.</translation>
+    </message>
+    <message>
+        <source>The motor moves %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <translation>Der Motor bewegt sich um %1, bis der Chip seine Eingänge wieder liest. Langsamer messen.</translation>
+    </message>
+    <message>
+        <source>Moves the motor to and fro across the switch or index, and reads where it was captured.</source>
+        <translation>Fährt den Motor über Schalter oder Index hin und her und liest, wo er erfasst wurde.</translation>
+    </message>
+    <message>
+        <source>No measurement is running.</source>
+        <translation>Es läuft keine Messung.</translation>
+    </message>
+    <message>
+        <source>Stops the motor smoothly; what was captured stays.</source>
+        <translation>Hält den Motor sanft an; was erfasst wurde, bleibt.</translation>
+    </message>
+    <message>
+        <source>Makes %1 the backlash of the axis (Axis page): what was measured, with its uncertainty. Sends nothing.</source>
+        <translation>Macht %1 zum Spiel der Achse (Seite Achse): das Gemessene mit seiner Unsicherheit. Sendet nichts.</translation>
     </message>
 </context>
 <context>

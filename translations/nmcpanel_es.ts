@@ -5402,6 +5402,38 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
         <translation>El motor se acercaría demasiado al límite de error de posición, que apaga el servo. Reduzca el escalón o la amplitud, o aumente EL.</translation>
     </message>
+    <message>
+        <source>%1 did not finish its approaches.</source>
+        <translation>%1 no ha terminado sus aproximaciones.</translation>
+    </message>
+    <message>
+        <source>Reading the captured position</source>
+        <translation>Leyendo la posición capturada</translation>
+    </message>
+    <message>
+        <source>The switch changed again while the motor stopped beyond it: it bounces, or its cam is too short. The motor is at rest. Move more slowly, or raise the acceleration.</source>
+        <translation>El interruptor cambió otra vez mientras el motor se detenía más allá: rebota, o su leva es demasiado corta. El motor está parado. Vaya más despacio o aumente la aceleración.</translation>
+    </message>
+    <message>
+        <source>The switch or index did not change within the search distance and the time limit. It may be stuck, closed on both sides, or in the other direction; above 1 count per tick, an index can be missed. The motor was stopped.</source>
+        <translation>El interruptor o el índice no cambió dentro de la distancia de búsqueda y el tiempo límite. Puede estar atascado, cerrado en ambos lados o en el otro sentido; por encima de 1 cuenta por período puede perderse un índice. Se paró el motor.</translation>
+    </message>
+    <message>
+        <source>The switch or index did not change within the travel limits. The motor was stopped.</source>
+        <translation>El interruptor o el índice no cambió dentro de los límites de recorrido. Se paró el motor.</translation>
+    </message>
+    <message>
+        <source>A limit switch or the E-stop input ended the motion before the switch changed. The motor is at rest.</source>
+        <translation>Un final de carrera o la entrada de paro de emergencia terminó el movimiento antes de que cambiara el interruptor. El motor está parado.</translation>
+    </message>
+    <message>
+        <source>Choose one switch or the index, and nothing else.</source>
+        <translation>Elija un solo interruptor o el índice, y nada más.</translation>
+    </message>
+    <message>
+        <source>Approach it 2 to 100 times from each side.</source>
+        <translation>Elija de 2 a 100 aproximaciones desde cada lado.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -8619,10 +8651,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Parar en</translation>
     </message>
     <message>
-        <source>A search for home is running and uses the same function of the chip.</source>
-        <translation>Hay una búsqueda de referencia en curso que usa la misma función del chip.</translation>
-    </message>
-    <message>
         <source>Select a limit switch first.</source>
         <translation>Seleccione primero un final de carrera.</translation>
     </message>
@@ -8665,10 +8693,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>○ This chip version cannot stop at a limit switch.</source>
         <translation>○ Esta versión del chip no puede detenerse en un final de carrera.</translation>
-    </message>
-    <message>
-        <source>○ Not armed: the search for home has replaced it.</source>
-        <translation>○ Sin armar: la búsqueda de referencia la ha sustituido.</translation>
     </message>
     <message>
         <source>● Armed: stops at %1, once.</source>
@@ -8733,6 +8757,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>La parada por límite se arma en cada movimiento. Desmarque primero esa casilla.</translation>
+    </message>
+    <message>
+        <source>A search for home or a measurement is running and uses the same function of the chip.</source>
+        <translation>Hay una búsqueda de referencia o una medición en curso que usa la misma función del chip.</translation>
+    </message>
+    <message>
+        <source>○ Not armed: the search for home or the measurement has replaced it.</source>
+        <translation>○ Sin armar: la búsqueda de referencia o la medición la ha sustituido.</translation>
     </message>
 </context>
 <context>
@@ -10761,6 +10793,145 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>The divisor</source>
         <translation>El divisor</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::RepeatabilityBox</name>
+    <message>
+        <source>Repeatability and backlash</source>
+        <translation>Repetibilidad y holgura</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>Measure repeatability and backlash</source>
+        <translation>Medir la repetibilidad y la holgura</translation>
+    </message>
+    <message>
+        <source>Cancel measuring the repeatability</source>
+        <translation>Cancelar la medición de repetibilidad</translation>
+    </message>
+    <message>
+        <source>Use as backlash</source>
+        <translation>Usar como holgura</translation>
+    </message>
+    <message>
+        <source>Use as backlash of the axis</source>
+        <translation>Usar como holgura del eje</translation>
+    </message>
+    <message>
+        <source>Result of the repeatability measurement</source>
+        <translation>Resultado de la medición de repetibilidad</translation>
+    </message>
+    <message>
+        <source>Approach this input</source>
+        <translation>Aproximarse a esta entrada</translation>
+    </message>
+    <message>
+        <source>The motor approaches it from both sides. Direction, acceleration, search distance and time limit are those of the search for home.</source>
+        <translation>El motor se aproxima desde ambos lados. El sentido, la aceleración, la distancia de búsqueda y el tiempo límite son los de la búsqueda de referencia.</translation>
+    </message>
+    <message>
+        <source>Velocity of the approach</source>
+        <translation>Velocidad de aproximación</translation>
+    </message>
+    <message>
+        <source>Slower is more exact: the chip looks at its inputs only once per servo tick.</source>
+        <translation>Más despacio es más exacto: el chip lee sus entradas solo una vez por período del servo.</translation>
+    </message>
+    <message>
+        <source>Times from each side</source>
+        <translation>Veces desde cada lado</translation>
+    </message>
+    <message>
+        <source>Number of approaches from each side.</source>
+        <translation>Número de aproximaciones desde cada lado.</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>Aproximarse a</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Veces</translation>
+    </message>
+    <message>
+        <source>from each side</source>
+        <translation>desde cada lado</translation>
+    </message>
+    <message>
+        <source>The measurement is running.</source>
+        <translation>La medición está en curso.</translation>
+    </message>
+    <message>
+        <source>Measure first.</source>
+        <translation>Mida primero.</translation>
+    </message>
+    <message>
+        <source>An index does not show the backlash of the load.</source>
+        <translation>Un índice no muestra la holgura de la carga.</translation>
+    </message>
+    <message>
+        <source>No backlash was found that exceeds its uncertainty.</source>
+        <translation>No se encontró una holgura mayor que su incertidumbre.</translation>
+    </message>
+    <message>
+        <source>The axis has this backlash.</source>
+        <translation>El eje ya tiene esta holgura.</translation>
+    </message>
+    <message>
+        <source>Not measured in this connection.</source>
+        <translation>Sin medir en esta conexión.</translation>
+    </message>
+    <message>
+        <source>Forward, %4 times: mean %1, standard deviation %2, range %3</source>
+        <translation>Adelante, %4 veces: media %1, desviación estándar %2, rango %3</translation>
+    </message>
+    <message>
+        <source>Reverse, %4 times: mean %1, standard deviation %2, range %3</source>
+        <translation>Atrás, %4 veces: media %1, desviación estándar %2, rango %3</translation>
+    </message>
+    <message>
+        <source>Difference: %1 ± %2</source>
+        <translation>Diferencia: %1 ± %2</translation>
+    </message>
+    <message>
+        <source>Backlash: %1 ± %2</source>
+        <translation>Holgura: %1 ± %2</translation>
+    </message>
+    <message>
+        <source>The index is on the encoder&apos;s own shaft: this shows how well a capture repeats, not the backlash of the load.</source>
+        <translation>El índice está en el eje del propio encoder: esto muestra lo bien que se repite una captura, no la holgura de la carga.</translation>
+    </message>
+    <message>
+        <source>Below zero, so this is not backlash. The switch may bounce.</source>
+        <translation>Menor que cero, así que no es holgura. Quizá el interruptor rebote.</translation>
+    </message>
+    <message>
+        <source>Includes the hysteresis of the switch itself. Only with the encoder on the motor and the switch on the load does it show the backlash between them.</source>
+        <translation>Incluye la histéresis del propio interruptor. Solo con el encoder en el motor y el interruptor en la carga muestra la holgura entre ambos.</translation>
+    </message>
+    <message>
+        <source>The motor moves %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <translation>El motor se mueve %1 entre dos lecturas de las entradas por el chip. Mida más despacio.</translation>
+    </message>
+    <message>
+        <source>Moves the motor to and fro across the switch or index, and reads where it was captured.</source>
+        <translation>Mueve el motor de un lado a otro sobre el interruptor o el índice, y lee dónde se capturó.</translation>
+    </message>
+    <message>
+        <source>No measurement is running.</source>
+        <translation>No hay ninguna medición en curso.</translation>
+    </message>
+    <message>
+        <source>Stops the motor smoothly; what was captured stays.</source>
+        <translation>Para el motor suavemente; lo capturado se conserva.</translation>
+    </message>
+    <message>
+        <source>Makes %1 the backlash of the axis (Axis page): what was measured, with its uncertainty. Sends nothing.</source>
+        <translation>Hace de %1 la holgura del eje (página Eje): lo medido con su incertidumbre. No envía nada.</translation>
     </message>
 </context>
 <context>

@@ -5402,6 +5402,38 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
         <translation>Le moteur s’approcherait trop de la limite d’erreur de position, qui coupe le servo. Réduisez l’échelon ou l’amplitude, ou augmentez EL.</translation>
     </message>
+    <message>
+        <source>%1 did not finish its approaches.</source>
+        <translation>%1 n’a pas terminé ses approches.</translation>
+    </message>
+    <message>
+        <source>Reading the captured position</source>
+        <translation>Lecture de la position capturée</translation>
+    </message>
+    <message>
+        <source>The switch changed again while the motor stopped beyond it: it bounces, or its cam is too short. The motor is at rest. Move more slowly, or raise the acceleration.</source>
+        <translation>Le capteur a encore changé pendant que le moteur s’arrêtait au-delà : il rebondit, ou sa came est trop courte. Le moteur est à l’arrêt. Allez plus lentement, ou augmentez l’accélération.</translation>
+    </message>
+    <message>
+        <source>The switch or index did not change within the search distance and the time limit. It may be stuck, closed on both sides, or in the other direction; above 1 count per tick, an index can be missed. The motor was stopped.</source>
+        <translation>Le capteur ou l’index n’a pas changé dans la course de recherche et le délai. Il peut être bloqué, fermé des deux côtés, ou dans l’autre sens ; au-dessus de 1 incrément par période, un index peut être manqué. Le moteur a été arrêté.</translation>
+    </message>
+    <message>
+        <source>The switch or index did not change within the travel limits. The motor was stopped.</source>
+        <translation>Le capteur ou l’index n’a pas changé dans les limites de course. Le moteur a été arrêté.</translation>
+    </message>
+    <message>
+        <source>A limit switch or the E-stop input ended the motion before the switch changed. The motor is at rest.</source>
+        <translation>Un fin de course ou l’entrée d’arrêt d’urgence a mis fin au mouvement avant que le capteur ne change. Le moteur est à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>Choose one switch or the index, and nothing else.</source>
+        <translation>Choisissez un seul capteur, ou l’index, et rien d’autre.</translation>
+    </message>
+    <message>
+        <source>Approach it 2 to 100 times from each side.</source>
+        <translation>Choisissez de 2 à 100 approches de chaque côté.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -8619,10 +8651,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Arrêt sur</translation>
     </message>
     <message>
-        <source>A search for home is running and uses the same function of the chip.</source>
-        <translation>Une recherche d’origine est en cours et utilise la même fonction de la puce.</translation>
-    </message>
-    <message>
         <source>Select a limit switch first.</source>
         <translation>Sélectionnez d’abord un fin de course.</translation>
     </message>
@@ -8665,10 +8693,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>○ This chip version cannot stop at a limit switch.</source>
         <translation>○ Cette version de la puce ne sait pas s’arrêter sur un fin de course.</translation>
-    </message>
-    <message>
-        <source>○ Not armed: the search for home has replaced it.</source>
-        <translation>○ Non armé&#xa0;: la recherche d’origine a pris sa place.</translation>
     </message>
     <message>
         <source>● Armed: stops at %1, once.</source>
@@ -8733,6 +8757,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>L’arrêt sur fin de course est armé pour chaque mouvement. Décochez d’abord cette case.</translation>
+    </message>
+    <message>
+        <source>A search for home or a measurement is running and uses the same function of the chip.</source>
+        <translation>Une recherche d’origine ou une mesure est en cours et utilise la même fonction de la puce.</translation>
+    </message>
+    <message>
+        <source>○ Not armed: the search for home or the measurement has replaced it.</source>
+        <translation>○ Non armé : la recherche d’origine ou la mesure a pris sa place.</translation>
     </message>
 </context>
 <context>
@@ -10761,6 +10793,145 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>The divisor</source>
         <translation>Le diviseur</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::RepeatabilityBox</name>
+    <message>
+        <source>Repeatability and backlash</source>
+        <translation>Répétabilité et jeu mécanique</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesurer</translation>
+    </message>
+    <message>
+        <source>Measure repeatability and backlash</source>
+        <translation>Mesurer la répétabilité et le jeu mécanique</translation>
+    </message>
+    <message>
+        <source>Cancel measuring the repeatability</source>
+        <translation>Annuler la mesure de répétabilité</translation>
+    </message>
+    <message>
+        <source>Use as backlash</source>
+        <translation>Utiliser comme jeu</translation>
+    </message>
+    <message>
+        <source>Use as backlash of the axis</source>
+        <translation>Utiliser comme jeu de l’axe</translation>
+    </message>
+    <message>
+        <source>Result of the repeatability measurement</source>
+        <translation>Résultat de la mesure de répétabilité</translation>
+    </message>
+    <message>
+        <source>Approach this input</source>
+        <translation>Approcher cette entrée</translation>
+    </message>
+    <message>
+        <source>The motor approaches it from both sides. Direction, acceleration, search distance and time limit are those of the search for home.</source>
+        <translation>Le moteur l’approche des deux côtés. Le sens, l’accélération, la course de recherche et le délai sont ceux de la recherche d’origine.</translation>
+    </message>
+    <message>
+        <source>Velocity of the approach</source>
+        <translation>Vitesse d’approche</translation>
+    </message>
+    <message>
+        <source>Slower is more exact: the chip looks at its inputs only once per servo tick.</source>
+        <translation>Plus lent est plus exact : la puce ne lit ses entrées qu’une fois par période d’asservissement.</translation>
+    </message>
+    <message>
+        <source>Times from each side</source>
+        <translation>Nombre de chaque côté</translation>
+    </message>
+    <message>
+        <source>Number of approaches from each side.</source>
+        <translation>Nombre d’approches de chaque côté.</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>Approcher</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>from each side</source>
+        <translation>de chaque côté</translation>
+    </message>
+    <message>
+        <source>The measurement is running.</source>
+        <translation>La mesure est en cours.</translation>
+    </message>
+    <message>
+        <source>Measure first.</source>
+        <translation>Mesurez d’abord.</translation>
+    </message>
+    <message>
+        <source>An index does not show the backlash of the load.</source>
+        <translation>Un index ne montre pas le jeu de la charge.</translation>
+    </message>
+    <message>
+        <source>No backlash was found that exceeds its uncertainty.</source>
+        <translation>Aucun jeu supérieur à son incertitude n’a été trouvé.</translation>
+    </message>
+    <message>
+        <source>The axis has this backlash.</source>
+        <translation>L’axe a déjà ce jeu.</translation>
+    </message>
+    <message>
+        <source>Not measured in this connection.</source>
+        <translation>Pas mesuré pendant cette connexion.</translation>
+    </message>
+    <message>
+        <source>Forward, %4 times: mean %1, standard deviation %2, range %3</source>
+        <translation>Avant, %4 fois : moyenne %1, écart type %2, étendue %3</translation>
+    </message>
+    <message>
+        <source>Reverse, %4 times: mean %1, standard deviation %2, range %3</source>
+        <translation>Arrière, %4 fois : moyenne %1, écart type %2, étendue %3</translation>
+    </message>
+    <message>
+        <source>Difference: %1 ± %2</source>
+        <translation>Différence : %1 ± %2</translation>
+    </message>
+    <message>
+        <source>Backlash: %1 ± %2</source>
+        <translation>Jeu : %1 ± %2</translation>
+    </message>
+    <message>
+        <source>The index is on the encoder&apos;s own shaft: this shows how well a capture repeats, not the backlash of the load.</source>
+        <translation>L’index est sur l’arbre du codeur : cela montre la répétabilité d’une capture, pas le jeu de la charge.</translation>
+    </message>
+    <message>
+        <source>Below zero, so this is not backlash. The switch may bounce.</source>
+        <translation>Inférieur à zéro : ce n’est donc pas du jeu. Le capteur rebondit peut-être.</translation>
+    </message>
+    <message>
+        <source>Includes the hysteresis of the switch itself. Only with the encoder on the motor and the switch on the load does it show the backlash between them.</source>
+        <translation>Comprend l’hystérésis du capteur lui-même. Seulement avec le codeur sur le moteur et le capteur sur la charge, cela montre le jeu entre les deux.</translation>
+    </message>
+    <message>
+        <source>The motor moves %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <translation>Le moteur se déplace de %1 entre deux lectures des entrées par la puce. Mesurez plus lentement.</translation>
+    </message>
+    <message>
+        <source>Moves the motor to and fro across the switch or index, and reads where it was captured.</source>
+        <translation>Fait passer le moteur dans les deux sens sur le capteur ou l’index, et lit où il a été capturé.</translation>
+    </message>
+    <message>
+        <source>No measurement is running.</source>
+        <translation>Aucune mesure n’est en cours.</translation>
+    </message>
+    <message>
+        <source>Stops the motor smoothly; what was captured stays.</source>
+        <translation>Arrête le moteur en douceur ; ce qui a été capturé reste.</translation>
+    </message>
+    <message>
+        <source>Makes %1 the backlash of the axis (Axis page): what was measured, with its uncertainty. Sends nothing.</source>
+        <translation>Fait de %1 le jeu de l’axe (page Axe) : la valeur mesurée, avec son incertitude. N’envoie rien.</translation>
     </message>
 </context>
 <context>

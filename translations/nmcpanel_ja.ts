@@ -5385,6 +5385,38 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
         <translation>モーターが位置偏差上限に近づきすぎて、サーボがオフになります。ステップまたは振幅を小さくするか、ELを上げてください。</translation>
     </message>
+    <message>
+        <source>%1 did not finish its approaches.</source>
+        <translation>%1の接近が完了しませんでした。</translation>
+    </message>
+    <message>
+        <source>Reading the captured position</source>
+        <translation>捕捉位置を読み取り中</translation>
+    </message>
+    <message>
+        <source>The switch changed again while the motor stopped beyond it: it bounces, or its cam is too short. The motor is at rest. Move more slowly, or raise the acceleration.</source>
+        <translation>モーターがスイッチを越えて停止する間に、スイッチがもう一度変化しました。チャタリングしているか、ドグが短すぎます。モーターは停止しています。速度を下げるか、加速度を上げてください。</translation>
+    </message>
+    <message>
+        <source>The switch or index did not change within the search distance and the time limit. It may be stuck, closed on both sides, or in the other direction; above 1 count per tick, an index can be missed. The motor was stopped.</source>
+        <translation>サーチ距離と制限時間の範囲でスイッチまたはインデックスが変化しませんでした。固着している、両側で閉じている、または反対方向にある可能性があります。1周期あたり1カウントを超えると、インデックスを見逃すことがあります。モーターを停止しました。</translation>
+    </message>
+    <message>
+        <source>The switch or index did not change within the travel limits. The motor was stopped.</source>
+        <translation>移動範囲内でスイッチまたはインデックスが変化しませんでした。モーターを停止しました。</translation>
+    </message>
+    <message>
+        <source>A limit switch or the E-stop input ended the motion before the switch changed. The motor is at rest.</source>
+        <translation>スイッチが変化する前に、リミットスイッチまたは非常停止入力で動作が終了しました。モーターは停止しています。</translation>
+    </message>
+    <message>
+        <source>Choose one switch or the index, and nothing else.</source>
+        <translation>スイッチ1つまたはインデックスだけを選択してください。</translation>
+    </message>
+    <message>
+        <source>Approach it 2 to 100 times from each side.</source>
+        <translation>各側からの接近は2～100回にしてください。</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>
@@ -8602,10 +8634,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>停止条件</translation>
     </message>
     <message>
-        <source>A search for home is running and uses the same function of the chip.</source>
-        <translation>原点サーチの実行中で、チップの同じ機能を使用しています。</translation>
-    </message>
-    <message>
         <source>Select a limit switch first.</source>
         <translation>先にリミットスイッチを選択してください。</translation>
     </message>
@@ -8648,10 +8676,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>○ This chip version cannot stop at a limit switch.</source>
         <translation>○ このバージョンのチップは、リミットスイッチで停止できません。</translation>
-    </message>
-    <message>
-        <source>○ Not armed: the search for home has replaced it.</source>
-        <translation>○ 無効：原点サーチで解除されました。</translation>
     </message>
     <message>
         <source>● Armed: stops at %1, once.</source>
@@ -8716,6 +8740,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>The limit stop is armed for each motion. Clear that check box first.</source>
         <translation>リミット停止は動作ごとに有効になります。先にそのチェックボックスを外してください。</translation>
+    </message>
+    <message>
+        <source>A search for home or a measurement is running and uses the same function of the chip.</source>
+        <translation>原点サーチまたは測定の実行中で、チップの同じ機能を使用しています。</translation>
+    </message>
+    <message>
+        <source>○ Not armed: the search for home or the measurement has replaced it.</source>
+        <translation>○ 無効：原点サーチまたは測定で解除されました。</translation>
     </message>
 </context>
 <context>
@@ -10742,6 +10774,145 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>The divisor</source>
         <translation>分周値</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::RepeatabilityBox</name>
+    <message>
+        <source>Repeatability and backlash</source>
+        <translation>繰り返し精度とバックラッシ</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>測定</translation>
+    </message>
+    <message>
+        <source>Measure repeatability and backlash</source>
+        <translation>繰り返し精度とバックラッシを測定</translation>
+    </message>
+    <message>
+        <source>Cancel measuring the repeatability</source>
+        <translation>繰り返し精度の測定を中止</translation>
+    </message>
+    <message>
+        <source>Use as backlash</source>
+        <translation>バックラッシとして使用</translation>
+    </message>
+    <message>
+        <source>Use as backlash of the axis</source>
+        <translation>軸のバックラッシとして使用</translation>
+    </message>
+    <message>
+        <source>Result of the repeatability measurement</source>
+        <translation>繰り返し精度測定の結果</translation>
+    </message>
+    <message>
+        <source>Approach this input</source>
+        <translation>この入力に接近</translation>
+    </message>
+    <message>
+        <source>The motor approaches it from both sides. Direction, acceleration, search distance and time limit are those of the search for home.</source>
+        <translation>モーターが両側から接近します。方向、加速度、サーチ距離、制限時間は原点サーチのものを使います。</translation>
+    </message>
+    <message>
+        <source>Velocity of the approach</source>
+        <translation>接近速度</translation>
+    </message>
+    <message>
+        <source>Slower is more exact: the chip looks at its inputs only once per servo tick.</source>
+        <translation>遅いほど正確です。チップが入力を見るのはサーボ周期ごとに1回だけです。</translation>
+    </message>
+    <message>
+        <source>Times from each side</source>
+        <translation>各側からの回数</translation>
+    </message>
+    <message>
+        <source>Number of approaches from each side.</source>
+        <translation>各側から接近する回数です。</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>接近先</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>回数</translation>
+    </message>
+    <message>
+        <source>from each side</source>
+        <translation>各側から</translation>
+    </message>
+    <message>
+        <source>The measurement is running.</source>
+        <translation>測定中です。</translation>
+    </message>
+    <message>
+        <source>Measure first.</source>
+        <translation>先に測定してください。</translation>
+    </message>
+    <message>
+        <source>An index does not show the backlash of the load.</source>
+        <translation>インデックスからは負荷のバックラッシは分かりません。</translation>
+    </message>
+    <message>
+        <source>No backlash was found that exceeds its uncertainty.</source>
+        <translation>不確かさを超えるバックラッシは見つかりませんでした。</translation>
+    </message>
+    <message>
+        <source>The axis has this backlash.</source>
+        <translation>軸にはこのバックラッシが設定済みです。</translation>
+    </message>
+    <message>
+        <source>Not measured in this connection.</source>
+        <translation>この接続では未測定です。</translation>
+    </message>
+    <message>
+        <source>Forward, %4 times: mean %1, standard deviation %2, range %3</source>
+        <translation>正方向、%4回：平均 %1、標準偏差 %2、範囲 %3</translation>
+    </message>
+    <message>
+        <source>Reverse, %4 times: mean %1, standard deviation %2, range %3</source>
+        <translation>逆方向、%4回：平均 %1、標準偏差 %2、範囲 %3</translation>
+    </message>
+    <message>
+        <source>Difference: %1 ± %2</source>
+        <translation>差：%1 ± %2</translation>
+    </message>
+    <message>
+        <source>Backlash: %1 ± %2</source>
+        <translation>バックラッシ：%1 ± %2</translation>
+    </message>
+    <message>
+        <source>The index is on the encoder&apos;s own shaft: this shows how well a capture repeats, not the backlash of the load.</source>
+        <translation>インデックスはエンコーダー自身の軸にあります。これは捕捉の繰り返し精度を示すもので、負荷のバックラッシではありません。</translation>
+    </message>
+    <message>
+        <source>Below zero, so this is not backlash. The switch may bounce.</source>
+        <translation>負の値なのでバックラッシではありません。スイッチがチャタリングしている可能性があります。</translation>
+    </message>
+    <message>
+        <source>Includes the hysteresis of the switch itself. Only with the encoder on the motor and the switch on the load does it show the backlash between them.</source>
+        <translation>スイッチ自身のヒステリシスを含みます。エンコーダーがモーター側、スイッチが負荷側にある場合にのみ、その間のバックラッシを示します。</translation>
+    </message>
+    <message>
+        <source>The motor moves %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <translation>チップが入力を見る間にモーターは%1動きます。もっと遅く測定してください。</translation>
+    </message>
+    <message>
+        <source>Moves the motor to and fro across the switch or index, and reads where it was captured.</source>
+        <translation>スイッチまたはインデックスを往復させ、捕捉された位置を読み取ります。</translation>
+    </message>
+    <message>
+        <source>No measurement is running.</source>
+        <translation>測定は実行されていません。</translation>
+    </message>
+    <message>
+        <source>Stops the motor smoothly; what was captured stays.</source>
+        <translation>モーターを滑らかに停止します。捕捉した値は残ります。</translation>
+    </message>
+    <message>
+        <source>Makes %1 the backlash of the axis (Axis page): what was measured, with its uncertainty. Sends nothing.</source>
+        <translation>%1を軸のバックラッシにします（軸ページ）：測定値に不確かさを加えた値です。何も送信しません。</translation>
     </message>
 </context>
 <context>
