@@ -217,6 +217,22 @@ TEST(PositionMemory, AFileThatIsNoneOfOursIsNothing) {
     EXPECT_EQ(readRemembered(far), nothing);
 }
 
+TEST(PositionMemory, ReadsAFileThatAnEarlierVersionHasWritten) {
+    const RememberedChain chain = readRemembered(
+        "{\n \"machine\": \"press\",\n \"positions\": [\n  {\n   \"counter\": -700,\n   \"from_home\": 300,\n"
+        "   \"home_saved\": 1,\n   \"module\": 2,\n   \"moving\": 0,\n   \"seen\": 1764000000000,\n"
+        "   \"type\": 0,\n   \"version\": 4\n  }\n ]\n}\n");
+    EXPECT_EQ(chain.machine, "press");
+    ASSERT_TRUE(chain.positions.contains(ModuleIndex(1)));
+    const RememberedPosition& last = chain.positions.at(ModuleIndex(1));
+    EXPECT_EQ(last.identity, (ModuleIdentity{ModuleType::Servo, 4}));
+    EXPECT_EQ(last.fromHome, 300);
+    EXPECT_EQ(last.counter, -700);
+    EXPECT_EQ(last.source, HomeFact::Source::Saved);
+    EXPECT_EQ(last.seen, 1'764'000'000'000);
+    EXPECT_FALSE(last.moving);
+}
+
 TEST(PositionMemory, ThereIsNoEndOfTheCountThatItFallsOver) {
     Axis axis;
     axis.wasLeft(kLastCount, -kLastCount);
