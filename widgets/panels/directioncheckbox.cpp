@@ -51,15 +51,10 @@ std::optional<ProcedureReport> DirectionCheckBox::report() const {
     return m_context.connected() ? m_context.procedure(ProcedureKind::DirectionCheck) : std::nullopt;
 }
 
-bool DirectionCheckBox::running() const {
-    const auto check = report();
-    return check && !check->over();
-}
-
 QString DirectionCheckBox::whyNotNow() const {
     if (!m_context.connected())
         return texts::refusal(Refusal::NotConnected);
-    if (running())
+    if (m_context.runs(ProcedureKind::DirectionCheck))
         return tr("A direction check is running.");
     if (m_context.whyNot(IntentKind::CheckDirection) == Refusal::Moving)
         return tr("Something turns the motor. Wait until it is at rest.");
@@ -98,7 +93,7 @@ void DirectionCheckBox::ask() {
 /// Returns the state of the check, as a shape followed by words.
 QString DirectionCheckBox::found() const {
     const auto check = report();
-    if (running())
+    if (m_context.runs(ProcedureKind::DirectionCheck))
         return u"▶ "_s + (m_context.chipReverse(check->round > 1) ? tr("Driving it in reverse.")
                                                                   : tr("Driving it forward."));
     if (check && check->direction)
@@ -114,8 +109,9 @@ void DirectionCheckBox::refresh() {
     m_check->setPossible(
         whyNotNow(),
         tr("Moves the motor a little, without the servo, to check that it turns the way its encoder counts. Asks first."));
-    m_cancel->setPossible(running() ? QString() : tr("No direction check is running."),
-                          tr("Ends the check and switches the motor off."));
+    m_cancel->setPossible(
+        m_context.runs(ProcedureKind::DirectionCheck) ? QString() : tr("No direction check is running."),
+        tr("Ends the check and switches the motor off."));
     look::setText(m_state, found());
 }
 

@@ -24,7 +24,6 @@ private:
     void ask();
     void refresh();
     [[nodiscard]] std::optional<ProcedureReport> report() const;
-    [[nodiscard]] bool running() const;
     [[nodiscard]] QString whyNotNow() const;
     [[nodiscard]] QString question() const;
     [[nodiscard]] QString found() const;

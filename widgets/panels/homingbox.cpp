@@ -157,15 +157,10 @@ std::optional<ProcedureReport> HomingBox::report() const {
     return m_context.connected() ? m_context.procedure(ProcedureKind::Homing) : std::nullopt;
 }
 
-bool HomingBox::running() const {
-    const auto search = report();
-    return search && !search->over();
-}
-
 QString HomingBox::whyNotNow() const {
     if (!m_context.connected())
         return texts::refusal(Refusal::NotConnected);
-    if (running())
+    if (m_context.runs(ProcedureKind::Homing))
         return Common::tr("A search for home is running.");
     if (const auto refusal = whyNotHome(m_context.state()))
         return texts::refusal(*refusal);
@@ -177,10 +172,11 @@ QString HomingBox::whyNotNow() const {
 }
 
 void HomingBox::refresh() {
-    m_form->setLocked(running());
+    m_form->setLocked(m_context.runs(ProcedureKind::Homing));
     m_home->setPossible(whyNotNow(), tr("Moves the motor to search for home, as set above."));
-    m_cancel->setPossible(running() ? QString() : tr("No search for home is running."),
-                          tr("Stops the motor smoothly, without homing it."));
+    m_cancel->setPossible(
+        m_context.runs(ProcedureKind::Homing) ? QString() : tr("No search for home is running."),
+        tr("Stops the motor smoothly, without homing it."));
     const QString problem = m_form->problemText();
     look::setText(m_hint, problem);
     m_hint->setVisible(!problem.isEmpty());
@@ -196,7 +192,7 @@ QString HomingBox::stages() const {
         ProcedureReport stage;
         stage.stage = list[i];
         const bool done = search && (search->stage == ProcedureStage::Done || i < m_reached);
-        const bool now = running() && i == m_reached;
+        const bool now = m_context.runs(ProcedureKind::Homing) && i == m_reached;
         const QString mark = done ? u"✓"_s : now ? u"▶"_s : u"·"_s;
         words << mark + u'\u00A0' + texts::procedureStage(stage).replace(u' ', u'\u00A0');
     }

@@ -31,7 +31,6 @@ private:
     void refreshProgress();
     [[nodiscard]] QString whyNotNow() const;
     [[nodiscard]] std::optional<ProcedureReport> report() const;
-    [[nodiscard]] bool running() const;
     [[nodiscard]] QString stages() const;
 
     ModuleContext& m_context;

@@ -131,8 +131,7 @@ void LimitStopBox::showSettings() {
 }
 
 bool LimitStopBox::isReplaced(const ModuleContext& context) {
-    const auto search = context.runningProcedure();
-    return search && (search->kind == ProcedureKind::Homing || search->kind == ProcedureKind::Repeatability);
+    return context.runs(ProcedureKind::Homing) || context.runs(ProcedureKind::Repeatability);
 }
 
 intent::ArmLimitStop LimitStopBox::wanted() const {

@@ -84,6 +84,11 @@ std::optional<ProcedureReport> ModuleContext::procedure(ProcedureKind kind) cons
     return found != m_procedures.end() ? std::optional(found->second) : std::nullopt;
 }
 
+bool ModuleContext::runs(ProcedureKind kind) const {
+    const auto found = m_procedures.find(kind);
+    return m_connected && found != m_procedures.end() && !found->second.over();
+}
+
 std::optional<ProcedureReport> ModuleContext::runningProcedure() const {
     for (const auto& [kind, report] : m_procedures)
         if (!report.over())

@@ -35,6 +35,7 @@ public:
     [[nodiscard]] std::optional<double> age() const { return m_age; }
     /// The last procedure of that kind on this module.
     [[nodiscard]] std::optional<ProcedureReport> procedure(ProcedureKind kind) const;
+    [[nodiscard]] bool runs(ProcedureKind kind) const;
     /// The procedure of any kind that is running.
     [[nodiscard]] std::optional<ProcedureReport> runningProcedure() const;
 

@@ -139,11 +139,6 @@ void MoveByBox::refreshStep(Command& command, bool reverse, const QString& reaso
     command.setPossible(reason.isEmpty() && steps ? m_context.reasonFor(*steps) : reason, meaning);
 }
 
-bool MoveByBox::isRunning() const {
-    const std::optional<ProcedureReport> report = m_context.procedure(ProcedureKind::MoveBy);
-    return report && !report->over();
-}
-
 QString MoveByBox::turn(int steps) {
     m_turns += steps;
     return moveByTurns();
@@ -151,7 +146,7 @@ QString MoveByBox::turn(int steps) {
 
 /// What cannot be moved for another reason than the move that lasts is forgotten.
 QString MoveByBox::moveByTurns() {
-    if (m_turns == 0 || isRunning() || m_context.busy())
+    if (m_turns == 0 || m_context.runs(ProcedureKind::MoveBy) || m_context.busy())
         return {};
     const double turns = std::exchange(m_turns, 0);
     const auto distance = m_distance->native();
@@ -178,7 +173,7 @@ void MoveByBox::endTurns() {
 
 void MoveByBox::refresh() {
     const std::optional<ProcedureReport> report = m_context.procedure(ProcedureKind::MoveBy);
-    const bool running = isRunning();
+    const bool running = m_context.runs(ProcedureKind::MoveBy);
     const QString reason = running ? tr("A series of steps is already running.") : whyNotNow();
     refreshStep(*m_forward, false, reason, tr("Moves forward by this distance, then holds."));
     refreshStep(*m_reverse, true, reason, tr("Moves in reverse by this distance, then holds."));

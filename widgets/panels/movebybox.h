@@ -45,7 +45,6 @@ private:
     void showModule();
     void refresh();
     [[nodiscard]] QString whyNotNow() const;
-    [[nodiscard]] bool isRunning() const;
     QString moveByTurns();
     [[nodiscard]] std::optional<Intent> wanted(bool reverse) const;
     void refreshStep(Command& command, bool reverse, const QString& reason, const QString& meaning);

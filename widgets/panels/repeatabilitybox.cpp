@@ -93,13 +93,8 @@ void RepeatabilityBox::buildFields() {
     connect(m_times, &NumberField::edited, this, &RepeatabilityBox::refresh);
 }
 
-std::optional<ProcedureReport> RepeatabilityBox::report() const {
-    return m_context.connected() ? m_context.procedure(ProcedureKind::Repeatability) : std::nullopt;
-}
-
 bool RepeatabilityBox::running() const {
-    const auto measurement = report();
-    return measurement && !measurement->over();
+    return m_context.runs(ProcedureKind::Repeatability);
 }
 
 intent::MeasureRepeatability RepeatabilityBox::wanted() const {
@@ -133,7 +128,7 @@ QString RepeatabilityBox::whyNotUsed() const {
         return tr("The measurement is running.");
     if (!m_found)
         return tr("Measure first.");
-    if (report()->edges.index)
+    if (m_report->edges.index)
         return tr("An index does not show the backlash of the load.");
     if (m_found->backlash <= m_found->uncertainty)
         return tr("No backlash was found that exceeds its uncertainty.");
@@ -149,13 +144,12 @@ void RepeatabilityBox::use() {
 }
 
 QString RepeatabilityBox::state() const {
-    const auto measurement = report();
-    if (!measurement)
+    if (!m_report)
         return u"○ "_s + tr("Not measured in this connection.");
-    if (measurement->failure)
-        return u"▲ "_s + texts::repeatabilityFailure(*measurement->failure);
-    const bool done = measurement->stage == ProcedureStage::Done;
-    return (done ? u"✓ "_s : running() ? u"▶ "_s : u"○ "_s) + texts::procedureStage(*measurement);
+    if (m_report->failure)
+        return u"▲ "_s + texts::repeatabilityFailure(*m_report->failure);
+    const bool done = m_report->stage == ProcedureStage::Done;
+    return (done ? u"✓ "_s : running() ? u"▶ "_s : u"○ "_s) + texts::procedureStage(*m_report);
 }
 
 QString RepeatabilityBox::amount(double counts) const {
@@ -169,7 +163,7 @@ QString RepeatabilityBox::amount(double counts) const {
 QStringList RepeatabilityBox::found() const {
     if (!m_found)
         return {};
-    const EdgeCaptures edges = report()->edges;
+    const EdgeCaptures& edges = m_report->edges;
     const auto line = [this](const QString& text, const EdgeSpread& spread, std::size_t times) {
         return text.arg(texts::position(m_context.scale(), spread.mean), amount(spread.deviation),
                         amount(spread.range), texts::grouped(static_cast<qint64>(times)));
@@ -196,8 +190,8 @@ QStringList RepeatabilityBox::found() const {
 }
 
 void RepeatabilityBox::refresh() {
-    const auto measurement = report();
-    m_found = measurement ? repeatabilityOf(measurement->edges) : std::nullopt;
+    m_report = m_context.connected() ? m_context.procedure(ProcedureKind::Repeatability) : std::nullopt;
+    m_found = m_report ? repeatabilityOf(m_report->edges) : std::nullopt;
     m_velocity->setScale(m_context.scale());
     m_measure->setPossible(
         whyNotNow(),

@@ -26,7 +26,6 @@ private:
     void buildFields();
     void use();
     void refresh();
-    [[nodiscard]] std::optional<ProcedureReport> report() const;
     [[nodiscard]] bool running() const;
     [[nodiscard]] intent::MeasureRepeatability wanted() const;
     [[nodiscard]] QString whyNotNow() const;
@@ -48,7 +47,8 @@ private:
     Command* m_end;
     Command* m_use;
     QLabel* m_result;
-    std::optional<Repeatability> m_found;  ///< in the last report
+    std::optional<ProcedureReport> m_report;  ///< of this connection, as shown
+    std::optional<Repeatability> m_found;     ///< in that report
 };
 
 }  // namespace nmc
