@@ -315,6 +315,8 @@ void ScopePanel::touch() {
 // ---- what is shown ----
 
 void ScopePanel::showModules(std::vector<ScopeModule> modules, std::optional<ModuleIndex> selected) {
+    if (modules == m_modules && selected == m_selected)
+        return;
     const bool another = selected != m_selected;
     m_modules = std::move(modules);
     m_selected = selected;

@@ -74,7 +74,7 @@ QString ScopeSetup::toText() const {
                 parts << word + u'=' + toWords(chosen);
     for (std::size_t i = 0; i < custom.size(); ++i)
         if (custom[i])
-            parts << u"custom%1="_s.arg(i + 1) + custom[i]->toText();
+            parts << SignalRef{{}, customSignal(i)}.toText() + u'=' + custom[i]->toText();
     return parts.join(u';');
 }
 
@@ -107,7 +107,7 @@ ScopeSetup ScopeSetup::fromText(const QString& text, const ScopeSetup& initial) 
                 setup.seconds = seconds;
         }
         for (std::size_t i = 0; i < kCustomSignals; ++i)
-            if (key == u"custom%1"_s.arg(i + 1))
+            if (key == SignalRef{{}, customSignal(i)}.toText())
                 setup.custom[i] = TraceDefinition::fromText(value);
         for (const auto& [word, type] : kBitWords)
             if (key == word)

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/scope/scopewords.h"
@@ -52,8 +51,11 @@ TracesDialog::TracesDialog(const TraceDefinitions& traces, const std::vector<Sco
                    form::newHeading(tr("Factor"), this), form::newHeading(tr("Second signal"), this),
                    form::newHeading(tr("Factor"), this), form::newHeading(tr("Low-pass, Hz"), this),
                    form::newHeading(Common::tr("Unit"), this)});
+    QList<form::Option> options = optionsOf(tr("Selected module"), std::nullopt, nullptr);
+    for (std::size_t i = 0; i < modules.size(); ++i)
+        options += optionsOf(modules[i].name, ModuleIndex(static_cast<std::uint8_t>(i)), &modules[i]);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        m_rows[i] = newRow(i, modules);
+        m_rows[i] = newRow(i, options);
         const Row& row = m_rows[i];
         grid->addLine({row.name, row.first.signal, row.first.factor, row.second.signal, row.second.factor,
                        row.cutoff, row.unit});
@@ -79,7 +81,7 @@ TracesDialog::TracesDialog(const TraceDefinitions& traces, const std::vector<Sco
     m_rows.front().name->setFocus();
 }
 
-TracesDialog::Row TracesDialog::newRow(std::size_t index, const std::vector<ScopeModule>& modules) {
+TracesDialog::Row TracesDialog::newRow(std::size_t index, const QList<form::Option>& options) {
     const auto objectName = [&](const QString& field) {
         return u"customTrace%1%2"_s.arg(QString::number(index + 1), field);
     };
@@ -89,16 +91,9 @@ TracesDialog::Row TracesDialog::newRow(std::size_t index, const std::vector<Scop
                               tr("The name in the legend. Without one, there is no such trace.")},
                              this);
     row.name->setMinimumWidth(look::gridUnit(this) * kNameWidth);
-    row.first = newPart(objectName(u"First"_s), of(Common::tr("Signal")));
-    row.second = newPart(objectName(u"Second"_s), of(tr("Second signal")));
-    row.second.signal->addItem(tr("none"), QString());
-    for (QComboBox* box : {row.first.signal, row.second.signal}) {
-        QList<form::Option> options = optionsOf(tr("Selected module"), std::nullopt, nullptr);
-        for (std::size_t i = 0; i < modules.size(); ++i)
-            options += optionsOf(modules[i].name, ModuleIndex(static_cast<std::uint8_t>(i)), &modules[i]);
-        for (const form::Option& option : options)
-            box->addItem(option.text, option.value);
-    }
+    row.first = newPart(objectName(u"First"_s), of(Common::tr("Signal")), options);
+    row.second = newPart(objectName(u"Second"_s), of(tr("Second signal")),
+                         QList<form::Option>{{tr("none"), QString()}} + options);
     row.cutoff = form::newNumber(
         {.name = objectName(u"Cutoff"_s),
          .accessible = of(tr("Low-pass, Hz")),
@@ -121,9 +116,10 @@ TracesDialog::Row TracesDialog::newRow(std::size_t index, const std::vector<Scop
     return row;
 }
 
-TracesDialog::Part TracesDialog::newPart(const QString& objectName, const QString& accessible) {
+TracesDialog::Part TracesDialog::newPart(const QString& objectName, const QString& accessible,
+                                         const QList<form::Option>& options) {
     Part part{};
-    part.signal = form::newChoice({objectName + u"Signal"_s, accessible}, this);
+    part.signal = form::newChoice({objectName + u"Signal"_s, accessible, options}, this);
     part.signal->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     part.signal->setMinimumContentsLength(kSignalWidth);
     part.factor = form::newNumber({.name = objectName + u"Factor"_s,

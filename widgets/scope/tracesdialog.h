@@ -5,16 +5,14 @@
 #include <array>
 #include <vector>
 
+#include "widgets/common/form.h"
 #include "widgets/scope/tracedefinition.h"
 
-class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
 
 namespace nmc {
-
-class NumberField;
 
 /// Defines the user's own traces, one in each row. A row without a name defines none. GUI thread.
 class TracesDialog : public QDialog {
@@ -37,8 +35,9 @@ private:
         NumberField* cutoff;
         QLineEdit* unit;
     };
-    [[nodiscard]] Row newRow(std::size_t index, const std::vector<ScopeModule>& modules);
-    [[nodiscard]] Part newPart(const QString& objectName, const QString& accessible);
+    [[nodiscard]] Row newRow(std::size_t index, const QList<form::Option>& options);
+    [[nodiscard]] Part newPart(const QString& objectName, const QString& accessible,
+                               const QList<form::Option>& options);
     static void fill(const Row& row, const TraceDefinition& trace);
     /// Why it cannot be taken; empty if it can.
     [[nodiscard]] static QString problemOf(const Row& row);

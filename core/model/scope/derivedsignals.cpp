@@ -11,9 +11,9 @@ public:
 
     explicit Track(Maker maker) : m_maker(std::move(maker)), m_values(1, kBudget) {}
 
-    /// The same signal, from nothing.
-    [[nodiscard]] Track anew() const {
-        return Track(custom() != nullptr ? Maker(CustomSignalMaker(*custom())) : SignalMaker(of()));
+    /// Forgets all values, and what was computed so far.
+    void startOver() {
+        *this = Track(custom() != nullptr ? Maker(CustomSignalMaker(*custom())) : SignalMaker(of()));
     }
     /// Null unless it is the user's.
     [[nodiscard]] const CustomSignal* custom() const {
@@ -107,7 +107,7 @@ bool DerivedSignals::follow(const History& history) {
 
 void DerivedSignals::forget() {
     for (const auto& track : m_tracks)
-        *track = track->anew();
+        track->startOver();
 }
 
 SignalSource DerivedSignals::source(const History& history, const ModuleSignal& of) const {
