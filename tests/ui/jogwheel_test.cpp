@@ -8,6 +8,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 
 #include "tests/support/virtualwheel.h"
 
@@ -203,7 +204,11 @@ TEST_F(JogWheels, ACapOfWhichTheKernelReportsPositionsIsHeldUntilItIsBack) {
     mouse.report({{EV_KEY, BTN_0, 1}});
     mouse.report({{EV_ABS, ABS_X, -350}});
     EXPECT_EQ(pushes(), QList<double>{-1});
-    QTest::qWait(400);
+    // Timers fire in the order of their ends: one that released the cap would have come before this one.
+    QTimer later;
+    later.setSingleShot(true);
+    later.start(300);
+    ASSERT_TRUE(QTest::qWaitFor([&later] { return !later.isActive(); }));
     EXPECT_EQ(released.size(), 0);
     mouse.report({{EV_ABS, ABS_X, 0}});
     EXPECT_EQ(released.size(), 1);
