@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/mainwindow/mainwindow.h"
-#include "widgets/gamepad/jogwheel.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -22,6 +21,7 @@
 #include "widgets/common/palettes.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/sharedwords.h"
+#include "widgets/gamepad/jogwheel.h"
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
