@@ -183,10 +183,10 @@ void BusSession::search(RequestBox::Search how, TimePoint now) {
 
 void BusSession::lend(const std::string& path) {
     auto terminal = LentTerminal::create(path, m_portBaud, m_channel.requests.wakeFd());
+    if (terminal && !m_engine.lend())
+        terminal = tl::unexpected(LendingProblem{LendingProblem::Kind::NotNow, path, {}});
     if (!terminal)
-        return m_channel.post(terminal.error());
-    if (!m_engine.lend())
-        return m_channel.post(LendingProblem{LendingProblem::Kind::NotNow, path, {}});
+        return m_channel.post(terminal.error());  // by now the path is free again
     m_lent.emplace(std::move(*terminal));
 }
 
