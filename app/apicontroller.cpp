@@ -75,8 +75,11 @@ ApiController::ApiController(const BusStore& store, BusWorker& worker, Connectio
         if (const auto* finished = std::get_if<bus::OperationFinished>(&event))
             noteFinished(*finished);
         // Nor may it go on where nobody but the panel itself has stopped the motors.
-        if (std::holds_alternative<bus::StopFinished>(event))
+        if (std::holds_alternative<bus::StopFinished>(event)) {
+            m_stopping = false;
             endControl(texts::ControlLost::Stopped);
+            answerWaits();
+        }
     });
     connect(&m_commander.sequences(), &SequenceController::reported, this, &ApiController::noteSequence);
     connect(&m_commander.procedures(), &ProcedureController::reported, this, &ApiController::noteEnded);
@@ -115,6 +118,7 @@ void ApiController::follow() {
         return;
     listen();
     if (whyNoChain(m_store.link())) {
+        m_stopping = false;
         m_pending.clear();
         m_doneAt.clear();
         endControl(texts::ControlLost::Disconnected);
@@ -296,6 +300,7 @@ void ApiController::noteMoved(Client client, ModuleIndex module) {
 /// Needs neither hello nor control.
 void ApiController::stop(Client client, const Json& parameters, const Json& id) {
     if (!parameters.contains("axis")) {
+        m_stopping = !whyNoChain(m_store.link());
         m_worker.stopAll();
         m_commander.endRuns();
         endControl(texts::ControlLost::Stopped);
@@ -478,7 +483,7 @@ void ApiController::answerWaits() {
             if (!connected || silent)
                 refuse(client, wait.id,
                        api::refused(connected ? Refusal::Unresponsive : Refusal::NotConnected));
-            else if ((!wait.module && m_commander.sequences().running()) ||
+            else if (m_stopping || (!wait.module && m_commander.sequences().running()) ||
                      !std::ranges::all_of(modules, [this](ModuleIndex module) { return rests(module); }))
                 waiting.push_back(std::move(wait));
             else if (const auto failure = failureOf(session, modules, !wait.module))

@@ -135,6 +135,7 @@ private:
     /// Only a status latched after this shows what was done (the reply to a command is older than its
     /// effect).
     std::map<ModuleIndex, TimePoint> m_doneAt;
+    bool m_stopping = false;  ///< a program has requested a stop of all motors, which is not over yet
     std::optional<Refusal> m_refused;   ///< by Commander, during a call
     std::optional<QString> m_notBegun;  ///< why a sequence was refused during a call
     bool m_on = false;

@@ -25,6 +25,14 @@ def ctl(*words, text=None):
     return done.returncode, done.stdout, done.stderr
 
 
+def refused(test, *cases):
+    for words, sentence in cases:
+        with test.subTest(words):
+            code, out, problems = ctl(*words)
+            test.assertEqual((code, out), (BAD_ARGUMENTS, ""), problems)
+            test.assertIn(sentence, problems)
+
+
 class Environment(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -68,26 +76,12 @@ class AtItsOwnLine(Environment):
         self.assertGreater(float(out.splitlines()[-1].split()[1]), 100)
 
     def test_refuses_arguments(self):
-        for words, sentence in ((("dance",), 'no command "dance"'), (("--simulator=frog", "list"), "frog"),
-                                (("--baud", "7", "list"), "baud rate"), (("serve",), "--port"),
-                                (("--read-only", "list"), "--port"), ((), "command is missing"),
-                                (("--simulator=servo", "move", "1"), "missing"),
-                                (("--simulator=servo", "move", "1", "far"), "not a number"),
-                                (("--simulator=servo", "move", "1", "5mm"), "counts"),
-                                (("--simulator=servo", "move", "1", "5", "6"), "too much"),
-                                (("--simulator=servo", "move", "1", "5", "--fast"), "--fast"),
-                                (("--simulator=servo", "move", "Y", "5"), "no such axis"),
-                                (("--simulator=servo", "gains", "1", "--set", "kp=99999"), "kp"),
-                                (("--simulator=servo", "run-sequence", "none"), "no sequence"),
-                                (("--simulator=io", "set-output", "1", "1", "maybe"), "maybe"),
-                                (("--simulator=servo", "watch", "--seconds", "x"), "seconds"),
-                                (("--simulator=servo", "record", self.folder.name), self.folder.name),
-                                (("--simulator=servo", "--machine", "/none.json", "list"), "none.json"),
-                                (("--simulator=servo", "--machine", self.file("bad.json", "{"), "list"), "bad.json")):
-            with self.subTest(words):
-                code, out, problems = ctl(*words)
-                self.assertEqual((code, out), (BAD_ARGUMENTS, ""), problems)
-                self.assertIn(sentence, problems)
+        refused(self, (("dance",), 'no command "dance"'), (("--simulator=frog", "list"), "frog"),
+                      (("--baud", "7", "list"), "baud rate"), (("serve",), "--port"),
+                      (("--read-only", "list"), "--port"), ((), "command is missing"),
+                      (("--simulator=servo", "record", self.folder.name), self.folder.name),
+                      (("--simulator=servo", "--machine", "/none.json", "list"), "none.json"),
+                      (("--simulator=servo", "--machine", self.file("bad.json", "{"), "list"), "bad.json"))
 
     def test_says_what_cannot_be_reached(self):
         for words in (("list",), ("--socket", "/none.sock", "list"), ("--port", "/dev/none", "list")):
@@ -133,22 +127,42 @@ class AtItsOwnLine(Environment):
         self.assertLessEqual({renamed.get(name, name.replace("_", "-")) for name in methods}, commands)
 
 
-class ThroughAServedLine(Environment):
+class AServedLine(Environment):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.server = subprocess.Popen([PROGRAM, "--simulator=servo,io", "serve"], stderr=subprocess.DEVNULL)
+        cls.addClassCleanup(cls.server.wait)
+        cls.addClassCleanup(cls.server.terminate)
+        while not sockets() and cls.server.poll() is None:
+            time.sleep(0.02)
+
     def setUp(self):
-        self.server = subprocess.Popen([PROGRAM, "--simulator=servo", "serve"], stderr=subprocess.DEVNULL)
-        self.addCleanup(self.server.wait)
-        self.addCleanup(self.server.terminate)
-        while not sockets() and self.server.poll() is None:
-            time.sleep(0.05)
         self.panel = Panel(program="test")
         self.addCleanup(self.panel.close)
         while self.panel.state()["phase"] != "connected":
-            time.sleep(0.05)
+            time.sleep(0.02)
+        self.assertEqual(ctl("stop", "--wait")[0], DONE)
         self.assertEqual(ctl("gains", "1", "--set", *GAINS.split(), "--wait")[0], DONE)
         self.assertEqual(ctl("enable", "1", "--wait")[0], DONE)
 
     def axis(self):
         return self.panel.axis(1).state()
+
+    def begin(self, *words):
+        moving = subprocess.Popen([PROGRAM, *words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while not self.axis()["moving"] and moving.poll() is None:
+            time.sleep(0.02)
+        return moving
+
+
+class ThroughAServedLine(AServedLine):
+    def test_refuses_arguments(self):
+        refused(self, (("move", "1"), "missing"), (("move", "1", "far"), "not a number"), (("move", "1", "5mm"), "counts"),
+                      (("move", "1", "5", "6"), "too much"), (("move", "1", "5", "--fast"), "--fast"),
+                      (("move", "Y", "5"), "no such axis"), (("gains", "1", "--set", "kp=99999"), "kp"),
+                      (("run-sequence", "none"), "no sequence"), (("set-output", "2", "1", "maybe"), "maybe"),
+                      (("watch", "--seconds", "x"), "seconds"))
 
     def test_leaves_running_what_nobody_waits_for(self):
         code, out, problems = ctl("move", "1", "100000")
@@ -159,12 +173,6 @@ class ThroughAServedLine(Environment):
         rest = self.panel.axis(1).wait()
         self.assertGreater(rest["position"], place, "it went on after nmcctl had ended")
         self.assertLess(rest["position"], 90_000)
-
-    def begin(self, *words):
-        moving = subprocess.Popen([PROGRAM, *words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        while not self.axis()["moving"] and moving.poll() is None:
-            time.sleep(0.02)
-        return moving
 
     def test_stops_what_it_waits_for_when_interrupted(self):
         moving = self.begin("move", "1", "1000000", "--wait")
@@ -189,6 +197,8 @@ class ThroughAServedLine(Environment):
         watching.stdout.close()
         self.assertEqual(watching.wait(), INTERRUPTED)
 
+
+class AServedLineThatIsLost(AServedLine):
     def test_ends_with_the_line(self):
         moving = self.begin("move", "1", "1000000", "--wait")
         self.server.terminate()

@@ -71,7 +71,7 @@ class Client(unittest.TestCase):
                 panel.axis("nobody").enable()
             self.assertEqual(caught.exception.reason, "AxisUnknown")
             other.stop()
-            time.sleep(0.5)  # so that the stop is over for the next test, too
+            other.wait()  # or the stop cancels what comes next
             with self.assertRaises(ControlLost):
                 panel.axis(2).enable()
 

@@ -215,6 +215,18 @@ TEST_F(OtherPrograms, WaitForAllAxesAndTheSequence) {
     EXPECT_EQ(client.answer(waits)["error"]["data"]["reason"], "NotCarriedOut");
 }
 
+TEST_F(OtherPrograms, WaitForTheEndOfAStopThatWouldCancelWhatComesNext) {
+    OtherProgram client(panel, path());
+    client.hello();
+    const int stop = client.request("stop");
+    const int wait = client.request("wait");
+    // No time passes on the bus here.
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !client.arrived().empty(); }));
+    EXPECT_EQ(client.arrived().size(), 1U) << "every motor is at rest, so nothing else delays the answer";
+    EXPECT_EQ(client.answer(stop)["result"]["sent"], true);
+    EXPECT_TRUE(client.answer(wait).contains("result"));
+}
+
 TEST_F(OtherPrograms, WaitUntilHomeIsKnown) {
     OtherProgram client(panel, path());
     client.hello();
