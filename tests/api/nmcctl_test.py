@@ -11,59 +11,69 @@ import time
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "core" / "python"))
-from nmcpanel import Panel, sockets  # noqa: E402
+sys.path[1:1] = [str(Path(__file__).resolve().parents[2] / folder) for folder in ("core/python", "tests/support")]
+import inparallel  # noqa: E402
+from nmcpanel import Panel  # noqa: E402
 
 PROGRAM = sys.argv.pop()
 GAINS = "kp=200 kd=2000 ki=20 il=200 ol=255 cl=0 el=8000 sr=1"
 DONE, REFUSED, BAD_ARGUMENTS, NOT_REACHED, NO_CONTROL, NOT_CARRIED_OUT, INTERRUPTED = 0, 1, 2, 3, 4, 5, 130
 
 
-def ctl(*words, text=None):
-    """Exit code, output, problems."""
-    done = subprocess.run([PROGRAM, *words], input=text, capture_output=True, text=True, check=False)
-    return done.returncode, done.stdout, done.stderr
+class Place:
+    """A folder for files and sockets, and nmcctl, which knows no other."""
 
-
-def refused(test, *cases):
-    for words, sentence in cases:
-        with test.subTest(words):
-            code, out, problems = ctl(*words)
-            test.assertEqual((code, out), (BAD_ARGUMENTS, ""), problems)
-            test.assertIn(sentence, problems)
-
-
-class Environment(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.folder.cleanup)
+    def __init__(self):
+        self._folder = tempfile.TemporaryDirectory()
+        self.close = self._folder.cleanup
+        self.folder = Path(self._folder.name)
+        self._environment = {**os.environ, "LC_ALL": "C.UTF-8"}
         for name in ("XDG_RUNTIME_DIR", "XDG_CONFIG_HOME", "XDG_DATA_HOME"):
-            os.environ[name] = os.path.join(cls.folder.name, name)
-            os.mkdir(os.environ[name], 0o700)
-        os.environ["LC_ALL"] = "C.UTF-8"
+            self._environment[name] = str(self.folder / name)
+            (self.folder / name).mkdir(0o700)
+        self.socket = self.folder / "XDG_RUNTIME_DIR" / "nmcpanel" / "simulator.sock"
 
     def file(self, name, text=""):
-        path = Path(self.folder.name, name)
+        path = self.folder / name
         path.write_text(text, encoding="utf-8")
         return str(path)
 
+    def start(self, *words, **options):
+        return subprocess.Popen([PROGRAM, *words], env=self._environment, **options)
 
-class AtItsOwnLine(Environment):
+    def ctl(self, *words, text=None):
+        """Exit code, output, problems."""
+        done = subprocess.run([PROGRAM, *words], env=self._environment, input=text, capture_output=True, text=True,
+                              check=False)
+        return done.returncode, done.stdout, done.stderr
+
+    def check_refuses(self, test, *cases):
+        for words, sentence in cases:
+            with test.subTest(words):
+                code, out, problems = self.ctl(*words)
+                test.assertEqual((code, out), (BAD_ARGUMENTS, ""), problems)
+                test.assertIn(sentence, problems)
+
+
+class AtItsOwnLine(unittest.TestCase):
+    def setUp(self):
+        self.place = Place()
+        self.addCleanup(self.place.close)
+
     MACHINE = """{"format": "nmc-panel-machine", "version": 1, "axes": [{"name": "X",
         "unit": {"kind": "millimetres", "counts_per_unit": 100}, "travel": {"highest_counts": 2000},
         "gains": {"Kp": 200, "Kd": 2000, "Ki": 20, "IL": 200, "OL": 255, "CL": 0, "EL_counts": 8000, "SR": 1}}]}"""
 
     def test_reads(self):
-        code, out, _ = ctl("--simulator=servo,step", "list")
+        code, out, _ = self.place.ctl("--simulator=servo,step", "list")
         self.assertEqual(code, DONE)
         self.assertEqual([row.split("\t")[2] for row in out.splitlines()], ["servo", "stepper"])
-        code, out, _ = ctl("--simulator=servo", "state", "1", "--json")
+        code, out, _ = self.place.ctl("--simulator=servo", "state", "1", "--json")
         self.assertEqual((code, json.loads(out)["position"]), (DONE, 0))
 
     def test_carries_out_a_script_until_a_command_fails(self):
         script = f"# ready\ngains 1 --set {GAINS}\n\nenable 1\nmove 1 500\nmove-by 1 -200 --velocity=2\nmove 1 9e9\nmove 1 0\n"
-        code, out, problems = ctl("--simulator=servo", "-", text=script)
+        code, out, problems = self.place.ctl("--simulator=servo", "-", text=script)
         self.assertEqual(code, REFUSED, problems)
         places = [float(row.split()[1]) for row in out.splitlines()]
         self.assertEqual(len(places), 4, "what each command ended with")
@@ -71,42 +81,44 @@ class AtItsOwnLine(Environment):
         self.assertAlmostEqual(places[3], 300, delta=3)
 
     def test_jogs_for_a_while(self):
-        code, out, problems = ctl("--simulator=servo", "-", text=f"gains 1 --set {GAINS}\nenable 1\njog 1 2 0.4\n")
+        code, out, problems = self.place.ctl("--simulator=servo", "-",
+                                            text=f"gains 1 --set {GAINS}\nenable 1\njog 1 2 0.4\n")
         self.assertEqual((code, problems), (DONE, ""), "and nothing is said of a hold that expired")
         self.assertGreater(float(out.splitlines()[-1].split()[1]), 100)
 
     def test_refuses_arguments(self):
-        refused(self, (("dance",), 'no command "dance"'), (("--simulator=frog", "list"), "frog"),
-                      (("--baud", "7", "list"), "baud rate"), (("serve",), "--port"),
-                      (("--read-only", "list"), "--port"), ((), "command is missing"),
-                      (("--simulator=servo", "record", self.folder.name), self.folder.name),
-                      (("--simulator=servo", "--machine", "/none.json", "list"), "none.json"),
-                      (("--simulator=servo", "--machine", self.file("bad.json", "{"), "list"), "bad.json"))
+        self.place.check_refuses(
+            self, (("dance",), 'no command "dance"'), (("--simulator=frog", "list"), "frog"),
+            (("--baud", "7", "list"), "baud rate"), (("serve",), "--port"),
+            (("--read-only", "list"), "--port"), ((), "command is missing"),
+            (("--simulator=servo", "record", str(self.place.folder)), str(self.place.folder)),
+            (("--simulator=servo", "--machine", "/none.json", "list"), "none.json"),
+            (("--simulator=servo", "--machine", self.place.file("bad.json", "{"), "list"), "bad.json"))
 
     def test_says_what_cannot_be_reached(self):
         for words in (("list",), ("--socket", "/none.sock", "list"), ("--port", "/dev/none", "list")):
-            code, out, problems = ctl(*words)
+            code, out, problems = self.place.ctl(*words)
             self.assertEqual((code, out), (NOT_REACHED, ""), words)
             self.assertTrue(problems.strip().endswith("."), problems)
 
     def test_knows_names_units_and_limits_from_the_machine_file(self):
-        machine = self.file("bench.json", self.MACHINE)
+        machine = self.place.file("bench.json", self.MACHINE)
         script = f"gains X --set {GAINS}\nenable X\nmove X 2.5mm\nmove X 3deg\n"
-        code, out, problems = ctl("--simulator=servo", "--machine", machine, "-", text=script)
+        code, out, problems = self.place.ctl("--simulator=servo", "--machine", machine, "-", text=script)
         self.assertEqual(code, BAD_ARGUMENTS, "degrees")
         self.assertIn("mm", problems)
         self.assertIn("limits of X are not in force", problems)
         name, place = out.splitlines()[-1].split("\t")
         self.assertEqual((name, place.split()[1]), ("X", "mm"))
         self.assertAlmostEqual(float(place.split()[0]), 2.5, delta=0.03)
-        code, _, problems = ctl("--simulator=servo", "--machine", machine, "-",
-                         text="gains X --set\nenable X\nset-home X\nmove X 21mm\n")
+        code, _, problems = self.place.ctl("--simulator=servo", "--machine", machine, "-",
+                                     text="gains X --set\nenable X\nset-home X\nmove X 21mm\n")
         self.assertEqual(code, REFUSED, "beyond the travel limit")
         self.assertNotIn("not in force", problems)
 
     def test_records_what_the_scope_can_open(self):
-        path = self.file("record.csv")
-        self.assertEqual(ctl("--simulator=servo,step", "record", path, "--seconds", "0.5")[0], DONE)
+        path = self.place.file("record.csv")
+        self.assertEqual(self.place.ctl("--simulator=servo,step", "record", path, "--seconds", "0.5")[0], DONE)
         lines = Path(path).read_text(encoding="utf-8").splitlines()
         self.assertEqual(lines[0], "# NMC Panel recording 1")
         self.assertIn("# module 2 type: 3 (PIC-STEP)", lines)
@@ -116,7 +128,7 @@ class AtItsOwnLine(Environment):
         self.assertEqual(times, sorted(times))
 
     def test_lists_every_method_but_those_without_use(self):
-        code, out, _ = ctl("--help")
+        code, out, _ = self.place.ctl("--help")
         self.assertEqual(code, DONE)
         commands = {row.split()[0] for row in out.splitlines() if row.startswith("  ") and row[2:3].isalpha()}
         page = (Path(__file__).resolve().parents[2] / "docs" / "api.md").read_text(encoding="utf-8")
@@ -127,30 +139,31 @@ class AtItsOwnLine(Environment):
         self.assertLessEqual({renamed.get(name, name.replace("_", "-")) for name in methods}, commands)
 
 
-class AServedLine(Environment):
+class AServedLine(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        super().setUpClass()
-        cls.server = subprocess.Popen([PROGRAM, "--simulator=servo,io", "serve"], stderr=subprocess.DEVNULL)
+        cls.place = Place()
+        cls.addClassCleanup(cls.place.close)
+        cls.server = cls.place.start("--simulator=servo,io", "serve", stderr=subprocess.DEVNULL)
         cls.addClassCleanup(cls.server.wait)
         cls.addClassCleanup(cls.server.terminate)
-        while not sockets() and cls.server.poll() is None:
+        while not cls.place.socket.exists() and cls.server.poll() is None:
             time.sleep(0.02)
 
     def setUp(self):
-        self.panel = Panel(program="test")
+        self.panel = Panel(self.place.socket, program="test")
         self.addCleanup(self.panel.close)
         while self.panel.state()["phase"] != "connected":
             time.sleep(0.02)
-        self.assertEqual(ctl("stop", "--wait")[0], DONE)
-        self.assertEqual(ctl("gains", "1", "--set", *GAINS.split(), "--wait")[0], DONE)
-        self.assertEqual(ctl("enable", "1", "--wait")[0], DONE)
+        self.assertEqual(self.place.ctl("stop", "--wait")[0], DONE)
+        self.assertEqual(self.place.ctl("gains", "1", "--set", *GAINS.split(), "--wait")[0], DONE)
+        self.assertEqual(self.place.ctl("enable", "1", "--wait")[0], DONE)
 
     def axis(self):
         return self.panel.axis(1).state()
 
     def begin(self, *words):
-        moving = subprocess.Popen([PROGRAM, *words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        moving = self.place.start(*words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         while not self.axis()["moving"] and moving.poll() is None:
             time.sleep(0.02)
         return moving
@@ -158,14 +171,15 @@ class AServedLine(Environment):
 
 class ThroughAServedLine(AServedLine):
     def test_refuses_arguments(self):
-        refused(self, (("move", "1"), "missing"), (("move", "1", "far"), "not a number"), (("move", "1", "5mm"), "counts"),
-                      (("move", "1", "5", "6"), "too much"), (("move", "1", "5", "--fast"), "--fast"),
-                      (("move", "Y", "5"), "no such axis"), (("gains", "1", "--set", "kp=99999"), "kp"),
-                      (("run-sequence", "none"), "no sequence"), (("set-output", "2", "1", "maybe"), "maybe"),
-                      (("watch", "--seconds", "x"), "seconds"))
+        self.place.check_refuses(
+            self, (("move", "1"), "missing"), (("move", "1", "far"), "not a number"), (("move", "1", "5mm"), "counts"),
+            (("move", "1", "5", "6"), "too much"), (("move", "1", "5", "--fast"), "--fast"),
+            (("move", "Y", "5"), "no such axis"), (("gains", "1", "--set", "kp=99999"), "kp"),
+            (("run-sequence", "none"), "no sequence"), (("set-output", "2", "1", "maybe"), "maybe"),
+            (("watch", "--seconds", "x"), "seconds"))
 
     def test_leaves_running_what_nobody_waits_for(self):
-        code, out, problems = ctl("move", "1", "100000")
+        code, out, problems = self.place.ctl("move", "1", "100000")
         self.assertEqual((code, out, problems), (DONE, "", ""), "nobody is asked, so nothing is said of it")
         while (place := self.axis()["position"]) == 0:
             time.sleep(0.02)
@@ -182,14 +196,14 @@ class ThroughAServedLine(AServedLine):
 
     def test_learns_that_somebody_stopped_its_motor(self):
         moving = self.begin("move", "1", "1000000", "--wait")
-        self.assertEqual(ctl("move", "1", "0")[0], NO_CONTROL, "another one has it")
-        self.assertEqual(ctl("stop")[0], DONE)
+        self.assertEqual(self.place.ctl("move", "1", "0")[0], NO_CONTROL, "another one has it")
+        self.assertEqual(self.place.ctl("stop")[0], DONE)
         self.assertEqual(moving.wait(), NOT_CARRIED_OUT)
 
     def test_shows_changes(self):
-        watching = subprocess.Popen([PROGRAM, "watch"], stdout=subprocess.PIPE, text=True)
+        watching = self.place.start("watch", stdout=subprocess.PIPE, text=True)
         self.assertIn("Holding", watching.stdout.readline())
-        self.assertEqual(ctl("move", "1", "300", "--wait")[0], DONE)
+        self.assertEqual(self.place.ctl("move", "1", "300", "--wait")[0], DONE)
         for line in watching.stdout:
             if line.startswith("1\t") and abs(float(line.split()[1]) - 300) < 5:
                 break
@@ -207,4 +221,4 @@ class AServedLineThatIsLost(AServedLine):
 
 
 if __name__ == "__main__":
-    unittest.main(verbosity=2)
+    inparallel.main()

@@ -82,10 +82,9 @@ class Client(unittest.TestCase):
                 axis.set_gains(**GAINS)
                 axis.enable()
         record = Path(self.folder.name, "scan.csv")
-        self.example("raster_scan.py", "1", "2", "40", "3", record)
+        self.example("raster_scan.py", "1", "2", "40", "2", record)
         rows = [[float(cell) for cell in row.split(",")] for row in record.read_text().splitlines()[1:]]
-        self.assertEqual([row[:2] for row in rows], [[0, 0], [20, 0], [40, 0], [40, 20], [20, 20], [0, 20],
-                                                     [0, 40], [20, 40], [40, 40]])
+        self.assertEqual([row[:2] for row in rows], [[0, 0], [40, 0], [40, 40], [0, 40]])
         for x, y, x_measured, y_measured in rows:
             self.assertAlmostEqual(x_measured, x, delta=3)
             self.assertAlmostEqual(y_measured, y, delta=3)

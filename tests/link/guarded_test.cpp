@@ -12,6 +12,7 @@
 #include <array>
 #include <csignal>
 #include <deque>
+#include <optional>
 
 #include "link/guardian/guardreport.h"
 #include "tests/link/connection.h"
@@ -60,7 +61,9 @@ public:
     }
     void send(int signal) const { ::kill(static_cast<pid_t>(m_process.processId()), signal); }
     void goOn() { m_process.write("now\n"); }
-    [[nodiscard]] bool ends() { return m_process.waitForFinished(kPatienceMs); }
+    [[nodiscard]] bool ends() {
+        return m_process.state() == QProcess::NotRunning || m_process.waitForFinished(kPatienceMs);
+    }
     [[nodiscard]] QProcess::ExitStatus exitStatus() const { return m_process.exitStatus(); }
     [[nodiscard]] pid_t guard() const { return m_guard; }
     /// Waits until its guardian has gone, too, because until then no other program gets the port. A zombie
@@ -124,34 +127,40 @@ TEST(H02_GuardedMotions, AreStoppedWhileThePanelIsHaltedAndWhenItIsKilled) {
     std::deque<Session> sessions;
     for (const Course& course : courses)
         sessions.emplace_back(course);
-    for (std::size_t i = 0; i < courses.size(); ++i) {
-        SCOPED_TRACE(courses.at(i).motion);
-        Panel& panel = sessions[i].panel;
+    const auto each = [&](const auto& check) {
+        for (std::size_t i = 0; i < courses.size(); ++i) {
+            SCOPED_TRACE(courses.at(i).motion);
+            ASSERT_NO_FATAL_FAILURE(check(sessions[i].panel, sessions[i].sim));
+        }
+    };
+    each([](Panel& panel, NmcsimProcess&) {
         panel.begin();
         panel.send(SIGSTOP);
+    });
+    each([](Panel& panel, NmcsimProcess&) {
         EXPECT_TRUE(panel.motorsStop());
         panel.send(SIGCONT);
+    });
+    each([](Panel& panel, NmcsimProcess&) {
         EXPECT_EQ(panel.word(), "stopped");
         EXPECT_TRUE(panel.reports().empty()) << "it was reported in this session";
         ASSERT_EQ(panel.word(), "moving") << "it moves again";
         EXPECT_NEAR(panel.velocity(2), 8.0, 0.1);
         panel.send(SIGKILL);
+    });
+    each([](Panel& panel, NmcsimProcess& sim) {
         ASSERT_TRUE(panel.ends());
         EXPECT_TRUE(panel.motorsStop());
-        EXPECT_TRUE(sessions[i].sim.state(2)[QStringLiteral("servo_on")].toBool()) << "it holds";
+        EXPECT_TRUE(sim.state(2)[QStringLiteral("servo_on")].toBool()) << "it holds";
         EXPECT_TRUE(panel.isReported());
         ASSERT_TRUE(panel.letsGo());
-    }
+    });
 }
-
-class H02_Guarded : public testing::Test {
-protected:
-    NmcsimProcess sim{QStringLiteral("servo,servo")};
-};
 
 /// The crash path and the guardian both act. The second panel uses the port of the first one, and finds its
 /// chain.
-TEST_F(H02_Guarded, IsStoppedWhenItCrashes) {
+TEST(H02_Guarded, IsStoppedWhenItCrashes) {
+    NmcsimProcess sim(QStringLiteral("servo,servo"));
     for (const auto& [course, how] :
          {std::pair(Course{"group", 19'200}, "segv"), std::pair(Course{"hold", 115'200}, "abort")}) {
         SCOPED_TRACE(course.motion);
@@ -168,67 +177,70 @@ TEST_F(H02_Guarded, IsStoppedWhenItCrashes) {
 }
 
 /// A panel that only watches what another program has left in motion.
-class H02_ReadOnlyPanel : public testing::Test {
-protected:
-    void SetUp() override {
-        ASSERT_NO_FATAL_FAILURE(testing_support::leaveRunning(sim, 2, 8));
-        before = testing_support::changes(sim);
+class Watcher {
+public:
+    explicit Watcher(const QStringList& end) : m_end(end) {}
+    void begin() {
+        ASSERT_NO_FATAL_FAILURE(testing_support::leaveRunning(m_sim, 2, 8));
+        m_before = testing_support::changes(m_sim);
+        m_panel.emplace(m_sim, QStringLiteral("look"), 19'200, m_end);
     }
-    void expectUndisturbed(Panel& panel) {
-        ASSERT_TRUE(panel.ends());
-        EXPECT_EQ(panel.exitStatus(), QProcess::CrashExit);
-        ASSERT_TRUE(panel.letsGo());
-        EXPECT_NEAR(panel.velocity(2), 8.0, 0.01);
-        EXPECT_EQ(testing_support::changes(sim), before);
-        EXPECT_TRUE(panel.reports().empty());
+    void expectUndisturbed() {
+        m_panel->goOn();
+        ASSERT_TRUE(m_panel->ends());
+        EXPECT_EQ(m_panel->exitStatus(), QProcess::CrashExit);
+        ASSERT_TRUE(m_panel->letsGo());
+        EXPECT_NEAR(m_panel->velocity(2), 8.0, 0.01);
+        EXPECT_EQ(testing_support::changes(m_sim), m_before);
+        EXPECT_TRUE(m_panel->reports().empty());
     }
+    [[nodiscard]] Panel& panel() { return *m_panel; }
+    [[nodiscard]] NmcsimProcess& sim() { return m_sim; }
 
-    NmcsimProcess sim{QStringLiteral("servo,servo"), {QStringLiteral("--enable-faults")}};
-    QJsonArray before;
+private:
+    NmcsimProcess m_sim{QStringLiteral("servo,servo"), {QStringLiteral("--enable-faults")}};
+    QStringList m_end;
+    QJsonArray m_before;
+    std::optional<Panel> m_panel;
 };
 
-TEST_F(H02_ReadOnlyPanel, LeavesMotorsAloneWhileItIsHaltedAndWhenItIsKilled) {
-    Panel panel(sim, QStringLiteral("look"), 19'200, {QStringLiteral("gui"), QStringLiteral("kill")});
-    panel.begin();
-    panel.send(SIGSTOP);
+/// Both at once, because the test mostly waits.
+TEST(H02_ReadOnlyPanel, LeavesMotorsAloneWhileItIsHaltedAndWhenItIsKilledAndWhenItCrashes) {
+    Watcher halted({QStringLiteral("gui"), QStringLiteral("kill")});
+    Watcher crashes({QStringLiteral("bus"), QStringLiteral("segv")});
+    ASSERT_NO_FATAL_FAILURE(halted.begin());
+    ASSERT_NO_FATAL_FAILURE(crashes.begin());
+    halted.panel().begin();
+    halted.panel().send(SIGSTOP);
+    crashes.panel().begin();
+    ASSERT_NO_FATAL_FAILURE(crashes.expectUndisturbed());
     // More than three times what a guardian tolerates otherwise.
-    ASSERT_NO_FATAL_FAILURE(testing_support::letPass(sim, std::chrono::milliseconds(500)));
-    EXPECT_NEAR(panel.velocity(2), 8.0, 0.01);
-    panel.send(SIGCONT);
-    panel.goOn();
-    expectUndisturbed(panel);
+    ASSERT_NO_FATAL_FAILURE(testing_support::letPass(halted.sim(), std::chrono::milliseconds(500)));
+    EXPECT_NEAR(halted.panel().velocity(2), 8.0, 0.01);
+    halted.panel().send(SIGCONT);
+    halted.expectUndisturbed();
 }
 
-TEST_F(H02_ReadOnlyPanel, LeavesMotorsAloneWhenItCrashes) {
-    Panel panel(sim, QStringLiteral("look"), 19'200, {QStringLiteral("bus"), QStringLiteral("segv")});
-    panel.begin();
-    panel.goOn();
-    expectUndisturbed(panel);
-}
-
-TEST_F(H02_Guarded, EndsInOrderWithoutAReport) {
-    Panel panel(sim, QStringLiteral("velocity"), 19'200, {QStringLiteral("close"), QStringLiteral("kill")});
-    panel.begin();
-    panel.goOn();
-    ASSERT_TRUE(panel.ends());
-    EXPECT_EQ(panel.exitStatus(), QProcess::NormalExit);
-    EXPECT_TRUE(panel.motorsStop());
-    EXPECT_TRUE(panel.reports().empty());
-}
-
-TEST_F(H02_Guarded, GoesOnWithoutItsGuardianAndSaysSo) {
-    Panel panel(sim, QStringLiteral("velocity"), 115'200, {QStringLiteral("close"), QStringLiteral("kill")});
-    panel.begin();
-    const pid_t guard = panel.guard();
+/// With its guardian and without, both at once, because the test mostly waits.
+TEST(H02_Unguarded, GoesOnAndSaysSoAndEndsInOrderWithoutAReport) {
+    NmcsimProcess guardedSim(QStringLiteral("servo,servo")), unguardedSim(QStringLiteral("servo,servo"));
+    const QStringList end{QStringLiteral("close"), QStringLiteral("kill")};
+    Panel guarded(guardedSim, QStringLiteral("velocity"), 19'200, end);
+    Panel unguarded(unguardedSim, QStringLiteral("velocity"), 115'200, end);
+    unguarded.begin();
+    const pid_t guard = unguarded.guard();
     ASSERT_GT(guard, 0);
     ::kill(guard, SIGKILL);
-    EXPECT_EQ(panel.word(), "unguarded");
-    EXPECT_NEAR(panel.velocity(2), 8.0, 0.1) << "the motor runs on";
-    panel.goOn();
-    ASSERT_TRUE(panel.ends());
-    EXPECT_EQ(panel.exitStatus(), QProcess::NormalExit);
-    EXPECT_TRUE(panel.motorsStop());
-    EXPECT_TRUE(panel.reports().empty());
+    EXPECT_EQ(unguarded.word(), "unguarded");
+    EXPECT_NEAR(unguarded.velocity(2), 8.0, 0.1) << "the motor runs on";
+    guarded.begin();
+    for (Panel* panel : {&guarded, &unguarded}) {
+        panel->goOn();
+        ASSERT_TRUE(panel->ends());
+        EXPECT_EQ(panel->exitStatus(), QProcess::NormalExit);
+        EXPECT_TRUE(panel->motorsStop());
+        EXPECT_TRUE(panel->reports().empty());
+    }
 }
 
 }  // namespace

@@ -23,57 +23,62 @@ struct Path {
     Connection connection;
 };
 
-void moveAndStop(Path& path) {
-    auto& [sim, connection] = path;
-    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
-    ASSERT_EQ(connection.store().link().modules.size(), 3U);
-    EXPECT_EQ(connection.module(2).info.identity.version, 1);
-
-    // A program cannot change what is connected to a real port. The line is sent before the gains, so that it
-    // would have been answered by now.
-    connection.worker().ask(ControlLine{"set 2 power 0"});
-    // Without an integral term, the motor rests where the filter no longer overcomes dry friction: at most 2
-    // of 255, which is 2 * 256 / Kp 200 = 2.6 counts.
-    ASSERT_EQ(
-        connection.carryOut({step(1, servo::SetGain{200, 2'000, 0, 0, 255, 0, 8'000, 1, std::uint8_t{0}}),
-                             step(1, servo::StopMotor{true, servo::StopManner::Abruptly, {}})}),
-        bus::Outcome::Done);
-    EXPECT_EQ(connection.count<SimulatorAnswered>(), 0);
-    ASSERT_EQ(connection.carryOut(move(1, 4'000)), bus::Outcome::Done);
-    ASSERT_TRUE(connection.waitUntil([&] {
-        return !connection.module(1).moving() &&
-               std::abs(*connection.module(1).latest->position - 4'000) <= 5;
-    }));
-    EXPECT_NEAR(sim.state(2)[QStringLiteral("position")].toInt(), 4'000, 5);
-
-    ASSERT_EQ(connection.carryOut(move(1, -100'000)), bus::Outcome::Done);
-    ASSERT_TRUE(connection.waitUntil([&] { return connection.module(1).activity() == Activity::AtSpeed; }));
-    connection.forgetNews();
-    connection.worker().stopAll();
-    ASSERT_TRUE(connection.waitFor<bus::StopFinished>());
-    EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 3U);
-    EXPECT_TRUE(connection.news<bus::StopFinished>()->unreached.empty());
-    const QJsonObject state = sim.state(2);
-    EXPECT_TRUE(state[QStringLiteral("power")].toBool());
-    EXPECT_TRUE(state[QStringLiteral("servo_on")].toBool()) << "a stop keeps holding";
-    EXPECT_GT(state[QStringLiteral("position")].toInt(), -90'000) << "it must have been stopped on its way";
-    EXPECT_FALSE(sim.state(1)[QStringLiteral("servo_on")].toBool()) << "a stop switches nothing on";
-
-    connection.worker().close();
-    ASSERT_TRUE(connection.waitFor<PortClosed>());
-    EXPECT_FALSE(connection.news<PortClosed>()->error.has_value());
-    EXPECT_EQ(sim.violations(), "");
-}
-
-/// All rates in parallel, because the test mostly waits.
+/// All rates at once, because the test mostly waits.
 TEST(SerialPath, FindsTheChainMovesAMotorAndStopsItAtEachRate) {
     std::map<std::uint32_t, Path> paths;
     for (const std::uint32_t baud : {19'200U, 115'200U, 57'600U, 9'600U})
         paths[baud].connection.openSerial(paths[baud].sim.terminal(), baud);
-    for (auto& [baud, path] : paths) {
-        SCOPED_TRACE(baud);
-        moveAndStop(path);
-    }
+    const auto each = [&](const auto& check) {
+        for (auto& [baud, path] : paths) {
+            SCOPED_TRACE(baud);
+            ASSERT_NO_FATAL_FAILURE(check(path.sim, path.connection));
+        }
+    };
+    each([](NmcsimProcess&, Connection& connection) {
+        ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+        ASSERT_EQ(connection.store().link().modules.size(), 3U);
+        EXPECT_EQ(connection.module(2).info.identity.version, 1);
+
+        // A program cannot change what is connected to a real port. The line is sent before the gains, so
+        // that it would have been answered by now.
+        connection.worker().ask(ControlLine{"set 2 power 0"});
+        // Without an integral term, the motor rests where the filter no longer overcomes dry friction: at
+        // most 2 of 255, which is 2 * 256 / Kp 200 = 2.6 counts.
+        ASSERT_EQ(
+            connection.carryOut({step(1, servo::SetGain{200, 2'000, 0, 0, 255, 0, 8'000, 1, std::uint8_t{0}}),
+                                 step(1, servo::StopMotor{true, servo::StopManner::Abruptly, {}})}),
+            bus::Outcome::Done);
+        EXPECT_EQ(connection.count<SimulatorAnswered>(), 0);
+        ASSERT_EQ(connection.carryOut(move(1, 4'000)), bus::Outcome::Done);
+    });
+    each([](NmcsimProcess& sim, Connection& connection) {
+        ASSERT_TRUE(connection.waitUntil([&] {
+            return !connection.module(1).moving() &&
+                   std::abs(*connection.module(1).latest->position - 4'000) <= 5;
+        }));
+        EXPECT_NEAR(sim.state(2)[QStringLiteral("position")].toInt(), 4'000, 5);
+        ASSERT_EQ(connection.carryOut(move(1, -100'000)), bus::Outcome::Done);
+    });
+    each([](NmcsimProcess& sim, Connection& connection) {
+        ASSERT_TRUE(
+            connection.waitUntil([&] { return connection.module(1).activity() == Activity::AtSpeed; }));
+        connection.forgetNews();
+        connection.worker().stopAll();
+        ASSERT_TRUE(connection.waitFor<bus::StopFinished>());
+        EXPECT_EQ(connection.news<bus::StopFinished>()->stopped.size(), 3U);
+        EXPECT_TRUE(connection.news<bus::StopFinished>()->unreached.empty());
+        const QJsonObject state = sim.state(2);
+        EXPECT_TRUE(state[QStringLiteral("power")].toBool());
+        EXPECT_TRUE(state[QStringLiteral("servo_on")].toBool()) << "a stop keeps holding";
+        EXPECT_GT(state[QStringLiteral("position")].toInt(), -90'000)
+            << "it must have been stopped on its way";
+        EXPECT_FALSE(sim.state(1)[QStringLiteral("servo_on")].toBool()) << "a stop switches nothing on";
+
+        connection.worker().close();
+        ASSERT_TRUE(connection.waitFor<PortClosed>());
+        EXPECT_FALSE(connection.news<PortClosed>()->error.has_value());
+        EXPECT_EQ(sim.violations(), "");
+    });
 }
 
 TEST(SerialPathRates, ChangeToAnyDivisorWhileAMotorHoldsAndTheNextConnectionFindsTheChain) {

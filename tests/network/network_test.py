@@ -7,19 +7,29 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 from pathlib import Path
+
+sys.path.insert(1, str(Path(__file__).resolve().parents[1] / "support"))
+import inparallel  # noqa: E402
 
 PROGRAMS = Path(sys.argv.pop())
 GAINS = "gains 1 --set kp=200 kd=2000 ki=20 il=200 ol=255 cl=0 el=8000 sr=1\n"
 DONE, NOT_REACHED = 0, 3
 
 
-def free_port():
-    with socket.socket() as listener:
-        listener.bind(("127.0.0.1", 0))
-        return listener.getsockname()[1]
+def free_port(taken=set(), lock=threading.Lock()):
+    """A port that no other test has been given."""
+    with lock:
+        while True:
+            with socket.socket() as listener:
+                listener.bind(("127.0.0.1", 0))
+                port = listener.getsockname()[1]
+            if port not in taken:
+                taken.add(port)
+                return port
 
 
 class DeviceServers(unittest.TestCase):
@@ -27,18 +37,17 @@ class DeviceServers(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
+        self.environment = {**os.environ, "LC_ALL": "C.UTF-8"}
         for name in ("XDG_RUNTIME_DIR", "XDG_CONFIG_HOME", "XDG_DATA_HOME"):
-            os.environ[name] = str(self.folder / name)
-            os.mkdir(os.environ[name], 0o700)
-        os.environ["LC_ALL"] = "C.UTF-8"
+            self.environment[name] = str(self.folder / name)
+            (self.folder / name).mkdir(0o700)
         self.port = free_port()
         self.chain = self.start(PROGRAMS / "nmcsim", "--chain", "servo,step", stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                 text=True, bufsize=1)
         self.terminal = self.chain.stdout.readline().split()[1]
 
     def start(self, *command, **options):
-        process = subprocess.Popen([str(word) for word in command], **options)
-
+        process = subprocess.Popen([str(word) for word in command], env=self.environment, **options)
         self.addCleanup(self.end, process)
         return process
 
@@ -66,7 +75,7 @@ class DeviceServers(unittest.TestCase):
 
     def ctl(self, protocol, *words, text=None):
         done = subprocess.run([PROGRAMS / "nmcctl", "--port", f"{protocol}://127.0.0.1:{self.port}", *words], input=text,
-                              capture_output=True, text=True, check=False)
+                              env=self.environment, capture_output=True, text=True, check=False)
         return done.returncode, done.stdout, done.stderr
 
     def ask(self, line):
@@ -133,10 +142,11 @@ class DeviceServers(unittest.TestCase):
     def test_says_what_is_not_there(self):
         for name, sentence in ((f"tcp://127.0.0.1:{self.port}", "Nothing accepts connections"),
                                ("tcp://no.such.host.invalid:1", "was not found"), ("tcp://bench", "tcp://HOST:PORT")):
-            done = subprocess.run([PROGRAMS / "nmcctl", "--port", name, "list"], capture_output=True, text=True, check=False)
+            done = subprocess.run([PROGRAMS / "nmcctl", "--port", name, "list"], env=self.environment,
+                                  capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, NOT_REACHED)
             self.assertIn(sentence, done.stderr)
 
 
 if __name__ == "__main__":
-    unittest.main(verbosity=2)
+    inparallel.main()
