@@ -14,6 +14,7 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,7 +23,7 @@ from mutants import MUTANTS
 ROOT = Path(__file__).resolve().parents[2]
 WORK = ROOT / "build" / "mutants"
 TREE = WORK / "tree"
-LONGEST = 300  # seconds for a test program
+LONGEST = 3600  # seconds for a test program without any mutant
 
 
 @dataclass(frozen=True)
@@ -85,13 +86,13 @@ def compiles(suite, jobs, *programs):
     return done.returncode == 0
 
 
-def failures(suite, program, *options):
-    """The names of the tests that fail, and one for the program if it does not end."""
+def failures(suite, program, longest, *options):
+    """The names of the tests that fail, and one for the program if it does not end in `longest` seconds."""
     report = suite.build / f"{program}.json"
     report.unlink(missing_ok=True)
     command = [suite.build / "bin" / program, f"--gtest_output=json:{report}", *options]
     try:
-        subprocess.run(command, timeout=LONGEST, capture_output=True, env={**os.environ, "RC_PARAMS": "seed=1"})
+        subprocess.run(command, timeout=longest, capture_output=True, env={**os.environ, "RC_PARAMS": "seed=1"})
     except subprocess.TimeoutExpired:
         return {f"{program} does not end"}
     if not report.exists():
@@ -101,25 +102,25 @@ def failures(suite, program, *options):
             if test.get("failures")}
 
 
-def noticed_by(suite, jobs, before):
+def noticed_by(suite, jobs, before, longest):
     """A test that newly fails; empty if none does, None if the mutant does not compile."""
     for program in suite.programs:
         if not compiles(suite, jobs, program):
             return None
         others = f"--gtest_filter={suite.filter}-{':'.join(sorted(before))}"
-        if new := failures(suite, program, others, "--gtest_fail_fast"):
+        if new := failures(suite, program, longest[program], others, "--gtest_fail_fast"):
             return min(new)
     return ""
 
 
-def run(mutant, suite, jobs, before):
+def run(mutant, suite, jobs, before, longest):
     """A test that noticed the mutant; empty if none did, None if it does not compile."""
     originals = {edit.file: (TREE / edit.file).read_text(encoding="utf-8") for edit in mutant.edits}
     try:
         for edit in mutant.edits:
             path = TREE / edit.file
             path.write_text(path.read_text(encoding="utf-8").replace(edit.old, edit.new), encoding="utf-8")
-        return noticed_by(suite, jobs, before)
+        return noticed_by(suite, jobs, before, longest)
     finally:
         for name, text in originals.items():
             (TREE / name).write_text(text, encoding="utf-8")
@@ -132,13 +133,19 @@ def run_all(suite, mutants, jobs):
         print("run_mutants: the tree does not build", file=sys.stderr)
         return None
     everything = f"--gtest_filter={suite.filter}"
-    before = set().union(*(failures(suite, program, everything) for program in suite.programs))
+    before = set()
+    longest = {}
+    for program in suite.programs:
+        start = time.monotonic()
+        before |= failures(suite, program, LONGEST, everything)
+        # The machine may be busier later.
+        longest[program] = 60 + 10 * (time.monotonic() - start)
     if before:
         print(f"{len(before)} tests fail without any mutant; they count for nothing", flush=True)
     survived = 0
     # By file, so that undoing one mutant and making the next compiles that file once.
     for mutant in sorted(mutants, key=lambda each: [edit.file for edit in each.edits]):
-        noticed = run(mutant, suite, jobs, before)
+        noticed = run(mutant, suite, jobs, before, longest)
         if noticed:
             print(f"killed    {mutant.name}: {noticed}", flush=True)
         else:
