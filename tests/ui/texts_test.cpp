@@ -6,6 +6,11 @@
 namespace nmc {
 namespace {
 
+template <typename Enum>
+Enum next(Enum value) {
+    return static_cast<Enum>(static_cast<int>(value) + 1);
+}
+
 QStringList verbs(const Message& message) {
     QStringList list;
     for (const Message::Action& action : message.actions)
@@ -222,6 +227,22 @@ TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {
     EXPECT_EQ(texts::stopConfirmed({ModuleIndex(1), bus::StopCause::HoldExpired}), u"It has stopped."_s);
     EXPECT_EQ(texts::stopConfirmed({ModuleIndex(1), bus::StopCause::GroupHalfStarted}),
               u"Module 2 has stopped."_s);
+}
+
+/// Also of those that are not expected there.
+TEST(Texts, EveryFailureOfEveryProcedureHasWords) {
+    for (auto kind = ProcedureKind::Homing; kind <= ProcedureKind::Repeatability; kind = next(kind))
+        for (auto failure = ProcedureFailure::SwitchActive; failure <= ProcedureFailure::Bounced;
+             failure = next(failure)) {
+            ProcedureReport report;
+            report.kind = kind;
+            report.stage = ProcedureStage::Failed;
+            report.failure = failure;
+            const auto message = texts::procedureEnded(report, AxisScale::servo({}, 1));
+            ASSERT_TRUE(message);
+            EXPECT_TRUE(message->headline.contains(u"1"_s)) << static_cast<int>(kind) << static_cast<int>(failure);
+            EXPECT_FALSE(message->body.isEmpty()) << static_cast<int>(kind) << ' ' << static_cast<int>(failure);
+        }
 }
 
 TEST(Texts, LinkMessagesSayStoppedMovingOrUnknown) {

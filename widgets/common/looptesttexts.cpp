@@ -17,154 +17,101 @@ QString wrongWayAdvice() {
 
 /// What to do after a square wave or a frequency response has failed; follows the reason.
 QString testAdvice(ProcedureFailure failure) {
-    switch (failure) {
-        case ProcedureFailure::WentOff:
-            return Texts::tr(
-                "The position error was too large, or motor power failed. Check for a jam, raise EL or make the test smaller, then enable the motor.");
-        case ProcedureFailure::Unstable:
-            return wrongWayAdvice();
-        case ProcedureFailure::ModuleUnresponsive:
-            return Texts::tr("It was commanded to hold. Use the hardware stop if it moves.");
-        case ProcedureFailure::LinkSuspect:
-            return Texts::tr("Check the link, then start the test again.");
-        case ProcedureFailure::Refused:
-            return Texts::tr("Usually noise on the cable. Start the test again.");
-        case ProcedureFailure::SwitchActive:
-        case ProcedureFailure::NotFound:
-        case ProcedureFailure::TravelLimit:
-        case ProcedureFailure::TimeLimit:
-        case ProcedureFailure::ReadingsDiffer:
-        case ProcedureFailure::NotStill:
-        case ProcedureFailure::SoftLimit:
-        case ProcedureFailure::StoppedShort:
-        case ProcedureFailure::NotAtHome:
-        case ProcedureFailure::Bounced:
-        case ProcedureFailure::Swings:
-        case ProcedureFailure::Saturates:
-        case ProcedureFailure::NotStarted:
-        case ProcedureFailure::UnderRun:
-        case ProcedureFailure::OffPath:
-        case ProcedureFailure::NotFollowing:
-        case ProcedureFailure::Reversed:
-            return {};  // the reason says it, or it does not occur here
-    }
+    if (failure == ProcedureFailure::WentOff)
+        return Texts::tr(
+            "The position error was too large, or motor power failed. Check for a jam, raise EL or make the test smaller, then enable the motor.");
+    if (failure == ProcedureFailure::Unstable)
+        return wrongWayAdvice();
+    if (failure == ProcedureFailure::ModuleUnresponsive)
+        return Texts::tr("It was commanded to hold. Use the hardware stop if it moves.");
+    if (failure == ProcedureFailure::LinkSuspect)
+        return Texts::tr("Check the link, then start the test again.");
+    if (failure == ProcedureFailure::Refused)
+        return Texts::tr("Usually noise on the cable. Start the test again.");
     return {};
+}
+
+/// `who`: "Module 1".
+Words endedEarly(ProcedureFailure failure, const QString& who) {
+    return {Texts::tr("The loop test of %1 ended early.").arg(who), loopTestFailure(failure),
+            freeOrUnknown(failure) ? Severity::Fault : Severity::Attention};
 }
 
 Words responseFailed(ProcedureFailure failure, const QString& who) {
-    switch (failure) {
-        case ProcedureFailure::TravelLimit:
-            return {
-                Texts::tr("%1 was stopped and holds: it moved the wrong way, or by more than twice the step.")
-                    .arg(who),
-                Texts::tr(
-                    "The servo oscillates, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.") +
-                    u' ' + wrongWayAdvice()};
-        case ProcedureFailure::Unstable:
-            return {
-                Texts::tr("%1 was switched off and is free to turn: it kept oscillating after its step.")
-                    .arg(who),
-                Texts::tr(
-                    "The servo is not stable with these gains. Lower Kp and Ki, or raise Kd, apply them, then enable it.") +
-                    u' ' + wrongWayAdvice(),
-                Severity::Fault};
-        case ProcedureFailure::NotStill:
-            return {
-                Texts::tr("%1 does not come to rest; its servo stays on.").arg(who),
-                Texts::tr(
-                    "It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd. Choose Motor off to end it at once.")};
-        case ProcedureFailure::StoppedShort:
-            return {Texts::tr("%1 did not complete its step: its limit stop ended it.").arg(who),
-                    limitStopAdvice()};
-        case ProcedureFailure::WentOff:
-            return {
-                Texts::tr("%1 did not complete its step: its motor switched itself off and is free to turn.")
-                    .arg(who),
-                Texts::tr(
-                    "The position error was too large, or motor power failed. Check for a jam, raise EL or shorten the step, then enable the motor."),
-                Severity::Fault};
-        case ProcedureFailure::ModuleUnresponsive:
-            return {
-                Texts::tr("%1 does not answer, so its step was not recorded. Motor state unknown.").arg(who),
+    if (failure == ProcedureFailure::TravelLimit)
+        return {
+            Texts::tr("%1 was stopped and holds: it moved the wrong way, or by more than twice the step.")
+                .arg(who),
+            Texts::tr(
+                "The servo oscillates, or something else turns the motor. Lower Kp and Ki, or raise Kd, then step again.") +
+                u' ' + wrongWayAdvice()};
+    if (failure == ProcedureFailure::Unstable)
+        return {
+            Texts::tr("%1 was switched off and is free to turn: it kept oscillating after its step.")
+                .arg(who),
+            Texts::tr(
+                "The servo is not stable with these gains. Lower Kp and Ki, or raise Kd, apply them, then enable it.") +
+                u' ' + wrongWayAdvice(),
+            Severity::Fault};
+    if (failure == ProcedureFailure::NotStill)
+        return {
+            Texts::tr("%1 does not come to rest; its servo stays on.").arg(who),
+            Texts::tr(
+                "It oscillates, or an external force turns it. Lower Kp and Ki, or raise Kd. Choose Motor off to end it at once.")};
+    if (failure == ProcedureFailure::StoppedShort)
+        return {Texts::tr("%1 did not complete its step: its limit stop ended it.").arg(who),
+                limitStopAdvice()};
+    if (failure == ProcedureFailure::WentOff)
+        return {
+            Texts::tr("%1 did not complete its step: its motor switched itself off and is free to turn.")
+                .arg(who),
+            Texts::tr(
+                "The position error was too large, or motor power failed. Check for a jam, raise EL or shorten the step, then enable the motor."),
+            Severity::Fault};
+    if (failure == ProcedureFailure::ModuleUnresponsive)
+        return {Texts::tr("%1 does not answer, so its step was not recorded. Motor state unknown.").arg(who),
                 Texts::tr("It was commanded to hold. Use the hardware stop if it moves."), Severity::Fault};
-        case ProcedureFailure::LinkSuspect:
-            return {
-                Texts::tr("%1 was commanded to hold, and its step was not recorded: the link was unreliable.")
+    if (failure == ProcedureFailure::LinkSuspect)
+        return {Texts::tr("%1 was commanded to hold, and its step was not recorded: the link was unreliable.")
                     .arg(who),
                 Texts::tr("Check the link, then step again.")};
-        case ProcedureFailure::Refused:
-            return {
-                Texts::tr(
-                    "%1 was commanded to hold, and its step was not recorded: a command failed, or its answer was lost.")
-                    .arg(who),
-                Texts::tr("Usually noise on the cable. Step again.")};
-        case ProcedureFailure::SwitchActive:
-        case ProcedureFailure::NotFound:
-        case ProcedureFailure::TimeLimit:
-        case ProcedureFailure::SoftLimit:
-        case ProcedureFailure::ReadingsDiffer:
-        case ProcedureFailure::NotAtHome:
-        case ProcedureFailure::Bounced:
-        case ProcedureFailure::Swings:
-        case ProcedureFailure::Saturates:
-        case ProcedureFailure::NotStarted:
-        case ProcedureFailure::UnderRun:
-        case ProcedureFailure::OffPath:
-        case ProcedureFailure::NotFollowing:
-        case ProcedureFailure::Reversed:
-            return {};  // does not occur here
-    }
-    return {};
+    if (failure == ProcedureFailure::Refused)
+        return {
+            Texts::tr(
+                "%1 was commanded to hold, and its step was not recorded: a command failed, or its answer was lost.")
+                .arg(who),
+            Texts::tr("Usually noise on the cable. Step again.")};
+    return endedEarly(failure, who);
 }
 
 Words tryFailed(ProcedureFailure failure, const QString& who) {
-    switch (failure) {
-        case ProcedureFailure::Swings:
-            return {Texts::tr("The previous gains of %1 are restored: it began to oscillate.").arg(who),
-                    Texts::tr("Lower Kp and Ki, or raise Kd, then try again.")};
-        case ProcedureFailure::Saturates:
-            return {
-                Texts::tr("The previous gains of %1 are restored: its output reached the limit OL.").arg(who),
+    if (failure == ProcedureFailure::Swings)
+        return {Texts::tr("The previous gains of %1 are restored: it began to oscillate.").arg(who),
+                Texts::tr("Lower Kp and Ki, or raise Kd, then try again.")};
+    if (failure == ProcedureFailure::Saturates)
+        return {Texts::tr("The previous gains of %1 are restored: its output reached the limit OL.").arg(who),
                 Texts::tr("It oscillates, or was pushed. Lower Kp, or raise Kd, then try again.")};
-        case ProcedureFailure::TravelLimit:
-            return {Texts::tr("The previous gains of %1 are restored: it left its position.").arg(who),
-                    Texts::tr("These gains do not hold its load, or something else turned it.")};
-        case ProcedureFailure::WentOff:
-            return {Texts::tr("%1 switched itself off while gains were being tried, and is free to turn.")
-                        .arg(who),
-                    Texts::tr("Its previous gains were sent again. Check for a jam, then enable it."),
-                    Severity::Fault};
-        case ProcedureFailure::ModuleUnresponsive:
-            return {
-                Texts::tr("%1 does not answer while gains are being tried. Motor state unknown.").arg(who),
+    if (failure == ProcedureFailure::TravelLimit)
+        return {Texts::tr("The previous gains of %1 are restored: it left its position.").arg(who),
+                Texts::tr("These gains do not hold its load, or something else turned it.")};
+    if (failure == ProcedureFailure::WentOff)
+        return {
+            Texts::tr("%1 switched itself off while gains were being tried, and is free to turn.").arg(who),
+            Texts::tr("Its previous gains were sent again. Check for a jam, then enable it."),
+            Severity::Fault};
+    if (failure == ProcedureFailure::ModuleUnresponsive)
+        return {Texts::tr("%1 does not answer while gains are being tried. Motor state unknown.").arg(who),
                 Texts::tr("Its previous gains were sent. Use the hardware stop if it moves."),
                 Severity::Fault};
-        case ProcedureFailure::LinkSuspect:
-            return {Texts::tr("The previous gains of %1 were sent again: the link was unreliable.").arg(who),
-                    Texts::tr("Check the link, then try again.")};
-        case ProcedureFailure::Refused:
-            return {Texts::tr(
-                        "The previous gains of %1 were sent again: a command failed, or its answer was lost.")
-                        .arg(who),
-                    Texts::tr("Usually noise on the cable. Try again.")};
-        case ProcedureFailure::SwitchActive:
-        case ProcedureFailure::NotFound:
-        case ProcedureFailure::TimeLimit:
-        case ProcedureFailure::SoftLimit:
-        case ProcedureFailure::ReadingsDiffer:
-        case ProcedureFailure::NotStill:
-        case ProcedureFailure::Unstable:
-        case ProcedureFailure::NotAtHome:
-        case ProcedureFailure::Bounced:
-        case ProcedureFailure::StoppedShort:
-        case ProcedureFailure::NotStarted:
-        case ProcedureFailure::UnderRun:
-        case ProcedureFailure::OffPath:
-        case ProcedureFailure::NotFollowing:
-        case ProcedureFailure::Reversed:
-            return {};  // does not occur here
-    }
-    return {};
+    if (failure == ProcedureFailure::LinkSuspect)
+        return {Texts::tr("The previous gains of %1 were sent again: the link was unreliable.").arg(who),
+                Texts::tr("Check the link, then try again.")};
+    if (failure == ProcedureFailure::Refused)
+        return {
+            Texts::tr("The previous gains of %1 were sent again: a command failed, or its answer was lost.")
+                .arg(who),
+            Texts::tr("Usually noise on the cable. Try again.")};
+    return endedEarly(failure, who);
 }
 
 }  // namespace
@@ -174,8 +121,7 @@ Words testFailed(const ProcedureReport& report, const QString& who) {
         return responseFailed(*report.failure, who);
     if (report.kind == ProcedureKind::TryGains)
         return tryFailed(*report.failure, who);
-    return {Texts::tr("The loop test of %1 ended early.").arg(who), loopTestFailure(*report.failure),
-            freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};
+    return endedEarly(*report.failure, who);
 }
 
 QString loopTestFailure(ProcedureFailure failure) {

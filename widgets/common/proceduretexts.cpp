@@ -16,123 +16,84 @@ namespace {
 
 /// `who`: "Module 1".
 Words homingFailed(const ProcedureReport& report, const QString& who, const AxisScale& scale) {
-    switch (*report.failure) {
-        case ProcedureFailure::SwitchActive:
-            return {
-                Texts::tr("%1 was stopped: its switch stayed active while backing off.").arg(who),
-                Texts::tr(
-                    "The switch may be stuck, or the search direction is wrong. Move the motor off the switch, or change the direction, then try again.")};
-        case ProcedureFailure::NotFound:
-            return {
-                Texts::tr("%1 stopped before it found home.").arg(who),
-                Texts::tr(
-                    "A limit switch or the E-stop input ended the motion. Check the search direction and the switches, then try again.")};
-        case ProcedureFailure::TravelLimit:
-            return {
-                Texts::tr("%1 was stopped: home not found within the search distance.").arg(who),
+    if (*report.failure == ProcedureFailure::SwitchActive)
+        return {
+            Texts::tr("%1 was stopped: its switch stayed active while backing off.").arg(who),
+            Texts::tr(
+                "The switch may be stuck, or the search direction is wrong. Move the motor off the switch, or change the direction, then try again.")};
+    if (*report.failure == ProcedureFailure::NotFound)
+        return {
+            Texts::tr("%1 stopped before it found home.").arg(who),
+            Texts::tr(
+                "A limit switch or the E-stop input ended the motion. Check the search direction and the switches, then try again.")};
+    if (*report.failure == ProcedureFailure::TravelLimit)
+        return {Texts::tr("%1 was stopped: home not found within the search distance.").arg(who),
                 Texts::tr("Check the switch and its cable, the search direction and the search distance.")};
-        case ProcedureFailure::SoftLimit:
-            return {
-                Texts::tr(
-                    "%1 was stopped: home not found within its travel limits or at its last known position.")
-                    .arg(who),
-                Texts::tr(
-                    "Check the switch and its cable, and the search direction. If the position is wrong, choose Position in doubt on the Axis page: the next search then uses only its search distance.")};
-        case ProcedureFailure::TimeLimit:
-            return {
-                Texts::tr("%1 was stopped: home not found within the time limit.").arg(who),
-                Texts::tr(
-                    "Check the switch and its cable, the search direction and velocity, and the time limit.")};
-        case ProcedureFailure::LinkSuspect:
-            return {
-                Texts::tr("%1 is not homed and was commanded to stop: the link was unreliable.").arg(who),
+    if (*report.failure == ProcedureFailure::SoftLimit)
+        return {
+            Texts::tr(
+                "%1 was stopped: home not found within its travel limits or at its last known position.")
+                .arg(who),
+            Texts::tr(
+                "Check the switch and its cable, and the search direction. If the position is wrong, choose Position in doubt on the Axis page: the next search then uses only its search distance.")};
+    if (*report.failure == ProcedureFailure::TimeLimit)
+        return {
+            Texts::tr("%1 was stopped: home not found within the time limit.").arg(who),
+            Texts::tr(
+                "Check the switch and its cable, the search direction and velocity, and the time limit.")};
+    if (*report.failure == ProcedureFailure::LinkSuspect)
+        return {Texts::tr("%1 is not homed and was commanded to stop: the link was unreliable.").arg(who),
                 Texts::tr("The home position found may be wrong. Check the link, then repeat the search.")};
-        case ProcedureFailure::ModuleUnresponsive:
-            return {Texts::tr("%1 is not homed and does not answer. Motor state unknown.").arg(who),
-                    Texts::tr("It was commanded to stop. Use the hardware stop if it moves."),
-                    Severity::Fault};
-        case ProcedureFailure::WentOff:
-            return {
-                Texts::tr("%1 is not homed: its motor switched itself off and is free to turn.").arg(who),
-                Texts::tr(
-                    "The position error was too large, or motor power failed. Check for a jam, enable the motor, then repeat the search."),
-                Severity::Fault};
-        case ProcedureFailure::Refused:
-            return {
-                Texts::tr(
-                    "%1 is not homed and was commanded to stop: a command failed, or its answer was lost.")
-                    .arg(who),
+    if (*report.failure == ProcedureFailure::ModuleUnresponsive)
+        return {Texts::tr("%1 is not homed and does not answer. Motor state unknown.").arg(who),
+                Texts::tr("It was commanded to stop. Use the hardware stop if it moves."), Severity::Fault};
+    if (*report.failure == ProcedureFailure::WentOff)
+        return {
+            Texts::tr("%1 is not homed: its motor switched itself off and is free to turn.").arg(who),
+            Texts::tr(
+                "The position error was too large, or motor power failed. Check for a jam, enable the motor, then repeat the search."),
+            Severity::Fault};
+    if (*report.failure == ProcedureFailure::Refused)
+        return {
+            Texts::tr("%1 is not homed and was commanded to stop: a command failed, or its answer was lost.")
+                .arg(who),
+            Texts::tr("Usually noise on the cable. Repeat the search.")};
+    if (*report.failure == ProcedureFailure::ReadingsDiffer)
+        return {Texts::tr("%1 is at rest but not homed: two readings of home differ.").arg(who),
                 Texts::tr("Usually noise on the cable. Repeat the search.")};
-        case ProcedureFailure::ReadingsDiffer:
-            return {Texts::tr("%1 is at rest but not homed: two readings of home differ.").arg(who),
-                    Texts::tr("Usually noise on the cable. Repeat the search.")};
-        case ProcedureFailure::NotStill:
-        case ProcedureFailure::Unstable:
-        case ProcedureFailure::Swings:
-        case ProcedureFailure::Saturates:
-        case ProcedureFailure::StoppedShort:
-        case ProcedureFailure::NotStarted:
-        case ProcedureFailure::UnderRun:
-        case ProcedureFailure::OffPath:
-        case ProcedureFailure::NotFollowing:
-        case ProcedureFailure::Reversed:
-        case ProcedureFailure::Bounced:
-            return {};  // does not occur here
-        case ProcedureFailure::NotAtHome:
-            return {
-                Texts::tr("%1 found home and holds close to it, but the position was not set to 0.").arg(who),
-                Texts::tr(
-                    "Friction holds it %1 off home, too far to set the position to 0. Raise Ki and IL on the Gains page, or clear \"Set position to 0\" on the Homing page. The tolerance follows from the unit on the Axis page.")
-                    .arg(distance(scale, std::abs(report.offHome)))};
-    }
-    return {};
+    if (*report.failure == ProcedureFailure::NotAtHome)
+        return {
+            Texts::tr("%1 found home and holds close to it, but the position was not set to 0.").arg(who),
+            Texts::tr(
+                "Friction holds it %1 off home, too far to set the position to 0. Raise Ki and IL on the Gains page, or clear \"Set position to 0\" on the Homing page. The tolerance follows from the unit on the Axis page.")
+                .arg(distance(scale, std::abs(report.offHome)))};
+    return {Texts::tr("%1 stopped before it found home.").arg(who), procedureFailure(*report.failure)};
 }
 
 Words directionFailed(ProcedureFailure failure, const QString& who) {
     const QString off = Texts::tr("Direction check of %1 inconclusive; its motor is off.").arg(who);
     const QString told =
         Texts::tr("Direction check of %1 inconclusive; its motor was commanded to switch off.").arg(who);
-    switch (failure) {
-        case ProcedureFailure::TravelLimit:
-            return {
-                off,
-                Texts::tr(
-                    "It turned farther than the check allows: something else turns it, or it coasts for a long time. Wait until it is at rest, then check again.")};
-        case ProcedureFailure::NotStill:
-            return {
-                off,
-                Texts::tr(
-                    "It does not come to rest although nothing drives it. Find what turns it, then check again.")};
-        case ProcedureFailure::LinkSuspect:
-            return {told,
-                    Texts::tr("The link was unreliable. Check the link, then repeat the direction check.")};
-        case ProcedureFailure::ModuleUnresponsive:
-            return {Texts::tr("Direction check of %1 inconclusive: it does not answer. Motor state unknown.")
-                        .arg(who),
-                    Texts::tr("It was commanded to switch off. Use the hardware stop if it moves."),
-                    Severity::Fault};
-        case ProcedureFailure::Refused:
-            return {told, Texts::tr("A command failed, or its answer was lost. Repeat the direction check.")};
-        case ProcedureFailure::SwitchActive:
-        case ProcedureFailure::NotFound:
-        case ProcedureFailure::TimeLimit:
-        case ProcedureFailure::SoftLimit:
-        case ProcedureFailure::WentOff:
-        case ProcedureFailure::ReadingsDiffer:
-        case ProcedureFailure::Unstable:
-        case ProcedureFailure::NotAtHome:
-        case ProcedureFailure::Swings:
-        case ProcedureFailure::Saturates:
-        case ProcedureFailure::StoppedShort:
-        case ProcedureFailure::NotStarted:
-        case ProcedureFailure::UnderRun:
-        case ProcedureFailure::OffPath:
-        case ProcedureFailure::NotFollowing:
-        case ProcedureFailure::Reversed:
-        case ProcedureFailure::Bounced:
-            return {};  // does not occur here
-    }
-    return {};
+    if (failure == ProcedureFailure::TravelLimit)
+        return {
+            off,
+            Texts::tr(
+                "It turned farther than the check allows: something else turns it, or it coasts for a long time. Wait until it is at rest, then check again.")};
+    if (failure == ProcedureFailure::NotStill)
+        return {
+            off,
+            Texts::tr(
+                "It does not come to rest although nothing drives it. Find what turns it, then check again.")};
+    if (failure == ProcedureFailure::LinkSuspect)
+        return {told, Texts::tr("The link was unreliable. Check the link, then repeat the direction check.")};
+    if (failure == ProcedureFailure::ModuleUnresponsive)
+        return {Texts::tr("Direction check of %1 inconclusive: it does not answer. Motor state unknown.")
+                    .arg(who),
+                Texts::tr("It was commanded to switch off. Use the hardware stop if it moves."),
+                Severity::Fault};
+    if (failure == ProcedureFailure::Refused)
+        return {told, Texts::tr("A command failed, or its answer was lost. Repeat the direction check.")};
+    return {told, procedureFailure(failure)};
 }
 
 /// `who`: "Module 1".
