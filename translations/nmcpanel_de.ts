@@ -8152,10 +8152,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Fortschritt der Suche</translation>
     </message>
     <message>
-        <source>Search settings</source>
-        <translation>Einstellungen der Suche</translation>
-    </message>
-    <message>
         <source>Moves the motor to search for home, as set above.</source>
         <translation>Bewegt den Motor: er sucht die Referenz, wie oben eingestellt.</translation>
     </message>

@@ -8152,10 +8152,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Progreso de la búsqueda</translation>
     </message>
     <message>
-        <source>Search settings</source>
-        <translation>Ajustes de la búsqueda</translation>
-    </message>
-    <message>
         <source>Moves the motor to search for home, as set above.</source>
         <translation>Mueve el motor para buscar la referencia, según lo indicado arriba.</translation>
     </message>

@@ -5412,11 +5412,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The switch changed again while the motor stopped beyond it: it bounces, or its cam is too short. The motor is at rest. Move more slowly, or raise the acceleration.</source>
-        <translation>Le capteur a encore changé pendant que le moteur s’arrêtait au-delà : il rebondit, ou sa came est trop courte. Le moteur est à l’arrêt. Allez plus lentement, ou augmentez l’accélération.</translation>
+        <translation>Le capteur a encore changé pendant que le moteur s’arrêtait au-delà&#xa0;: il rebondit, ou sa came est trop courte. Le moteur est à l’arrêt. Allez plus lentement, ou augmentez l’accélération.</translation>
     </message>
     <message>
         <source>The switch or index did not change within the search distance and the time limit. It may be stuck, closed on both sides, or in the other direction; above 1 count per tick, an index can be missed. The motor was stopped.</source>
-        <translation>Le capteur ou l’index n’a pas changé dans la course de recherche et le délai. Il peut être bloqué, fermé des deux côtés, ou dans l’autre sens ; au-dessus de 1 incrément par période, un index peut être manqué. Le moteur a été arrêté.</translation>
+        <translation>Le capteur ou l’index n’a pas changé dans la course de recherche et le délai. Il peut être bloqué, fermé des deux côtés, ou dans l’autre sens&#xa0;; au-dessus de 1 incrément par période, un index peut être manqué. Le moteur a été arrêté.</translation>
     </message>
     <message>
         <source>The switch or index did not change within the travel limits. The motor was stopped.</source>
@@ -8152,10 +8152,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Progression de la recherche</translation>
     </message>
     <message>
-        <source>Search settings</source>
-        <translation>Réglages de recherche</translation>
-    </message>
-    <message>
         <source>Moves the motor to search for home, as set above.</source>
         <translation>Déplace le moteur à la recherche de l’origine, selon les réglages ci-dessus.</translation>
     </message>
@@ -8764,7 +8760,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>○ Not armed: the search for home or the measurement has replaced it.</source>
-        <translation>○ Non armé : la recherche d’origine ou la mesure a pris sa place.</translation>
+        <translation>○ Non armé&#xa0;: la recherche d’origine ou la mesure a pris sa place.</translation>
     </message>
 </context>
 <context>
@@ -10839,7 +10835,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Slower is more exact: the chip looks at its inputs only once per servo tick.</source>
-        <translation>Plus lent est plus exact : la puce ne lit ses entrées qu’une fois par période d’asservissement.</translation>
+        <translation>Plus lent est plus exact&#xa0;: la puce ne lit ses entrées qu’une fois par période d’asservissement.</translation>
     </message>
     <message>
         <source>Times from each side</source>
@@ -10887,27 +10883,27 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Forward, %4 times: mean %1, standard deviation %2, range %3</source>
-        <translation>Avant, %4 fois : moyenne %1, écart type %2, étendue %3</translation>
+        <translation>Avant, %4 fois&#xa0;: moyenne %1, écart type %2, étendue %3</translation>
     </message>
     <message>
         <source>Reverse, %4 times: mean %1, standard deviation %2, range %3</source>
-        <translation>Arrière, %4 fois : moyenne %1, écart type %2, étendue %3</translation>
+        <translation>Arrière, %4 fois&#xa0;: moyenne %1, écart type %2, étendue %3</translation>
     </message>
     <message>
         <source>Difference: %1 ± %2</source>
-        <translation>Différence : %1 ± %2</translation>
+        <translation>Différence&#xa0;: %1 ± %2</translation>
     </message>
     <message>
         <source>Backlash: %1 ± %2</source>
-        <translation>Jeu : %1 ± %2</translation>
+        <translation>Jeu&#xa0;: %1 ± %2</translation>
     </message>
     <message>
         <source>The index is on the encoder&apos;s own shaft: this shows how well a capture repeats, not the backlash of the load.</source>
-        <translation>L’index est sur l’arbre du codeur : cela montre la répétabilité d’une capture, pas le jeu de la charge.</translation>
+        <translation>L’index est sur l’arbre du codeur&#xa0;: cela montre la répétabilité d’une capture, pas le jeu de la charge.</translation>
     </message>
     <message>
         <source>Below zero, so this is not backlash. The switch may bounce.</source>
-        <translation>Inférieur à zéro : ce n’est donc pas du jeu. Le capteur rebondit peut-être.</translation>
+        <translation>Inférieur à zéro&#xa0;: ce n’est donc pas du jeu. Le capteur rebondit peut-être.</translation>
     </message>
     <message>
         <source>Includes the hysteresis of the switch itself. Only with the encoder on the motor and the switch on the load does it show the backlash between them.</source>
@@ -10927,11 +10923,11 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
     <message>
         <source>Stops the motor smoothly; what was captured stays.</source>
-        <translation>Arrête le moteur en douceur ; ce qui a été capturé reste.</translation>
+        <translation>Arrête le moteur en douceur&#xa0;; ce qui a été capturé reste.</translation>
     </message>
     <message>
         <source>Makes %1 the backlash of the axis (Axis page): what was measured, with its uncertainty. Sends nothing.</source>
-        <translation>Fait de %1 le jeu de l’axe (page Axe) : la valeur mesurée, avec son incertitude. N’envoie rien.</translation>
+        <translation>Fait de %1 le jeu de l’axe (page Axe)&#xa0;: la valeur mesurée, avec son incertitude. N’envoie rien.</translation>
     </message>
 </context>
 <context>

@@ -8135,10 +8135,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>サーチの進行状況</translation>
     </message>
     <message>
-        <source>Search settings</source>
-        <translation>サーチの設定</translation>
-    </message>
-    <message>
         <source>Moves the motor to search for home, as set above.</source>
         <translation>上の設定に従い、モーターを動かして原点をサーチします。</translation>
     </message>

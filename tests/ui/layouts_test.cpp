@@ -2,6 +2,7 @@
 // The layouts of the window, and the loop of editing, applying, stepping and looking in them.
 #include <QAction>
 #include <QDockWidget>
+#include <QScrollArea>
 #include <QTabWidget>
 
 #include "widgets/scope/scopepanel.h"
@@ -116,6 +117,18 @@ TEST_F(LayoutsTest, NoTabBarHasScrollArrows) {
                             << bar->width();
             }
         }
+    }
+}
+
+/// Of two scroll bars side by side, the outer one hides what the inner one was to keep in view.
+TEST_F(LayoutsTest, NothingScrollsWithinWhatScrolls) {
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper, ModuleType::Io}) {
+        ModuleState module;
+        module.info = {ModuleIndex(0), BusAddress(1), {type, 1}, {}};
+        window->showLink(connectedTo({module}));
+        for (const auto* area : window->findChildren<QScrollArea*>())
+            for (const auto* inner : area->findChildren<QScrollArea*>())
+                EXPECT_EQ(inner->objectName(), u"messageList"_s) << "a list, like a table, scrolls its rows";
     }
 }
 

@@ -54,9 +54,8 @@ protected:
     template <typename T = QWidget>
     T* reach(const QString& name) {
         T* widget = find<T>(name);
-        for (const QString& place : {u"homingScroll"_s, u"stepperHomingScroll"_s, u"panelScroll"_s})
-            if (auto* area = window->findChild<QScrollArea*>(place);
-                area != nullptr && area->widget()->isAncestorOf(widget))
+        for (auto* area : window->findChildren<QScrollArea*>())
+            if (area->widget()->isAncestorOf(widget))
                 area->ensureWidgetVisible(widget);
         EXPECT_TRUE(widget->isVisible()) << name.toStdString();
         return widget;

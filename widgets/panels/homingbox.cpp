@@ -2,8 +2,6 @@
 #include "widgets/panels/homingbox.h"
 
 #include <QLabel>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include "model/intent/homingplan.h"
@@ -41,24 +39,6 @@ QList<ProcedureStage> stagesOf(const HomingRecipe& recipe) {
         list << ProcedureStage::Zeroing;
     return list;
 }
-
-/// As wide as its content, even when that changes.
-class UpAndDown : public QScrollArea {
-public:
-    using QScrollArea::QScrollArea;
-
-    [[nodiscard]] QSize minimumSizeHint() const override {
-        const int width = widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
-        return {width, QScrollArea::minimumSizeHint().height()};
-    }
-
-protected:
-    bool event(QEvent* event) override {
-        if (event->type() == QEvent::LayoutRequest)
-            updateGeometry();
-        return QScrollArea::event(event);
-    }
-};
 
 }  // namespace
 
@@ -98,25 +78,6 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
     auto* buttons = new FlowLayout(unit);
     buttons->addWidget(m_cancel->button());
     buttons->addWidget(m_home->button());
-    // The buttons and the progress of a search stay visible; the rest scrolls if there is little room.
-    auto* content = new QWidget(this);
-    auto* inner = new QVBoxLayout(content);
-    inner->setContentsMargins(0, 0, 0, 0);
-    inner->setSpacing(unit);
-    inner->addWidget(m_form);
-    if (type != ModuleType::Stepper) {
-        m_limitStop = new LimitStopBox(m_context, content);
-        inner->addWidget(m_limitStop);
-    }
-    inner->addWidget(new RepeatabilityBox(m_context, content));
-    inner->addStretch(1);
-    auto* scroll = new UpAndDown(this);
-    look::name(scroll, named(u"homingScroll"_s), tr("Search settings"));
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(content);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit, 0, 0);
     layout->setSpacing(unit / 2);
@@ -124,8 +85,16 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
     layout->addWidget(m_stages);
     layout->addWidget(m_result);
     layout->addSpacing(unit / 2);
-    layout->addWidget(scroll, 1);
+    layout->addWidget(m_form);
+    layout->addSpacing(unit / 2);
+    if (type != ModuleType::Stepper) {
+        m_limitStop = new LimitStopBox(m_context, this);
+        layout->addWidget(m_limitStop);
+        layout->addSpacing(unit / 2);
+    }
+    layout->addWidget(new RepeatabilityBox(m_context, this));
     layout->addWidget(m_hint);  // it appears and disappears, and nothing may move under the pointer
+    layout->addStretch(1);
 
     m_form->showRecipe(m_context.settings().homing.value_or(firstRecipe(m_context.state().info.identity)));
     m_shown = m_context.settings().homing;
