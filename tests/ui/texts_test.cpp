@@ -240,8 +240,10 @@ TEST(Texts, EveryFailureOfEveryProcedureHasWords) {
             report.failure = failure;
             const auto message = texts::procedureEnded(report, AxisScale::servo({}, 1));
             ASSERT_TRUE(message);
-            EXPECT_TRUE(message->headline.contains(u"1"_s)) << static_cast<int>(kind) << static_cast<int>(failure);
-            EXPECT_FALSE(message->body.isEmpty()) << static_cast<int>(kind) << ' ' << static_cast<int>(failure);
+            EXPECT_TRUE(message->headline.contains(u"1"_s))
+                << static_cast<int>(kind) << static_cast<int>(failure);
+            EXPECT_FALSE(message->body.isEmpty())
+                << static_cast<int>(kind) << ' ' << static_cast<int>(failure);
         }
 }
 
