@@ -35,6 +35,22 @@ protected:
         QWidget* widget = QApplication::focusWidget();
         return widget != nullptr ? widget : &panel.window();
     }
+    [[nodiscard]] bool rests() {
+        return panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); });
+    }
+    /// What is held when the line is lost moves nothing when it is back. The motor itself runs on meanwhile.
+    void loseTheLine() {
+        sim.unplug();
+        ASSERT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
+        sim.plugIn();
+        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
+        panel.pressStopAll();
+        ASSERT_TRUE(rests());
+        const double rest = shaft();
+        ASSERT_TRUE(panel.answersFor(0.5));
+        EXPECT_NEAR(shaft(), rest, 2);
+    }
     void press() {
         QTest::keyPress(focused(), Qt::Key_Shift);
         QTest::keyPress(focused(), Qt::Key_Right, Qt::ShiftModifier);
@@ -58,11 +74,18 @@ TEST_F(ByHand, TheMotorMovesWhileBothKeysAreHeldAndStopsWithTheFirstThatIsReleas
     press();
     ASSERT_TRUE(panel.waitFor([&] { return shaft() > before + 50; }));
     QTest::keyRelease(focused(), Qt::Key_Shift);
-    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    EXPECT_TRUE(rests());
     const double rest = shaft();
     ASSERT_TRUE(panel.answersFor(0.5));
     EXPECT_NEAR(shaft(), rest, 2) << "the arrow is still held";
     QTest::keyRelease(focused(), Qt::Key_Right);
+}
+
+TEST_F(ByHand, ALostLineEndsTheMotionForGood) {
+    QTest::keyClick(focused(), Qt::Key_F12);
+    press();
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    loseTheLine();
 }
 
 TEST_F(ByHand, LosingTheFocusStopsItAndEndsTheMode) {
@@ -93,9 +116,6 @@ protected:
         pad.push(1);
         ASSERT_TRUE(panel.waitFor([&] { return shaft() > before + 50; }));
     }
-    bool rests() {
-        return panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); });
-    }
     testing_support::VirtualPad pad;
 };
 
@@ -112,6 +132,11 @@ TEST_F(ByGamepad, TakingThePadAwayStopsIt) {
     ASSERT_NO_FATAL_FAILURE(hold());
     pad.unplug();
     EXPECT_TRUE(rests());
+}
+
+TEST_F(ByGamepad, ALostLineEndsTheMotionForGood) {
+    ASSERT_NO_FATAL_FAILURE(hold());
+    loseTheLine();
 }
 
 TEST_F(ByGamepad, LosingTheFocusStopsIt) {
@@ -137,9 +162,6 @@ protected:
         ByHand::SetUp();
         QTest::keyClick(focused(), Qt::Key_F12);
         wheel.press();
-    }
-    bool rests() {
-        return panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); });
     }
     testing_support::VirtualWheel wheel;
     double before = 0;
@@ -176,6 +198,12 @@ TEST_F(ByWheel, TakingItAwayStopsTheMotor) {
     ASSERT_TRUE(panel.waitFor([&] { return shaft() > before + 50; }));
     wheel.unplug();
     EXPECT_TRUE(rests());
+}
+
+TEST_F(ByWheel, ALostLineEndsTheMotionForGood) {
+    wheel.push(7);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    loseTheLine();
 }
 
 TEST_F(ByHand, AnOperatorJogsAndStopsAndMovesItNoOtherWay) {
