@@ -136,7 +136,7 @@ class Panel:
         return Axis(self, axis)
 
     def stop(self) -> None:
-        """STOP ALL; always possible."""
+        """STOP ALL; always possible. It cancels what is commanded before wait() returns."""
         self.call("stop")
 
     def request_control(self, on_disconnect: str = "stop") -> None:
