@@ -67,10 +67,13 @@ QTableView* newTable(QAbstractItemModel* model, const QString& objectName, const
 }
 
 template <typename... Commands>
-FlowLayout* inARow(const QWidget* box, Commands*... commands) {
+QWidget* newRow(QWidget* box, Commands*... commands) {
+    auto* row = new QWidget(box);
     auto* layout = new FlowLayout(look::gridUnit(box) / 2);
+    layout->setContentsMargins(0, 0, 0, 0);
     (layout->addWidget(commands->button()), ...);
-    return layout;
+    row->setLayout(layout);
+    return row;
 }
 
 }  // namespace
@@ -129,7 +132,7 @@ QWidget* SequencesPage::buildPoints() {
                                 std::erase_if(program.points, [&](const Point& p) { return p.name == name; });
                             });
                     });
-    auto* motions = inARow(box, m_goTo, m_removePoint);
+    auto* motions = newRow(box, m_goTo, m_removePoint);
     auto* teaching = form::newLine(box, {{m_pointName, 1}, m_teach->button()}, form::kUsual);
     box->setLayout(form::newColumn(box, {{m_pointTable, 1}, motions, m_axes, teaching}, form::kUsual));
     connect(m_pointTable->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -209,19 +212,14 @@ QWidget* SequencesPage::buildSequences() {
 }
 
 QWidget* SequencesPage::buildRowButtons(QGroupBox* box) {
-    const auto newCommand = [box](const QString& name, const QString& icon, const QString& text,
-                                  const QString& sentence, const std::function<void()>& act,
-                                  const QKeySequence& key = {}) {
-        return new Command({.name = name, .icon = icon, .text = text, .accessible = sentence, .key = key},
-                           box, act);
-    };
-    m_addRow = newCommand(u"addRowButton"_s, {}, tr("Add row"), tr("Add row after the selected one"), [this] {
-        const std::size_t at = chosenRow() ? *chosenRow() + 1 : m_rows->rows().size();
-        editRows(tr("Add row"), [&](Sequence& sequence) { insertRow(sequence, at, m_rows->newRow()); });
-        m_rowTable->selectRow(static_cast<int>(at));
-    });
-    m_duplicateRow =
-        newCommand(u"duplicateRowButton"_s, {}, tr("Duplicate"), tr("Duplicate the selected row"), [this] {
+    m_addRow = new Command(
+        {u"addRowButton"_s, {}, tr("Add row"), tr("Add row after the selected one")}, box, [this] {
+            const std::size_t at = chosenRow() ? *chosenRow() + 1 : m_rows->rows().size();
+            editRows(tr("Add row"), [&](Sequence& sequence) { insertRow(sequence, at, m_rows->newRow()); });
+            m_rowTable->selectRow(static_cast<int>(at));
+        });
+    m_duplicateRow = new Command(
+        {u"duplicateRowButton"_s, {}, tr("Duplicate"), tr("Duplicate the selected row")}, box, [this] {
             const std::size_t row = *chosenRow();
             editRows(tr("Duplicate row"), [&](Sequence& sequence) {
                 const Action copy = sequence.rows[row];
@@ -229,76 +227,70 @@ QWidget* SequencesPage::buildRowButtons(QGroupBox* box) {
             });
             m_rowTable->selectRow(static_cast<int>(row) + 1);
         });
-    m_removeRow = newCommand(
-        u"removeRowButton"_s, u"x"_s, tr("Remove row"), tr("Remove row: the selected one"), [this] {
+    m_removeRow = new Command(
+        {u"removeRowButton"_s, u"x"_s, tr("Remove row"), tr("Remove row: the selected one")}, box, [this] {
             editRows(tr("Remove row"),
                      [row = *chosenRow()](Sequence& sequence) { removeRow(sequence, row); });
         });
-    m_rowUp = newCommand(
-        u"rowUpButton"_s, {}, tr("Up"), tr("Up: move the selected row"), [this] { moveRow(-1); },
-        Qt::CTRL | Qt::SHIFT | Qt::Key_Up);
-    m_rowDown = newCommand(
-        u"rowDownButton"_s, {}, tr("Down"), tr("Down: move the selected row"), [this] { moveRow(1); },
-        Qt::CTRL | Qt::SHIFT | Qt::Key_Down);
-    m_undo = newCommand(
-        u"undoEditButton"_s, u"arrow-back-up"_s, Common::tr("Undo"),
-        tr("Undo the last change to points and sequences"), [this] { m_edits.undo(); },
-        Qt::CTRL | Qt::ALT | Qt::Key_Z);
-    m_redo = newCommand(
-        u"redoEditButton"_s, u"arrow-forward-up"_s, Common::tr("Redo"),
-        tr("Redo the last undone change to points and sequences"), [this] { m_edits.redo(); },
-        Qt::CTRL | Qt::ALT | Qt::Key_Y);
-    auto* row = new QWidget(box);
-    auto* layout = inARow(box, m_addRow, m_duplicateRow, m_removeRow, m_rowUp, m_rowDown, m_undo, m_redo);
-    layout->setContentsMargins(0, 0, 0, 0);
-    row->setLayout(layout);
-    return row;
+    m_rowUp = new Command(
+        {u"rowUpButton"_s, {}, tr("Up"), tr("Up: move the selected row"), Qt::CTRL | Qt::SHIFT | Qt::Key_Up},
+        box, [this] { moveRow(-1); });
+    m_rowDown = new Command({u"rowDownButton"_s,
+                             {},
+                             tr("Down"),
+                             tr("Down: move the selected row"),
+                             Qt::CTRL | Qt::SHIFT | Qt::Key_Down},
+                            box, [this] { moveRow(1); });
+    m_undo = new Command({u"undoEditButton"_s, u"arrow-back-up"_s, Common::tr("Undo"),
+                          tr("Undo the last change to points and sequences"), Qt::CTRL | Qt::ALT | Qt::Key_Z},
+                         box, [this] { m_edits.undo(); });
+    m_redo = new Command(
+        {u"redoEditButton"_s, u"arrow-forward-up"_s, Common::tr("Redo"),
+         tr("Redo the last undone change to points and sequences"), Qt::CTRL | Qt::ALT | Qt::Key_Y},
+        box, [this] { m_edits.redo(); });
+    return newRow(box, m_addRow, m_duplicateRow, m_removeRow, m_rowUp, m_rowDown, m_undo, m_redo);
 }
 
 QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
-    const auto newCommand = [box](const QString& name, const QString& icon, const QString& text,
-                                  const QString& sentence, const std::function<void()>& act) {
-        return new Command({.name = name, .icon = icon, .text = text, .accessible = sentence}, box, act);
-    };
-    m_foresee = newCommand(u"dryRunButton"_s, u"wand"_s, tr("Dry run"),
-                           tr("Dry run: simulate the sequence; nothing moves"), [this] {
-                               if (m_foreseeing) {
-                                   m_foreseeing = false;
-                                   showForesightText({});
-                                   emit m_requests.foresightDropped();
-                               } else {
-                                   m_foreseeing = true;
-                                   showForesightText(tr("Dry run…"));
-                                   emit m_requests.foresee(sequence(), 0);
-                               }
-                               refreshRun();
-                           });
-    m_start = newCommand(u"runSequenceButton"_s, u"player-play"_s, tr("Run"), tr("Run the sequence"),
-                         [this] { start(0, false); });
-    m_startHere =
-        newCommand(u"runFromRowButton"_s, u"player-play"_s, tr("Run from row"),
-                   tr("Run from row: start at the selected row"), [this] { start(*chosenRow(), false); });
-    m_pause = newCommand(u"pauseSequenceButton"_s, u"player-pause"_s, Common::tr("Pause"),
-                         tr("Pause the sequence after its row"), [this] {
-                             if (m_run->stage == SequenceStage::Paused)
-                                 emit m_requests.resumeSequence();
+    m_foresee = new Command(
+        {u"dryRunButton"_s, u"wand"_s, tr("Dry run"), tr("Dry run: simulate the sequence; nothing moves")},
+        box, [this] {
+            if (m_foreseeing) {
+                m_foreseeing = false;
+                showForesightText({});
+                emit m_requests.foresightDropped();
+            } else {
+                m_foreseeing = true;
+                showForesightText(tr("Dry run…"));
+                emit m_requests.foresee(sequence(), 0);
+            }
+            refreshRun();
+        });
+    m_start = new Command({u"runSequenceButton"_s, u"player-play"_s, tr("Run"), tr("Run the sequence")}, box,
+                          [this] { start(0, false); });
+    m_startHere = new Command({u"runFromRowButton"_s, u"player-play"_s, tr("Run from row"),
+                               tr("Run from row: start at the selected row")},
+                              box, [this] { start(*chosenRow(), false); });
+    m_pause = new Command({u"pauseSequenceButton"_s, u"player-pause"_s, Common::tr("Pause"),
+                           tr("Pause the sequence after its row")},
+                          box, [this] {
+                              if (m_run->stage == SequenceStage::Paused)
+                                  emit m_requests.resumeSequence();
+                              else
+                                  emit m_requests.pauseSequence();
+                          });
+    m_step = new Command({u"stepSequenceButton"_s, u"arrow-right"_s, tr("Single step"),
+                          tr("Single step: run one row of the sequence")},
+                         box, [this] {
+                             if (running())
+                                 emit m_requests.stepSequence();
                              else
-                                 emit m_requests.pauseSequence();
+                                 start(chosenRow().value_or(0), true);
                          });
-    m_step = newCommand(u"stepSequenceButton"_s, u"arrow-right"_s, tr("Single step"),
-                        tr("Single step: run one row of the sequence"), [this] {
-                            if (running())
-                                emit m_requests.stepSequence();
-                            else
-                                start(chosenRow().value_or(0), true);
-                        });
-    m_stop = newCommand(u"stopSequenceButton"_s, u"player-stop"_s, tr("Stop sequence"),
-                        tr("Stop sequence and its motors"), [this] { emit m_requests.stopSequence(); });
-    auto* row = new QWidget(box);
-    auto* layout = inARow(box, m_foresee, m_start, m_startHere, m_pause, m_step, m_stop);
-    layout->setContentsMargins(0, 0, 0, 0);
-    row->setLayout(layout);
-    return row;
+    m_stop = new Command(
+        {u"stopSequenceButton"_s, u"player-stop"_s, tr("Stop sequence"), tr("Stop sequence and its motors")},
+        box, [this] { emit m_requests.stopSequence(); });
+    return newRow(box, m_foresee, m_start, m_startHere, m_pause, m_step, m_stop);
 }
 
 // ---- edits ----
