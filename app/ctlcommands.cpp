@@ -434,8 +434,10 @@ CtlCommands::Exit CtlCommands::request(const api::Method& method, const Json& pa
     }
     const bool one = parameters.contains("axis");
     const auto rest = m_client.call("wait", one ? Json{{"axis", parameters["axis"]}} : Json::object());
-    if (!rest)
-        return report(rest.error());
+    if (!rest) {
+        const Exit exit = report(rest.error());
+        return exit == Refused ? NotCarriedOut : exit;  // it was begun
+    }
     if (one && movesToGoal(method.name) && rest->at("on") == false) {
         m_problems << "The motor has gone off." << Qt::endl;
         return NotCarriedOut;
@@ -523,9 +525,7 @@ CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {
         return BadArguments;
     if (error.reason == "NotConnected")
         return NotReached;
-    return error.reason == "NoControl"       ? NoControl
-           : error.reason == "NotCarriedOut" ? NotCarriedOut
-                                             : Refused;
+    return error.reason == "NoControl" ? NoControl : Refused;
 }
 
 }  // namespace nmc

@@ -26,7 +26,7 @@ public:
         BadArguments = 2,   ///< nothing was requested
         NotReached = 3,     ///< no panel and no port, or they have gone
         NoControl = 4,      ///< the user, or another program, has the motors
-        NotCarriedOut = 5,  ///< begun, and ended by a stop or a fault; or a file could not be written
+        NotCarriedOut = 5,  ///< begun, and not carried out to the end; or a file could not be written
         Interrupted = 130,
     };
 

@@ -23,7 +23,7 @@ from collections import deque
 from pathlib import Path
 from typing import Any, Iterator, NamedTuple
 
-__all__ = ["Axis", "ControlLost", "Panel", "PanelError", "Refused", "Sample"]
+__all__ = ["Axis", "ControlLost", "NotCarriedOut", "Panel", "PanelError", "Refused", "Sample"]
 
 PROTOCOL = "1.0"
 KEPT_NOTIFICATIONS = 10_000
@@ -44,6 +44,10 @@ class Refused(Exception):
 
 class ControlLost(Refused):
     """This program may not move motors, or no longer."""
+
+
+class NotCarriedOut(Refused):
+    """What was begun has not ended as requested: by a stop, a fault or another command. The motor may have moved."""
 
 
 class Sample(NamedTuple):
@@ -113,8 +117,9 @@ class Panel:
             elif line.get("id") == self._last_id:
                 if "error" in line:
                     error = line["error"]
-                    kind = ControlLost if error["data"]["reason"] == "NoControl" else Refused
-                    raise kind(error["message"], error["code"], error["data"]["reason"])
+                    reason = error["data"]["reason"]
+                    kind = ControlLost if reason == "NoControl" else NotCarriedOut if method == "wait" else Refused
+                    raise kind(error["message"], error["code"], reason)
                 return line["result"]
 
     def _read(self) -> dict[str, Any]:

@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "core" / "python"))
-from nmcpanel import ControlLost, Panel, PanelError, Refused, sockets  # noqa: E402
+from nmcpanel import ControlLost, NotCarriedOut, Panel, PanelError, Refused, sockets  # noqa: E402
 
 PROGRAM = sys.argv.pop()
 GAINS = {"kp": 200, "kd": 2000, "ki": 20, "il": 200, "ol": 255, "cl": 0, "el": 8000, "sr": 1}
@@ -53,6 +53,11 @@ class Client(unittest.TestCase):
             self.assertLess(axis.position, 250)
             for sample in itertools.islice(panel.samples(), 50):
                 self.assertIn(sample.axis, (1, 2))
+            axis.move(100_000, wait=False)
+            with Panel() as other:
+                other.stop()
+            with self.assertRaises(NotCarriedOut):
+                axis.wait()
             axis.motor_off()
             self.assertFalse(axis.state()["on"])
 

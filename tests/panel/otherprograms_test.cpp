@@ -386,9 +386,24 @@ TEST_F(OtherPrograms, JogOnlyWhileTheySaySo) {
     const auto before = *panel.module().latest->position;
     EXPECT_GT(before, 0);
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    EXPECT_EQ(panel.count(texts::holdExpired(ModuleIndex(0)).headline), 1);
     EXPECT_EQ(client.call("jog", jog)["result"]["accepted"], true) << "as another press";
     EXPECT_TRUE(panel.waitFor([&] { return moves(sim); }));
     EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(OtherPrograms, EndAJogByAStopAndNothingIsSaidOfAHoldThatExpired) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_EQ(client.call("jog", {{"axis", 1}, {"velocity", 0.5}})["result"]["accepted"], true);
+        panel.answersFor(0.05);
+    }
+    EXPECT_TRUE(client.call("stop", {{"axis", 1}}).contains("result"));
+    EXPECT_EQ(client.call("wait", {{"axis", 1}})["result"]["moving"], false);
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(panel.count(texts::holdExpired(ModuleIndex(0)).headline), 0);
 }
 
 TEST_F(OtherPrograms, AreToldWhatTheySubscribeTo) {
