@@ -40,6 +40,8 @@ constexpr int kRefused = -32000, kNoControl = -32001, kNotGreeted = -32002;
         case api::Problem::Kind::AxisUnknown:
         case api::Problem::Kind::SequenceUnknown:
             return kBadParameters;
+        case api::Problem::Kind::NotAnOutput:
+        case api::Problem::Kind::OutputsUnknown:
         case api::Problem::Kind::Refused:
             break;
     }

@@ -40,6 +40,13 @@ constexpr std::array kNotAsTheyAre{"hello", "describe",        "state",         
         return QStringLiteral("-");
     if (value.is_number_float())
         return QString::number(value.get<double>(), 'g', 10);
+    if (value.is_structured()) {
+        const bool rows = value.is_array() && !value.empty() && value.front().is_object();
+        QStringList parts(rows ? 1 : 0);
+        for (const auto& [key, part] : value.items())
+            parts << (value.is_object() ? text(key) + QLatin1Char('=') : QString()) + shown(part);
+        return parts.join(rows ? QStringLiteral("\n    ") : QStringLiteral(" "));
+    }
     return value.is_string() ? text(value.get<std::string>()) : text(value.dump());
 }
 

@@ -5977,6 +5977,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The motor did not stay within the arrival tolerance of its axis.</source>
         <translation>Der Motor blieb nicht innerhalb der Ankunftstoleranz seiner Achse.</translation>
     </message>
+    <message>
+        <source>This pin is not set as an output. Make it an output first.</source>
+        <translation>Dieser Pin ist nicht als Ausgang eingestellt. Zuerst als Ausgang einstellen.</translation>
+    </message>
+    <message>
+        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
+        <translation>Die Ausgänge dieses Moduls oder ihre Richtungen sind unbekannt. Sie zuerst einmal setzen.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxesPage</name>

@@ -5977,6 +5977,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>The motor did not stay within the arrival tolerance of its axis.</source>
         <translation>El motor no permaneció dentro de la tolerancia de llegada de su eje.</translation>
     </message>
+    <message>
+        <source>This pin is not set as an output. Make it an output first.</source>
+        <translation>Este pin no está configurado como salida. Configúrelo primero como salida.</translation>
+    </message>
+    <message>
+        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
+        <translation>Las salidas de este módulo, o sus direcciones, son desconocidas. Establézcalas primero una vez.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxesPage</name>

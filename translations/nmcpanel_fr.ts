@@ -5977,6 +5977,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>The motor did not stay within the arrival tolerance of its axis.</source>
         <translation>Le moteur n’est pas resté dans la tolérance d’arrivée de son axe.</translation>
     </message>
+    <message>
+        <source>This pin is not set as an output. Make it an output first.</source>
+        <translation>Cette broche n’est pas réglée en sortie. Réglez-la d’abord en sortie.</translation>
+    </message>
+    <message>
+        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
+        <translation>Les sorties de ce module, ou leurs directions, sont inconnues. Réglez-les d’abord une fois.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxesPage</name>

@@ -5960,6 +5960,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>The motor did not stay within the arrival tolerance of its axis.</source>
         <translation>モーターが軸の到着許容差内にとどまりませんでした。</translation>
     </message>
+    <message>
+        <source>This pin is not set as an output. Make it an output first.</source>
+        <translation>このピンは出力に設定されていません。先に出力に設定してください。</translation>
+    </message>
+    <message>
+        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
+        <translation>このモジュールの出力またはその方向が不明です。先に一度設定してください。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxesPage</name>

@@ -173,6 +173,45 @@ TEST(ApiMethods, RefuseWhatCannotBeMeant) {
     EXPECT_EQ(kindOf("move", {{"axis", 1}, {"to", 1}, {"velocity", 1}}).refusal, Refusal::ServoRateUnknown);
 }
 
+TEST(ApiMethods, SetOnlyWhatIsAnOutput) {
+    Chain chain;
+    chain.link.modules.emplace_back().info = {ModuleIndex(2), BusAddress(3), {ModuleType::Io, 1}};
+    ModuleState& io = chain.link.modules[2];
+    chain.machine.axes.resize(3);
+    const auto set = [&](int axis, int output) {
+        return chain.call("set_output", {{"axis", axis}, {"output", output}, {"high", true}});
+    };
+    EXPECT_EQ(set(3, 2).error().kind, Kind::NotAnOutput) << "after power-up, all pins are inputs";
+    const Json direction{{"axis", 3}, {"input", false}, {"pin", 2}};
+    EXPECT_EQ(chain.intentOf<iointent::SetDirection>("set_direction", direction).inputs, 0xFFD);
+    io.pins.inputs = std::uint16_t{0xFFD};
+    EXPECT_EQ(
+        chain.intentOf<iointent::SetOutput>("set_output", {{"axis", 3}, {"output", 2}, {"high", true}}).pin,
+        1U);
+    EXPECT_EQ(
+        chain.intentOf<iointent::SetDirection>("set_direction", {{"axis", 3}, {"input", true}, {"pin", 2}})
+            .inputs,
+        0xFFF);
+    io.pins.inputs.reset();
+    EXPECT_EQ(set(3, 2).error().kind, Kind::OutputsUnknown);
+    EXPECT_EQ(chain.call("set_direction", direction).error().kind, Kind::OutputsUnknown);
+    EXPECT_EQ(chain.call("set_direction", {{"axis", 3}, {"input", false}}).error().kind, Kind::FieldMissing)
+        << "all pins at once only become inputs";
+    EXPECT_EQ(chain.intentOf<iointent::SetDirection>("set_direction", {{"axis", 3}, {"input", true}}).inputs,
+              0xFFF);
+    EXPECT_EQ(chain.call("set_direction", {{"axis", 1}, {"input", true}}).error().refusal,
+              Refusal::NotAnIoModule);
+    EXPECT_EQ(
+        chain.intentOf<iointent::SetPwm>("set_pwm", {{"axis", 3}, {"output", 2}, {"value", 255}}).output, 1U);
+    EXPECT_EQ(set(1, 1).error().kind, Kind::NotAnOutput) << "limit 1 is an input";
+    EXPECT_EQ(set(2, 6).error().kind, Kind::FieldWrong);
+    // OUT5 is high after power-up, the rest low (DS-S 2.3).
+    EXPECT_EQ(
+        chain.intentOf<stepperintent::SetOutputs>("set_output", {{"axis", 2}, {"output", 1}, {"high", true}})
+            .outputs,
+        0x11);
+}
+
 TEST(ApiMethods, ChangeOnlyTheGainsThatAreGiven) {
     Chain chain;
     chain.link.modules[0].gains = servo::SetGain{100, 1'000, 10, 50, 255, 0, 2'000, 1, std::uint8_t{0}};
@@ -226,6 +265,48 @@ TEST(ApiMethods, ReportUnitsAndTheGainsThatAreKnown) {
         << "without the deadband, which is optional (DS-V 5.1)";
     chain.machine.axes[0].unit = {UnitKind::Own, 100.0, "drops"};
     EXPECT_EQ(api::stateOf(chain.link, chain.machine)["modules"][0]["unit"], "drops");
+}
+
+TEST(ApiMethods, ReportInputsAndOutputs) {
+    Chain chain;
+    chain.link.modules.emplace_back().info = {ModuleIndex(2), BusAddress(3), {ModuleType::Io, 1}};
+    EXPECT_TRUE(api::stateOf(chain.link, chain.machine)["modules"][0]["inputs"]["limit1"].is_null());
+    StatusReport report;
+    report.status = 0x28;  // limit 1 and power (DS-V 5.3)
+    report.analog = std::uint8_t{51};
+    chain.link.modules[0].latest = report;
+    report.status = 0x08;             // power (DS-S 5.2)
+    report.aux = std::uint8_t{0x21};  // E-stop and home switch
+    chain.link.modules[1].latest = report;
+    report = {};
+    report.pins = std::uint16_t{0x805};
+    report.analogs = {std::uint8_t{0}, std::uint8_t{100}, std::nullopt};
+    report.counter = 70'000U;
+    chain.link.modules[2].latest = report;
+    chain.link.modules[2].pins.inputs = std::uint16_t{0x7FF};
+    chain.link.modules[2].pins.pwm = {std::uint8_t{7}, std::uint8_t{255}};
+    chain.machine.axes.resize(3);
+    chain.machine.axes[2].pins = PinSettings{{{"valve"}}, {}, {{}, {"pressure", {0.5, -10, "kPa"}}}};
+    const Json modules = api::stateOf(chain.link, chain.machine)["modules"];
+    EXPECT_EQ(modules[0]["inputs"], (Json{{"limit1", true}, {"limit2", false}, {"power", true}}));
+    // 5 V are 255 counts.
+    EXPECT_DOUBLE_EQ(modules[0]["analog"][0]["value"].get<double>(), 1.0);
+    EXPECT_EQ(modules[1]["inputs"], (Json{{"estop", true},
+                                          {"in1", false},
+                                          {"in2", false},
+                                          {"limit1", false},
+                                          {"limit2", false},
+                                          {"home", true},
+                                          {"power", true}}));
+    const Json& io = modules[2];
+    ASSERT_EQ(io["pins"].size(), 12U);
+    EXPECT_EQ(io["pins"][0], (Json{{"number", 1}, {"name", "valve"}, {"input", true}, {"high", true}}));
+    EXPECT_EQ(io["pins"][1], (Json{{"number", 2}, {"name", ""}, {"input", true}, {"high", false}}));
+    EXPECT_EQ(io["pins"][11], (Json{{"number", 12}, {"name", ""}, {"input", false}, {"high", true}}));
+    EXPECT_EQ(io["analog"][1], (Json{{"name", "pressure"}, {"value", 40.0}, {"unit", "kPa"}}));
+    EXPECT_TRUE(io["analog"][2]["value"].is_null());
+    EXPECT_EQ(io["pwm"], (Json{7, 255}));
+    EXPECT_EQ(io["counter"], 70'000);
 }
 
 TEST(EnumName, IsTheNameInTheSource) {

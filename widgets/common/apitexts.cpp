@@ -39,6 +39,11 @@ QString apiProblem(const api::Problem& problem) {
             return ApiWords::tr("There is no such axis.");
         case SequenceUnknown:
             return ApiWords::tr("There is no sequence or point of that name.");
+        case NotAnOutput:
+            return ApiWords::tr("This pin is not set as an output. Make it an output first.");
+        case OutputsUnknown:
+            return ApiWords::tr(
+                "The outputs of this module, or their directions, are unknown. Set them once first.");
         case Refused:
             return refusal(problem.refusal.value());
     }

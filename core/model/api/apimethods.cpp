@@ -12,6 +12,8 @@
 #include "model/intent/travel.h"
 #include "model/module/modulescale.h"
 #include "model/module/servodefaults.h"
+#include "model/sequence/sequencecheck.h"
+#include "model/settings/pinsof.h"
 
 namespace nmc::api {
 
@@ -142,10 +144,23 @@ std::vector<Method> makeMethods() {
         {"set_gains", Access::Control, "Sends the gains of a PIC-SERVO.", {axis}},
         {"set_output",
          Access::Control,
-         "Sets an output of a PIC-I/O.",
+         "Sets an output: a pin of a PIC-I/O, OUT1 to OUT5 of a PIC-STEP, or a limit pin of a PIC-SERVO.",
          {axis,
           {"output", Kind::Whole, true, "number of the pin", ValueRange{1, io::kPins}},
           {"high", Kind::Flag, true, ""}}},
+        {"set_direction",
+         Access::Control,
+         "Makes a pin of a PIC-I/O an input or an output.",
+         {axis,
+          {"input", Kind::Flag, true, ""},
+          {"pin", Kind::Whole, false, "its number; all pins, as inputs, if left out",
+           ValueRange{1, io::kPins}}}},
+        {"set_pwm",
+         Access::Control,
+         "Sets a PWM output of a PIC-I/O.",
+         {axis,
+          {"output", Kind::Whole, true, "its number", ValueRange{1, 2}},
+          {"value", Kind::Whole, true, "255 is always on", ValueRange{0, 255}}}},
         {"start_sequence",
          Access::Control,
          "Runs a sequence of the machine.",
@@ -257,6 +272,7 @@ struct Caller {
         }
         return paceOf(module, axis);
     }
+    [[nodiscard]] unsigned whole(const char* name) const { return parameters.at(name).get<unsigned>(); }
     [[nodiscard]] Or<Call> call(Intent intent) const { return Call{module.info.index, std::move(intent)}; }
 
     [[nodiscard]] Or<Call> move() const {
@@ -303,8 +319,31 @@ struct Caller {
         return call(intent::ApplyGains{gains});
     }
     [[nodiscard]] Or<Call> setOutput() const {
-        const auto pin = parameters.at("output").get<unsigned>() - 1;
-        return call(iointent::SetOutput{pin, parameters.at("high").get<bool>()});
+        const auto intent =
+            outputIntent({module.info.index, whole("output"), parameters.at("high").get<bool>()}, module);
+        if (intent)
+            return call(*intent);
+        if (intent.error() == SequenceProblem::Kind::NoSuchPin)
+            return tl::unexpected(wrong("output"));
+        return tl::unexpected(Problem{intent.error() == SequenceProblem::Kind::NotAnOutput
+                                          ? Problem::Kind::NotAnOutput
+                                          : Problem::Kind::OutputsUnknown});
+    }
+    [[nodiscard]] Or<Call> setDirection() const {
+        const bool input = parameters.at("input").get<bool>();
+        if (!module.isIo())
+            return tl::unexpected(refused(Refusal::NotAnIoModule));
+        if (!has("pin") && !input)
+            return tl::unexpected(Problem{Problem::Kind::FieldMissing, "pin"});
+        if (has("pin") && !module.pins.inputs)
+            return tl::unexpected(Problem{Problem::Kind::OutputsUnknown});
+        const unsigned pins = has("pin") ? 1U << (whole("pin") - 1U) : io::kAllPins;
+        const unsigned before = module.pins.inputs.value_or(0);
+        return call(
+            iointent::SetDirection{static_cast<std::uint16_t>(input ? before | pins : before & ~pins)});
+    }
+    [[nodiscard]] Or<Call> setPwm() const {
+        return call(iointent::SetPwm{whole("output") - 1U, static_cast<std::uint8_t>(whole("value"))});
     }
 };
 
@@ -323,6 +362,8 @@ const std::map<std::string_view, Or<Call> (*)(const Caller&)> kMakers{
     {"clear_sticky_bits", [](const Caller& caller) { return caller.call(intent::ClearStickyBits{}); }},
     {"set_gains", [](const Caller& caller) { return caller.setGains(); }},
     {"set_output", [](const Caller& caller) { return caller.setOutput(); }},
+    {"set_direction", [](const Caller& caller) { return caller.setDirection(); }},
+    {"set_pwm", [](const Caller& caller) { return caller.setPwm(); }},
 };
 
 Json orNull(const std::optional<double>& value) {
@@ -436,6 +477,68 @@ std::string nameOf(ModuleType type) {
     return lower(enumName<ModuleType::Stepper>(type));
 }
 
+namespace {
+
+/// The levels of a motor module's inputs (DS-V 5.3, DS-S 5.2), as far as they are known. A limit switch of a
+/// PIC-SERVO whose pin is an output is not.
+Json inputsOf(const ModuleState& module) {
+    Json inputs = Json::object();
+    const auto& latest = module.latest;
+    if (module.isServo()) {
+        const servo::StatusByte status = latest ? latest->servoStatus() : servo::StatusByte{};
+        const servo::IoControl io = module.io.value_or(servo::IoControl{});
+        inputs["limit1"] = latest && io.limit1IsInput ? Json(status.limit1()) : Json();
+        inputs["limit2"] = latest && io.limit2IsInput ? Json(status.limit2()) : Json();
+        inputs["power"] = latest ? Json(status.powerOn()) : Json();
+    } else if (module.isStepper()) {
+        const bool known = latest && latest->aux;
+        const stepper::InputsByte pins{latest ? latest->aux.value_or(0) : std::uint8_t{0}};
+        for (const auto& [name, high] :
+             {std::pair{"estop", pins.estop()}, std::pair{"in1", pins.in1()}, std::pair{"in2", pins.in2()},
+              std::pair{"limit1", pins.limit1()}, std::pair{"limit2", pins.limit2()},
+              std::pair{"home", pins.homeSwitch()}})
+            inputs[name] = known ? Json(high) : Json();
+        inputs["power"] = latest ? Json(latest->stepperStatus().powerOn()) : Json();
+    }
+    return inputs;
+}
+
+/// The A/D inputs in their units: one of a motor module, three of a PIC-I/O.
+Json analogOf(const ModuleState& module, const AxisSettings& axis) {
+    Json list = Json::array();
+    const auto add = [&list](const std::string& name, const AnalogScale& scale, auto counts) {
+        list.push_back({{"name", name},
+                        {"value", counts ? Json(scale.atZero + *counts * scale.perCount) : Json()},
+                        {"unit", scale.unit}});
+    };
+    const StatusReport report = module.latest.value_or(StatusReport{});
+    if (module.isServo() || module.isStepper())
+        add({}, axis.analog, report.analog);
+    else if (module.isIo())
+        for (std::size_t i = 0; i < report.analogs.size(); ++i) {
+            const AnalogInput input = PinSettings::of(pinsOf(axis).analog, i);
+            add(input.name, input.scale, report.analogs.at(i));
+        }
+    return list;
+}
+
+/// The pins of a PIC-I/O.
+Json ioPinsOf(const ModuleState& module, const AxisSettings& axis) {
+    Json list = Json::array();
+    const auto levels = module.latest.value_or(StatusReport{}).pins;
+    const auto bit = [](const auto& mask, unsigned pin) {
+        return mask ? Json((*mask >> pin & 1U) != 0) : Json();
+    };
+    for (unsigned pin = 0; module.isIo() && pin < io::kPins; ++pin)
+        list.push_back({{"number", pin + 1},
+                        {"name", PinSettings::of(pinsOf(axis).pins, pin).name},
+                        {"input", bit(module.pins.inputs, pin)},
+                        {"high", bit(levels, pin)}});
+    return list;
+}
+
+}  // namespace
+
 Json stateOf(const ModuleState& module, const AxisSettings& axis) {
     const AxisScale scale = scaleOf(module, axis);
     const StatusReport report = module.latest.value_or(StatusReport{});
@@ -461,7 +564,12 @@ Json stateOf(const ModuleState& module, const AxisSettings& axis) {
             {"goal", inUnits(module.goal())},
             {"travel_limits_in_force",
              force == TravelForce::NotSet ? Json() : Json(force == TravelForce::InForce)},
-            {"gains", gainsOf(module.gains)}};
+            {"gains", gainsOf(module.gains)},
+            {"inputs", inputsOf(module)},
+            {"analog", analogOf(module, axis)},
+            {"pins", ioPinsOf(module, axis)},
+            {"pwm", module.isIo() && module.pins.pwm ? Json(*module.pins.pwm) : Json()},
+            {"counter", report.counter ? Json(*report.counter) : Json()}};
 }
 
 Json stateOf(const LinkState& link, const Machine& machine) {

@@ -21,7 +21,7 @@ namespace nmc::api {
 using Json = nlohmann::ordered_json;
 
 /// Major and minor version of the interface, as `hello` states it.
-inline constexpr auto kProtocol = "1.0";
+inline constexpr auto kProtocol = "1.1";
 
 /// What a client needs to call a method.
 enum class Access : std::uint8_t {
@@ -63,6 +63,8 @@ struct Problem {
         FieldWrong,  ///< it has another type, or is out of its range
         AxisUnknown,
         SequenceUnknown,  ///< or point
+        NotAnOutput,      ///< the pin is an input
+        OutputsUnknown,   ///< or their directions: they were not sent in this connection
         Refused,
     };
     Kind kind;
