@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/headlessline.h"
 
+#include <algorithm>
+
 #include "app/guardianplace.h"
 #include "app/news.h"
 #include "link/clock.h"
@@ -16,6 +18,7 @@ HeadlessLine::HeadlessLine(QSettings& settings, const Machine& machine, QObject*
     m_store.setMachine(machine);
     connect(&m_store, &BusStore::happened, this, &HeadlessLine::take);
     connect(&m_store, &BusStore::linkChanged, this, &HeadlessLine::reportStanding);
+    connect(&m_store, &BusStore::linkChanged, this, &HeadlessLine::announce);
     connect(&m_connection, &Connection::ended, this, &HeadlessLine::ended);
     connect(&m_connection, &Connection::fewerFound, this, [this](int modules, int expected) {
         const ModuleIndex last(static_cast<std::uint8_t>(modules - 1));
@@ -39,10 +42,20 @@ void HeadlessLine::take(const StoreEvent& event) {
     for (const News& news : newsOf(event, m_store.link()))
         emit reported(news.message);
     m_connection.take(event);
-    if (std::holds_alternative<bus::ChainFound>(event))
-        emit connected();
-    else if (std::holds_alternative<bus::ConnectFailed>(event) || std::holds_alternative<PortClosed>(event))
+    if (std::holds_alternative<bus::ConnectFailed>(event) || std::holds_alternative<PortClosed>(event))
         emit lost();
+    m_found = m_found || std::holds_alternative<bus::ChainFound>(event);
+    announce();
+}
+
+void HeadlessLine::announce() {
+    const auto hasReported = [](const ModuleState& module) {
+        return module.latest || module.silent || !module.isKnown();
+    };
+    if (!m_found || !std::ranges::all_of(m_store.link().modules, hasReported))
+        return;
+    m_found = false;
+    emit connected();
 }
 
 void HeadlessLine::reportStanding() {

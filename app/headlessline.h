@@ -35,6 +35,7 @@ public:
     [[nodiscard]] BusWorker& worker() { return m_worker; }
 
 signals:
+    /// The chain has been found, and every module of it that answers has reported.
     void connected();
     /// It could not be connected, or is no longer; why has been reported.
     void lost();
@@ -45,6 +46,7 @@ signals:
 private:
     void take(const StoreEvent& event);
     void reportStanding();
+    void announce();
 
     ProcessGuard m_guardian;
     BusWorker m_worker;
@@ -53,6 +55,7 @@ private:
     PortController m_ports{PortController::Places()};
     Connection m_connection;
     ApiController m_api{m_store, m_worker, m_connection, m_commander};
+    bool m_found = false;          ///< connected() is due
     std::set<QString> m_standing;  ///< keys of the conditions that have been reported
 };
 

@@ -70,8 +70,11 @@ class AtItsOwnLine(unittest.TestCase):
         code, out, _ = self.place.ctl("--simulator=servo,step", "list")
         self.assertEqual(code, DONE)
         self.assertEqual([row.split("\t")[2] for row in out.splitlines()], ["servo", "stepper"])
-        code, out, _ = self.place.ctl("--simulator=servo", "state", "1", "--json")
-        self.assertEqual((code, json.loads(out)["position"]), (DONE, 0))
+        code, out, _ = self.place.ctl("--simulator=servo,io", "state", "--json")
+        servo, io = json.loads(out)["modules"]
+        self.assertEqual((code, servo["position"]), (DONE, 0))
+        self.assertEqual([pin["input"] for pin in io["pins"]], [True] * 12)
+        self.assertNotIn(None, [pin["high"] for pin in io["pins"]], "it waits until each module has reported")
 
     def test_carries_out_a_script_until_a_command_fails(self):
         script = f"# ready\ngains 1 --set {GAINS}\n\nenable 1\nmove 1 500\nmove-by 1 -200 --velocity=2\nmove 1 9e9\nmove 1 0\n"
