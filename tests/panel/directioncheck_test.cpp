@@ -34,6 +34,8 @@ protected:
     void click(const char* name) {
         const auto ready = [&] {
             auto* button = panel.window().findChild<QAbstractButton*>(QLatin1String(name));
+            if (button != nullptr)
+                testing_support::turnTo(*button);
             // Visible and laid out: a user can click it.
             return button != nullptr && !button->visibleRegion().isEmpty() && button->isEnabled();
         };
