@@ -42,10 +42,14 @@ void HeadlessLine::take(const StoreEvent& event) {
     for (const News& news : newsOf(event, m_store.link()))
         emit reported(news.message);
     m_connection.take(event);
-    if (std::holds_alternative<bus::ConnectFailed>(event) || std::holds_alternative<PortClosed>(event))
+    if (std::holds_alternative<bus::ChainFound>(event)) {
+        m_found = true;
+        announce();
+    } else if (std::holds_alternative<bus::ConnectFailed>(event) ||
+               std::holds_alternative<PortClosed>(event)) {
+        m_found = false;
         emit lost();
-    m_found = m_found || std::holds_alternative<bus::ChainFound>(event);
-    announce();
+    }
 }
 
 void HeadlessLine::announce() {

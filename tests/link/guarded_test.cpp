@@ -221,7 +221,7 @@ TEST(H02_ReadOnlyPanel, LeavesMotorsAloneWhileItIsHaltedAndWhenItIsKilledAndWhen
     halted.expectUndisturbed();
 }
 
-/// With its guardian and without, both at once, because the test mostly waits.
+/// One panel with its guardian and one without, at the same time, because the test mostly waits.
 TEST(H02_Unguarded, GoesOnAndSaysSoAndEndsInOrderWithoutAReport) {
     NmcsimProcess guardedSim(QStringLiteral("servo,servo")), unguardedSim(QStringLiteral("servo,servo"));
     const QStringList end{QStringLiteral("close"), QStringLiteral("kill")};

@@ -120,7 +120,7 @@ TEST_F(LayoutsTest, NoTabBarHasScrollArrows) {
     }
 }
 
-/// Of two scroll bars side by side, the outer one hides what the inner one was to keep in view.
+/// Otherwise the outer area scrolls away what the inner one keeps in view.
 TEST_F(LayoutsTest, NothingScrollsWithinWhatScrolls) {
     for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper, ModuleType::Io}) {
         ModuleState module;

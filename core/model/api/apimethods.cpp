@@ -366,7 +366,8 @@ const std::map<std::string_view, Or<Call> (*)(const Caller&)> kMakers{
     {"set_pwm", [](const Caller& caller) { return caller.setPwm(); }},
 };
 
-Json orNull(const std::optional<double>& value) {
+template <typename T>
+Json orNull(const std::optional<T>& value) {
     return value ? Json(*value) : Json();
 }
 
@@ -485,11 +486,9 @@ Json inputsOf(const ModuleState& module) {
     Json inputs = Json::object();
     const auto& latest = module.latest;
     if (module.isServo()) {
-        const servo::StatusByte status = latest ? latest->servoStatus() : servo::StatusByte{};
-        const servo::IoControl io = module.io.value_or(servo::IoControl{});
-        inputs["limit1"] = latest && io.limit1IsInput ? Json(status.limit1()) : Json();
-        inputs["limit2"] = latest && io.limit2IsInput ? Json(status.limit2()) : Json();
-        inputs["power"] = latest ? Json(status.powerOn()) : Json();
+        inputs["limit1"] = orNull(readPin(InputPin::Limit1, module));
+        inputs["limit2"] = orNull(readPin(InputPin::Limit2, module));
+        inputs["power"] = latest ? Json(latest->servoStatus().powerOn()) : Json();
     } else if (module.isStepper()) {
         const bool known = latest && latest->aux;
         const stepper::InputsByte pins{latest ? latest->aux.value_or(0) : std::uint8_t{0}};
@@ -558,7 +557,7 @@ Json stateOf(const ModuleState& module, const AxisSettings& axis) {
             {"on", module.driveOn()},
             {"moving", module.moving()},
             {"position", inUnits(report.position)},
-            {"counts", report.position ? Json(*report.position) : Json()},
+            {"counts", orNull(report.position)},
             {"counts_per_second", orNull(perSecond)},
             {"home", module.home.place() ? inUnits(module.home.place()->counts) : Json()},
             {"goal", inUnits(module.goal())},
@@ -569,7 +568,7 @@ Json stateOf(const ModuleState& module, const AxisSettings& axis) {
             {"analog", analogOf(module, axis)},
             {"pins", ioPinsOf(module, axis)},
             {"pwm", module.isIo() && module.pins.pwm ? Json(*module.pins.pwm) : Json()},
-            {"counter", report.counter ? Json(*report.counter) : Json()}};
+            {"counter", orNull(report.counter)}};
 }
 
 Json stateOf(const LinkState& link, const Machine& machine) {
