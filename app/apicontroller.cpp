@@ -7,6 +7,7 @@
 #include "base/enumname.h"
 #include "base/overloaded.h"
 #include "link/clock.h"
+#include "model/api/apistate.h"
 #include "model/intent/jog.h"
 #include "model/module/modulescale.h"
 #include "widgets/common/sequencetexts.h"
@@ -182,7 +183,7 @@ void ApiController::call(Client client, const api::Method& method, const Json& p
     if (name == "hello")
         return greet(client, parameters, id);
     if (name == "stop")
-        return stop(client, parameters, id);
+        return stop(client, method, parameters, id);
     if (session(client).program.isEmpty())
         return fail(client, id, kNotGreeted, texts::helloFirst(), "HelloFirst");
     if (method.access != api::Access::Read)
@@ -300,7 +301,7 @@ void ApiController::noteMoved(Client client, ModuleIndex module) {
 }
 
 /// Needs neither hello nor control.
-void ApiController::stop(Client client, const Json& parameters, const Json& id) {
+void ApiController::stop(Client client, const api::Method& method, const Json& parameters, const Json& id) {
     if (!parameters.contains("axis")) {
         m_stopping = !whyNoChain(m_store.link());
         m_worker.stopAll();
@@ -308,7 +309,7 @@ void ApiController::stop(Client client, const Json& parameters, const Json& id) 
         endControl(texts::ControlLost::Stopped);
         return answer(client, id, {{"sent", true}});
     }
-    command(client, *api::findMethod("stop"), parameters, id);
+    command(client, method, parameters, id);
 }
 
 void ApiController::command(Client client, const api::Method& method, const Json& parameters,
@@ -323,9 +324,9 @@ void ApiController::command(Client client, const api::Method& method, const Json
             QString::fromStdString(method.name + ' ' +
                                    parameters.dump(-1, ' ', false, Json::error_handler_t::replace))
                 .left(kLongestCall)));
-    if (method.name == "start_sequence" || method.name == "go_to_point")
+    if (method.make == nullptr)
         return run(client, method, parameters, id);
-    const auto call = api::callOf(method.name, parameters, m_store.link(), m_store.machine());
+    const auto call = api::callOf(method, parameters, m_store.link(), m_store.machine());
     if (!call)
         return refuse(client, id, call.error());
     if (const auto* hold = std::get_if<bus::HoldToMove>(&call->what))
@@ -414,9 +415,10 @@ bool ApiController::rests(ModuleIndex index) const {
     if (module == nullptr)
         return true;
     const auto done = m_doneAt.find(index);
-    return !module->awaited && !module->home.awaited() && !m_pending.contains(index) &&
-           (done == m_doneAt.end() || module->latestTime > done->second) && !module->moving() &&
-           !m_commander.procedures().running(index) && !m_commander.sequences().parts().contains(index);
+    return !module->awaited && !module->home.awaited() &&
+           !m_pending.contains(index) && (done == m_doneAt.end() || module->latestTime > done->second) &&
+           !module->moving() && !m_commander.procedures().running(index) &&
+           !m_commander.sequences().parts().contains(index);
 }
 
 /// An axis without a tolerance has arrived when it rests.

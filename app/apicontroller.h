@@ -94,7 +94,7 @@ private:
     void call(Client client, const api::Method& method, const Json& parameters, const Json& id);
     void greet(Client client, const Json& parameters, const Json& id);
     void ask(Client client, const Json& parameters, const Json& id);
-    void stop(Client client, const Json& parameters, const Json& id);
+    void stop(Client client, const api::Method& method, const Json& parameters, const Json& id);
     void command(Client client, const api::Method& method, const Json& parameters, const Json& id);
     void request(Client client, const api::Call& call, const Json& id);
     void jog(Client client, bus::HoldToMove hold, const Json& id);

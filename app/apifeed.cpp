@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/enumname.h"
+#include "model/api/apistate.h"
 
 namespace nmc {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cctype>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,14 @@ namespace nmc {
     const auto first = text.find_first_not_of(blanks);
     return first == std::string_view::npos ? std::string_view()
                                            : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// Returns `text` with the letters of ASCII in lower case.
+[[nodiscard]] inline std::string lowered(std::string_view text) {
+    std::string key(text);
+    std::ranges::transform(key, key.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return key;
 }
 
 /// Returns the first `most` bytes of `text` as a single line of a file: line ends and other control

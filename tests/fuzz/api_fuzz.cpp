@@ -34,9 +34,9 @@ struct Chain {
 };
 
 void look(const Chain& chain, const nmc::api::Request& request) {
-    if (!request.parameters.contains("axis") || request.method->access == nmc::api::Access::Read)
+    if (!request.parameters.contains("axis") || request.method->make == nullptr)
         return;
-    const auto call = nmc::api::callOf(request.method->name, request.parameters, chain.link, chain.machine);
+    const auto call = nmc::api::callOf(*request.method, request.parameters, chain.link, chain.machine);
     if (!call)
         return;
     if (call->module.value() >= chain.link.modules.size())

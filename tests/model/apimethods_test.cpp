@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "base/enumname.h"
+#include "model/api/apistate.h"
 
 namespace nmc {
 namespace {
@@ -30,7 +31,7 @@ struct Chain {
         machine.axes[0].name = "X";
     }
     [[nodiscard]] auto call(const char* method, const Json& parameters) const {
-        return api::callOf(method, parameters, link, machine);
+        return api::callOf(*api::findMethod(method), parameters, link, machine);
     }
     template <typename T>
     [[nodiscard]] T intentOf(const char* method, const Json& parameters) const {

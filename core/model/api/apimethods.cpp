@@ -2,18 +2,16 @@
 #include "model/api/apimethods.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <map>
 
 #include "base/enumname.h"
+#include "base/text.h"
 #include "model/intent/jog.h"
 #include "model/intent/pace.h"
 #include "model/intent/travel.h"
 #include "model/module/modulescale.h"
 #include "model/module/servodefaults.h"
 #include "model/sequence/sequencecheck.h"
-#include "model/settings/pinsof.h"
 
 namespace nmc::api {
 
@@ -23,12 +21,6 @@ using Kind = Field::Kind;
 
 template <typename T>
 using Or = tl::expected<T, Problem>;
-
-std::string lower(std::string_view name) {
-    std::string key(name);
-    std::ranges::transform(key, key.begin(), [](unsigned char c) { return std::tolower(c); });
-    return key;
-}
 
 /// Forms (protocol/commandform.h) that read the fields of Set Gain from parameters, list them, and write
 /// them.
@@ -47,14 +39,14 @@ struct GainsReader : GainsForm {
 
     template <typename T>
     void number(std::string_view name, T& value, ValueRange /*range*/ = kAnyValue) {
-        if (const auto given = parameters.find(lower(name)); given != parameters.end())
+        if (const auto given = parameters.find(lowered(name)); given != parameters.end())
             value = given->template get<T>();
         else
-            missing = lower(name);
+            missing = lowered(name);
     }
     template <typename T>
     void trailing(std::string_view name, std::optional<T>& value, ValueRange /*range*/ = kAnyValue) {
-        if (parameters.contains(lower(name)))
+        if (parameters.contains(lowered(name)))
             number(name, value.emplace());
     }
 };
@@ -65,7 +57,7 @@ struct GainsLister : GainsForm {
     template <typename T>
     void number(std::string_view name, const T& /*value*/,
                 ValueRange range = {std::numeric_limits<T>::min(), std::numeric_limits<T>::max()}) {
-        fields.push_back({lower(name), Kind::Whole, false,
+        fields.push_back({lowered(name), Kind::Whole, false,
                           "as it is if left out; needed while no gains are known", range});
     }
     template <typename T>
@@ -73,111 +65,6 @@ struct GainsLister : GainsForm {
         number(name, T{});
     }
 };
-struct GainsWriter : GainsForm {
-    explicit GainsWriter(Json& object) : json(object) {}
-    Json& json;
-
-    template <typename T>
-    void number(std::string_view name, const T& value, ValueRange /*range*/ = kAnyValue) {
-        json[lower(name)] = value;
-    }
-    template <typename T>
-    void trailing(std::string_view name, const std::optional<T>& value) {
-        if (value)
-            number(name, *value);
-    }
-};
-
-std::vector<Method> makeMethods() {
-    const Field axis{"axis", Kind::Axis, true, "name of the axis, or its number from 1"};
-    const Field velocity{"velocity", Kind::Velocity, false, "that of the axis if left out"};
-    const Field acceleration{"acceleration", Kind::Acceleration, false,
-                             "PIC-SERVO; that of the axis if left out"};
-    std::vector<Method> all{
-        {"hello",
-         Access::Read,
-         "Must be called first.",
-         {{"protocol", Kind::Text, true, "version that the client speaks, such as \"1.0\""},
-          {"program", Kind::Text, true, "name of the client, for the user"}}},
-        {"describe", Access::Read, "Lists all methods with their parameters."},
-        {"state", Access::Read, "The chain and all its modules."},
-        {"wait",
-         Access::Read,
-         "Answers once the axis is at rest, within its arrival tolerance if it has one, and nothing is pending "
-         "for it.",
-         {{"axis", Kind::Axis, false, "all axes, and a sequence that runs, if left out"}}},
-        {"subscribe",
-         Access::Read,
-         "Selects what is sent without being asked for; calls replace one another.",
-         {{"state", Kind::Flag, false, "\"state\" after changes, at most ten times a second"},
-          {"events", Kind::Flag, false, "\"event\": every message that the window shows"},
-          {"samples", Kind::Flag, false, "\"samples\": every status reply of every module"}}},
-        {"request_control",
-         Access::Read,
-         "Asks the user for the right to move motors; answers once that is decided.",
-         {{"on_disconnect", Kind::Text, false,
-           "\"stop\" (default) or \"finish\": what becomes of its moves when the client disappears"}}},
-        {"release_control", Access::Read, "Gives the right to move motors back."},
-        {"stop",
-         Access::Stop,
-         "Stops all motors as STOP ALL does, or one axis smoothly.",
-         {{"axis", Kind::Axis, false, "all motors if left out"}}},
-        {"enable", Access::Control, "Switches amplifier and servo on.", {axis}},
-        {"motor_off", Access::Stop, "Switches the motor off.", {axis}},
-        {"move",
-         Access::Control,
-         "Moves to a position.",
-         {axis, {"to", Kind::Position, true, "goal"}, velocity, acceleration}},
-        {"move_by",
-         Access::Control,
-         "Moves by a distance.",
-         {axis, {"by", Kind::Distance, true, "signed"}, velocity, acceleration}},
-        {"jog",
-         Access::Control,
-         "Moves for as long as it is called again within 100 ms with the same axis and direction.",
-         {axis, {"velocity", Kind::Velocity, true, "signed"}}},
-        {"go_home", Access::Control, "Moves to home.", {axis, velocity, acceleration}},
-        {"home", Access::Control, "Searches for home as set up for the axis.", {axis}},
-        {"zero", Access::Control, "Sets the present position to 0.", {axis}},
-        {"set_home", Access::Control, "Makes the present position home.", {axis}},
-        {"clear_sticky_bits", Access::Control, "Clears the sticky bits of a PIC-SERVO.", {axis}},
-        {"set_gains", Access::Control, "Sends the gains of a PIC-SERVO.", {axis}},
-        {"set_output",
-         Access::Control,
-         "Sets an output: a pin of a PIC-I/O, OUT1 to OUT5 of a PIC-STEP, or a limit pin of a PIC-SERVO.",
-         {axis,
-          {"output", Kind::Whole, true, "number of the pin", ValueRange{1, io::kPins}},
-          {"high", Kind::Flag, true, ""}}},
-        {"set_direction",
-         Access::Control,
-         "Makes a pin of a PIC-I/O an input or an output.",
-         {axis,
-          {"input", Kind::Flag, true, ""},
-          {"pin", Kind::Whole, false, "its number; all pins, as inputs, if left out",
-           ValueRange{1, io::kPins}}}},
-        {"set_pwm",
-         Access::Control,
-         "Sets a PWM output of a PIC-I/O.",
-         {axis,
-          {"output", Kind::Whole, true, "its number", ValueRange{1, 2}},
-          {"value", Kind::Whole, true, "255 is always on", ValueRange{0, 255}}}},
-        {"start_sequence",
-         Access::Control,
-         "Runs a sequence of the machine.",
-         {{"name", Kind::Text, true, "its name"}}},
-        {"go_to_point",
-         Access::Control,
-         "Moves the axes of a point there, all at once.",
-         {{"name", Kind::Text, true, "its name"}}},
-    };
-    for (Method& method : all)
-        if (method.name == "set_gains") {
-            GainsLister lister{method.fields};
-            servo::SetGain gains{.db = std::uint8_t{0}};
-            servo::SetGain::fields(lister, gains);
-        }
-    return all;
-}
 
 std::string_view unitOf(Kind kind) {
     switch (kind) {
@@ -227,8 +114,25 @@ Problem wrong(std::string field) {
     return {Problem::Kind::FieldWrong, std::move(field)};
 }
 
+struct GainsWriter : GainsForm {
+    explicit GainsWriter(Json& object) : json(object) {}
+    Json& json;
+
+    template <typename T>
+    void number(std::string_view name, const T& value, ValueRange /*range*/ = kAnyValue) {
+        json[lowered(name)] = value;
+    }
+    template <typename T>
+    void trailing(std::string_view name, const std::optional<T>& value) {
+        if (value)
+            number(name, *value);
+    }
+};
+
+}  // namespace
+
 /// One call about one axis: its parameters in the chip's numbers.
-struct Caller {
+struct AxisCall {
     const Json& parameters;
     const ModuleState& module;
     const AxisSettings& settings;
@@ -273,6 +177,11 @@ struct Caller {
         return paceOf(module, axis);
     }
     [[nodiscard]] unsigned whole(const char* name) const { return parameters.at(name).get<unsigned>(); }
+    /// For a method without parameters other than its axis.
+    template <typename T>
+    [[nodiscard]] Or<Call> request() const {
+        return call(T{});
+    }
     [[nodiscard]] Or<Call> call(Intent intent) const { return Call{module.info.index, std::move(intent)}; }
 
     [[nodiscard]] Or<Call> move() const {
@@ -347,29 +256,125 @@ struct Caller {
     }
 };
 
-/// What the methods about one axis make of a call.
-const std::map<std::string_view, Or<Call> (*)(const Caller&)> kMakers{
-    {"stop", [](const Caller& caller) { return caller.call(intent::StopSmoothly{}); }},
-    {"enable", [](const Caller& caller) { return caller.call(intent::Enable{}); }},
-    {"motor_off", [](const Caller& caller) { return caller.call(intent::MotorOff{}); }},
-    {"move", [](const Caller& caller) { return caller.move(); }},
-    {"move_by", [](const Caller& caller) { return caller.moveBy(); }},
-    {"jog", [](const Caller& caller) { return caller.jog(); }},
-    {"go_home", [](const Caller& caller) { return caller.goHome(); }},
-    {"home", [](const Caller& caller) { return caller.home(); }},
-    {"zero", [](const Caller& caller) { return caller.call(intent::ResetPosition{}); }},
-    {"set_home", [](const Caller& caller) { return caller.call(intent::SaveAsHome{}); }},
-    {"clear_sticky_bits", [](const Caller& caller) { return caller.call(intent::ClearStickyBits{}); }},
-    {"set_gains", [](const Caller& caller) { return caller.setGains(); }},
-    {"set_output", [](const Caller& caller) { return caller.setOutput(); }},
-    {"set_direction", [](const Caller& caller) { return caller.setDirection(); }},
-    {"set_pwm", [](const Caller& caller) { return caller.setPwm(); }},
-};
+namespace {
 
-template <typename T>
-Json orNull(const std::optional<T>& value) {
-    return value ? Json(*value) : Json();
+std::vector<Field> gainFields(const Field& axis) {
+    std::vector<Field> all{axis};
+    GainsLister lister{all};
+    servo::SetGain gains{.db = std::uint8_t{0}};
+    servo::SetGain::fields(lister, gains);
+    return all;
 }
+
+std::vector<Method> makeMethods() {
+    const Field axis{"axis", Kind::Axis, true, "name of the axis, or its number from 1"};
+    const Field velocity{"velocity", Kind::Velocity, false, "that of the axis if left out"};
+    const Field acceleration{"acceleration", Kind::Acceleration, false,
+                             "PIC-SERVO; that of the axis if left out"};
+    return {
+        {"hello",
+         Access::Read,
+         "Must be called first.",
+         {{"protocol", Kind::Text, true, "version that the client speaks, such as \"1.0\""},
+          {"program", Kind::Text, true, "name of the client, for the user"}}},
+        {"describe", Access::Read, "Lists all methods with their parameters."},
+        {"state", Access::Read, "The chain and all its modules."},
+        {"wait",
+         Access::Read,
+         "Answers once the axis is at rest, within its arrival tolerance if it has one, and nothing is pending "
+         "for it.",
+         {{"axis", Kind::Axis, false, "all axes, and a sequence that runs, if left out"}}},
+        {"subscribe",
+         Access::Read,
+         "Selects what is sent without being asked for; calls replace one another.",
+         {{"state", Kind::Flag, false, "\"state\" after changes, at most ten times a second"},
+          {"events", Kind::Flag, false, "\"event\": every message that the window shows"},
+          {"samples", Kind::Flag, false, "\"samples\": every status reply of every module"}}},
+        {"request_control",
+         Access::Read,
+         "Asks the user for the right to move motors; answers once that is decided.",
+         {{"on_disconnect", Kind::Text, false,
+           "\"stop\" (default) or \"finish\": what becomes of its moves when the client disappears"}}},
+        {"release_control", Access::Read, "Gives the right to move motors back."},
+        {"stop",
+         Access::Stop,
+         "Stops all motors as STOP ALL does, or one axis smoothly.",
+         {{"axis", Kind::Axis, false, "all motors if left out"}},
+         &AxisCall::request<intent::StopSmoothly>},
+        {"enable",
+         Access::Control,
+         "Switches amplifier and servo on.",
+         {axis},
+         &AxisCall::request<intent::Enable>},
+        {"motor_off", Access::Stop, "Switches the motor off.", {axis}, &AxisCall::request<intent::MotorOff>},
+        {"move",
+         Access::Control,
+         "Moves to a position.",
+         {axis, {"to", Kind::Position, true, "goal"}, velocity, acceleration},
+         &AxisCall::move},
+        {"move_by",
+         Access::Control,
+         "Moves by a distance.",
+         {axis, {"by", Kind::Distance, true, "signed"}, velocity, acceleration},
+         &AxisCall::moveBy},
+        {"jog",
+         Access::Control,
+         "Moves for as long as it is called again within 100 ms with the same axis and direction.",
+         {axis, {"velocity", Kind::Velocity, true, "signed"}},
+         &AxisCall::jog},
+        {"go_home", Access::Control, "Moves to home.", {axis, velocity, acceleration}, &AxisCall::goHome},
+        {"home", Access::Control, "Searches for home as set up for the axis.", {axis}, &AxisCall::home},
+        {"zero",
+         Access::Control,
+         "Sets the present position to 0.",
+         {axis},
+         &AxisCall::request<intent::ResetPosition>},
+        {"set_home",
+         Access::Control,
+         "Makes the present position home.",
+         {axis},
+         &AxisCall::request<intent::SaveAsHome>},
+        {"clear_sticky_bits",
+         Access::Control,
+         "Clears the sticky bits of a PIC-SERVO.",
+         {axis},
+         &AxisCall::request<intent::ClearStickyBits>},
+        {"set_gains", Access::Control, "Sends the gains of a PIC-SERVO.", gainFields(axis),
+         &AxisCall::setGains},
+        {"set_output",
+         Access::Control,
+         "Sets an output: a pin of a PIC-I/O, OUT1 to OUT5 of a PIC-STEP, or a limit pin of a PIC-SERVO.",
+         {axis,
+          {"output", Kind::Whole, true, "number of the pin", ValueRange{1, io::kPins}},
+          {"high", Kind::Flag, true, ""}},
+         &AxisCall::setOutput},
+        {"set_direction",
+         Access::Control,
+         "Makes a pin of a PIC-I/O an input or an output.",
+         {axis,
+          {"input", Kind::Flag, true, ""},
+          {"pin", Kind::Whole, false, "its number; all pins, as inputs, if left out",
+           ValueRange{1, io::kPins}}},
+         &AxisCall::setDirection},
+        {"set_pwm",
+         Access::Control,
+         "Sets a PWM output of a PIC-I/O.",
+         {axis,
+          {"output", Kind::Whole, true, "its number", ValueRange{1, 2}},
+          {"value", Kind::Whole, true, "255 is always on", ValueRange{0, 255}}},
+         &AxisCall::setPwm},
+        {"start_sequence",
+         Access::Control,
+         "Runs a sequence of the machine.",
+         {{"name", Kind::Text, true, "its name"}}},
+        {"go_to_point",
+         Access::Control,
+         "Moves the axes of a point there, all at once.",
+         {{"name", Kind::Text, true, "its name"}}},
+    };
+}
+
+}  // namespace
 
 Json gainsOf(const std::optional<servo::SetGain>& gains) {
     if (!gains)
@@ -379,8 +384,6 @@ Json gainsOf(const std::optional<servo::SetGain>& gains) {
     servo::SetGain::fields(writer, *gains);
     return json;
 }
-
-}  // namespace
 
 const std::vector<Method>& methods() {
     static const std::vector<Method> all = makeMethods();
@@ -398,7 +401,7 @@ Json describe() {
         Json fields = Json::array();
         for (const Field& field : method.fields) {
             Json entry{{"name", field.name},
-                       {"kind", lower(enumName<Kind::Text>(field.kind))},
+                       {"kind", lowered(enumName<Kind::Text>(field.kind))},
                        {"required", field.required}};
             if (const std::string_view unit = unitOf(field.kind); !unit.empty())
                 entry["unit"] = unit;
@@ -411,7 +414,7 @@ Json describe() {
             fields.push_back(std::move(entry));
         }
         list.push_back({{"name", method.name},
-                        {"needs", lower(enumName<Access::Stop>(method.access))},
+                        {"needs", lowered(enumName<Access::Stop>(method.access))},
                         {"text", method.text},
                         {"parameters", std::move(fields)}});
     }
@@ -465,123 +468,12 @@ Or<ModuleIndex> axisOf(const Json& parameters, const LinkState& link, const Mach
     return tl::unexpected(Problem{Problem::Kind::AxisUnknown, "axis"});
 }
 
-Or<Call> callOf(std::string_view method, const Json& parameters, const LinkState& link,
-                const Machine& machine) {
+Or<Call> callOf(const Method& method, const Json& parameters, const LinkState& link, const Machine& machine) {
     const auto axis = axisOf(parameters, link, machine);
     if (!axis)
         return tl::unexpected(axis.error());
-    const Caller caller{parameters, link.modules[axis->value()], machine.axis(*axis)};
-    return kMakers.at(method)(caller);
-}
-
-std::string nameOf(ModuleType type) {
-    return lower(enumName<ModuleType::Stepper>(type));
-}
-
-namespace {
-
-/// The levels of a motor module's inputs (DS-V 5.3, DS-S 5.2), as far as they are known. A limit switch of a
-/// PIC-SERVO whose pin is an output is not.
-Json inputsOf(const ModuleState& module) {
-    Json inputs = Json::object();
-    const auto& latest = module.latest;
-    if (module.isServo()) {
-        inputs["limit1"] = orNull(readPin(InputPin::Limit1, module));
-        inputs["limit2"] = orNull(readPin(InputPin::Limit2, module));
-        inputs["power"] = latest ? Json(latest->servoStatus().powerOn()) : Json();
-    } else if (module.isStepper()) {
-        const bool known = latest && latest->aux;
-        const stepper::InputsByte pins{latest ? latest->aux.value_or(0) : std::uint8_t{0}};
-        for (const auto& [name, high] :
-             {std::pair{"estop", pins.estop()}, std::pair{"in1", pins.in1()}, std::pair{"in2", pins.in2()},
-              std::pair{"limit1", pins.limit1()}, std::pair{"limit2", pins.limit2()},
-              std::pair{"home", pins.homeSwitch()}})
-            inputs[name] = known ? Json(high) : Json();
-        inputs["power"] = latest ? Json(latest->stepperStatus().powerOn()) : Json();
-    }
-    return inputs;
-}
-
-/// The A/D inputs in their units: one of a motor module, three of a PIC-I/O.
-Json analogOf(const ModuleState& module, const AxisSettings& axis) {
-    Json list = Json::array();
-    const auto add = [&list](const std::string& name, const AnalogScale& scale, auto counts) {
-        list.push_back({{"name", name},
-                        {"value", counts ? Json(scale.atZero + *counts * scale.perCount) : Json()},
-                        {"unit", scale.unit}});
-    };
-    const StatusReport report = module.latest.value_or(StatusReport{});
-    if (module.isServo() || module.isStepper())
-        add({}, axis.analog, report.analog);
-    else if (module.isIo())
-        for (std::size_t i = 0; i < report.analogs.size(); ++i) {
-            const AnalogInput input = PinSettings::of(pinsOf(axis).analog, i);
-            add(input.name, input.scale, report.analogs.at(i));
-        }
-    return list;
-}
-
-/// The pins of a PIC-I/O.
-Json ioPinsOf(const ModuleState& module, const AxisSettings& axis) {
-    Json list = Json::array();
-    const auto levels = module.latest.value_or(StatusReport{}).pins;
-    const auto bit = [](const auto& mask, unsigned pin) {
-        return mask ? Json((*mask >> pin & 1U) != 0) : Json();
-    };
-    for (unsigned pin = 0; module.isIo() && pin < io::kPins; ++pin)
-        list.push_back({{"number", pin + 1},
-                        {"name", PinSettings::of(pinsOf(axis).pins, pin).name},
-                        {"input", bit(module.pins.inputs, pin)},
-                        {"high", bit(levels, pin)}});
-    return list;
-}
-
-}  // namespace
-
-Json stateOf(const ModuleState& module, const AxisSettings& axis) {
-    const AxisScale scale = scaleOf(module, axis);
-    const StatusReport report = module.latest.value_or(StatusReport{});
-    const auto inUnits = [&](const std::optional<std::int32_t>& counts) {
-        return counts ? Json(scale.position(*counts)) : Json();
-    };
-    const auto perSecond = module.speed.perSecond();
-    const TravelForce force = travelForce(module);
-    return {{"number", module.info.index.value() + 1},
-            {"name", axis.name},
-            {"unit", symbolOf(axis.unit, module.isStepper())},
-            {"counts_per_unit", scale.counts(1.0)},
-            {"type", module.isKnown() ? Json(nameOf(module.info.identity.type)) : Json()},
-            {"version", module.info.identity.version},
-            {"state", enumName<Activity::Ready>(module.activity())},
-            {"answers", !module.silent},
-            {"on", module.driveOn()},
-            {"moving", module.moving()},
-            {"position", inUnits(report.position)},
-            {"counts", orNull(report.position)},
-            {"counts_per_second", orNull(perSecond)},
-            {"home", module.home.place() ? inUnits(module.home.place()->counts) : Json()},
-            {"goal", inUnits(module.goal())},
-            {"travel_limits_in_force",
-             force == TravelForce::NotSet ? Json() : Json(force == TravelForce::InForce)},
-            {"gains", gainsOf(module.gains)},
-            {"inputs", inputsOf(module)},
-            {"analog", analogOf(module, axis)},
-            {"pins", ioPinsOf(module, axis)},
-            {"pwm", module.isIo() && module.pins.pwm ? Json(*module.pins.pwm) : Json()},
-            {"counter", orNull(report.counter)}};
-}
-
-Json stateOf(const LinkState& link, const Machine& machine) {
-    Json modules = Json::array();
-    for (const ModuleState& module : link.modules)
-        modules.push_back(stateOf(module, machine.axis(module.info.index)));
-    return {{"port", link.port},
-            {"simulated", link.simulated},
-            {"read_only", link.readOnly},
-            {"phase", lower(enumName<LinkPhase::Lost>(link.phase))},
-            {"baud", link.baud},
-            {"modules", std::move(modules)},
-            {"lent", link.lent.has_value()}};
+    const AxisCall call{parameters, link.modules[axis->value()], machine.axis(*axis)};
+    return (call.*method.make)();
 }
 
 }  // namespace nmc::api

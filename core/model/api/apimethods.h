@@ -23,35 +23,8 @@ using Json = nlohmann::ordered_json;
 /// Major and minor version of the interface, as `hello` states it.
 inline constexpr auto kProtocol = "1.1";
 
-/// What a client needs to call a method.
-enum class Access : std::uint8_t {
-    Read,     ///< nothing
-    Control,  ///< the right to move motors, which one client at a time may have
-    Stop,     ///< nothing; it passes every queue
-};
-
-/// One parameter of a method.
-struct Field {
-    enum class Kind : std::uint8_t { Axis, Position, Distance, Velocity, Acceleration, Whole, Flag, Text };
-    std::string name;
-    Kind kind;
-    bool required;
-    std::string text;
-    std::optional<ValueRange> range{};  ///< of a whole number
-};
-
-struct Method {
-    std::string name;
-    Access access;
-    std::string text;
-    std::vector<Field> fields{};
-};
-
-[[nodiscard]] const std::vector<Method>& methods();
-/// Null if there is no such method.
-[[nodiscard]] const Method* findMethod(std::string_view name);
-/// The table, for `describe`.
-[[nodiscard]] Json describe();
+/// Gains as the parameters of set_gains; null if they are not known.
+[[nodiscard]] Json gainsOf(const std::optional<servo::SetGain>& gains);
 
 /// Why a call is not possible.
 struct Problem {
@@ -83,6 +56,41 @@ struct Call {
     std::variant<Intent, bus::HoldToMove> what;
 };
 
+/// The parameters of a call about one axis (apimethods.cpp).
+struct AxisCall;
+
+/// What a client needs to call a method.
+enum class Access : std::uint8_t {
+    Read,     ///< nothing
+    Control,  ///< the right to move motors, which one client at a time may have
+    Stop,     ///< nothing; it passes every queue
+};
+
+/// One parameter of a method.
+struct Field {
+    enum class Kind : std::uint8_t { Axis, Position, Distance, Velocity, Acceleration, Whole, Flag, Text };
+    std::string name;
+    Kind kind;
+    bool required;
+    std::string text;
+    std::optional<ValueRange> range{};  ///< of a whole number
+};
+
+struct Method {
+    std::string name;
+    Access access;
+    std::string text;
+    std::vector<Field> fields{};
+    /// What it asks of the module; null unless it commands one axis.
+    tl::expected<Call, Problem> (AxisCall::*make)() const = nullptr;
+};
+
+[[nodiscard]] const std::vector<Method>& methods();
+/// Null if there is no such method.
+[[nodiscard]] const Method* findMethod(std::string_view name);
+/// The table, for `describe`.
+[[nodiscard]] Json describe();
+
 /// What a program has requested: a method with the parameters that it knows, which have their types. Others
 /// are left out.
 struct Request {
@@ -101,16 +109,9 @@ struct BadRequest {
 [[nodiscard]] tl::expected<ModuleIndex, Problem> axisOf(const Json& parameters, const LinkState& link,
                                                         const Machine& machine);
 
-/// The call of a method that commands one axis. The parameters are those of a Request. Whether it is
-/// possible now is for plan() to say.
-[[nodiscard]] tl::expected<Call, Problem> callOf(std::string_view method, const Json& parameters,
+/// The call of a method that has `make`. The parameters are those of a Request. Whether it is possible now is
+/// for plan() to say.
+[[nodiscard]] tl::expected<Call, Problem> callOf(const Method& method, const Json& parameters,
                                                  const LinkState& link, const Machine& machine);
-
-/// The chain and its modules as `state` reports them; unknown values are null.
-[[nodiscard]] Json stateOf(const LinkState& link, const Machine& machine);
-/// One module of it.
-[[nodiscard]] Json stateOf(const ModuleState& module, const AxisSettings& axis);
-/// The type of a module as the state has it.
-[[nodiscard]] std::string nameOf(ModuleType type);
 
 }  // namespace nmc::api

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/time.h"
+#include "model/api/apistate.h"
 
 namespace nmc::api {
 

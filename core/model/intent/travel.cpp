@@ -15,7 +15,7 @@ namespace nmc {
 namespace {
 
 /// The error that rounding to the chip's numbers may add.
-constexpr double kGrain = 1.0 / kFixedPointOne;
+constexpr double kVelocityGrain = 1.0 / kFixedPointOne;
 
 [[nodiscard]] std::optional<std::int32_t> absolute(std::int32_t home, std::optional<std::int32_t> limit) {
     if (!limit)
@@ -133,7 +133,7 @@ private:
 
 [[nodiscard]] std::optional<TravelProblem> tooFast(double velocity, const ModuleState& module) {
     const double fastest = module.travel.fastest;
-    if (fastest <= 0.0 || velocity <= fastest + kGrain)
+    if (fastest <= 0.0 || velocity <= fastest + kVelocityGrain)
         return std::nullopt;
     return TravelProblem{.refusal = Refusal::TooFast, .velocity = velocity, .fastest = fastest};
 }

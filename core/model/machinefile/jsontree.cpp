@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/text.h"
+
 namespace nmc {
 
 namespace {
@@ -72,9 +74,8 @@ std::string wordAt(std::string_view text, std::size_t place) {
     return std::string(text.substr(begin, end - begin));
 }
 
-bool isNoNumber(std::string word) {
-    std::ranges::transform(word, word.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+bool isNoNumber(std::string_view text) {
+    const std::string word = lowered(text);
     return word == "nan" || word == "inf" || word == "infinity";
 }
 
