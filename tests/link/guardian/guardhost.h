@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -121,15 +122,23 @@ class GuardHost {
 public:
     explicit GuardHost(const Chain& chain, const std::string& terminal, const std::string& reportFile,
                        const std::string& program = NMCGUARD_PATH)
-        : m_chain(chain), m_process({GUARDHOST_PATH, terminal, program, reportFile}) {
-        m_ready = m_process.answer();
+        : m_chain(chain),
+          m_process(std::in_place, std::vector<std::string>{GUARDHOST_PATH, terminal, program, reportFile}) {
+        m_ready = m_process->answer();
     }
+    /// Its guardian may still be writing its report, into a folder that the test is about to remove.
+    ~GuardHost() {
+        m_process.reset();
+        EXPECT_TRUE(m_guard <= 0 || guardIsGone());
+    }
+    GuardHost(const GuardHost&) = delete;
+    GuardHost& operator=(const GuardHost&) = delete;
 
     /// "ready" or "busy".
     [[nodiscard]] const std::string& ready() const { return m_ready; }
     std::string ask(const std::string& line) {
-        m_process.tell(line);
-        return m_process.answer();
+        m_process->tell(line);
+        return m_process->answer();
     }
     /// Starts its guardian and arms it with the stop of motor 1, which moves.
     void guardMotion() {
@@ -140,22 +149,22 @@ public:
     void write(const std::vector<std::uint8_t>& bytes) {
         ASSERT_EQ(ask("write " + toHex(bytes)), std::to_string(bytes.size()));
     }
-    void send(int signal) const { ::kill(m_process.pid(), signal); }
+    void send(int signal) const { ::kill(m_process->pid(), signal); }
     void die() {
         send(SIGKILL);
-        m_process.wait();
+        m_process->wait();
     }
     [[nodiscard]] pid_t guard() const { return m_guard; }
     [[nodiscard]] bool guardIsGone() const {
         return comesTrue([this] { return ::kill(m_guard, 0) != 0 || isZombie(m_guard); });
     }
-    LineProcess& process() { return m_process; }
+    LineProcess& process() { return *m_process; }
 
 private:
     static bool isZombie(pid_t process);
 
     const Chain& m_chain;
-    LineProcess m_process;
+    std::optional<LineProcess> m_process;
     std::string m_ready;
     pid_t m_guard = -1;
 };
