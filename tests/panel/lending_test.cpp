@@ -105,6 +105,31 @@ TEST_F(Lending, ControlsAreDisabledAndSayWhy) {
     EXPECT_TRUE(sim.takePackets().empty()) << "the panel sends nothing";
 }
 
+/// The chain's dialog was open before.
+TEST_F(Lending, NoButtonOfTheChainSendsAnything) {
+    for (const char* page : {"rateAction", "groupsAction", "chainDoctorAction"})
+        panel.window().findChild<QAction*>(QLatin1String(page))->trigger();
+    ASSERT_NO_FATAL_FAILURE(lend());
+    auto* pages = panel.window().findChild<QTabWidget*>(u"chainPages"_s);
+    ASSERT_TRUE(pages->isVisible());
+    (void)sim.takePackets();
+    int clicked = 0;
+    for (int page = 0; page < pages->count(); ++page) {
+        pages->setCurrentIndex(page);
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().lent; }));
+        for (QAbstractButton* button : pages->currentWidget()->findChildren<QAbstractButton*>())
+            if (button->isVisible() && button->isEnabled()) {
+                QTest::mouseClick(button, Qt::LeftButton);
+                ++clicked;
+            }
+        panel.freeze(std::chrono::seconds(1));
+        QCoreApplication::processEvents();
+    }
+    EXPECT_GT(clicked, 0);
+    EXPECT_TRUE(sim.takePackets().empty());
+    EXPECT_TRUE(lent());
+}
+
 TEST_F(Lending, EscapeStopsTheMotorsAndHoldsTheProgramOff) {
     ASSERT_NO_FATAL_FAILURE(lend());
     Port port(path.toStdString());

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
+#include <QJsonObject>
 #include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
@@ -11,6 +13,7 @@
 #include <initializer_list>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "tests/support/virtualpanel.h"
 
@@ -122,6 +125,54 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
     EXPECT_TRUE(panel.module().servoOn());
     EXPECT_EQ(sim.violations(), "");
 }
+
+/// Motors of which the program knows nothing, and a move that must settle within 10 counts.
+class TuningMoves : public Tuning, public testing::WithParamInterface<std::vector<const char*>> {};
+
+TEST_P(TuningMoves, SettleInsideTheirWindowAfterTenClicks) {
+    for (const char* of : GetParam())
+        ASSERT_TRUE(sim.control(u"set 1 "_s + QLatin1String(of))[u"ok"_s].toBool()) << of;
+    int clicks = 1;  // View, Tune
+    const auto click = [&](const char* name) {
+        ++clicks;
+        panel.click(name);
+    };
+    ASSERT_NO_FATAL_FAILURE(click("fillGainsButton"));
+    ASSERT_NO_FATAL_FAILURE(click("applyGainsButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+    ASSERT_NO_FATAL_FAILURE(click("enableButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && panel.module().goal(); }));
+    ASSERT_NO_FATAL_FAILURE(click("stepAndFindButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return text("suggestedGains").contains(u"Kp"_s); }))
+        << text("motorModel").toStdString();
+    ASSERT_NO_FATAL_FAILURE(click("fillSuggestedButton"));
+    clicks += 2;  // which opens the list, and its third line
+    panel.window().findChild<QComboBox*>(u"responseMethodBox"_s)->setCurrentIndex(2);
+    fill({{"responseWindowField", "10"}});
+    clicks += 2;
+    ASSERT_NO_FATAL_FAILURE(panel.step([this] {
+        panel.click("responseButton");
+        panel.click("applyAndStepButton");
+    }));
+    EXPECT_LE(clicks, 10);
+    const auto* results = panel.window().findChild<QTableWidget*>(u"responseResults"_s);
+    const auto figure = [results](const QString& row) {
+        for (int i = 0; i < results->rowCount(); ++i)
+            if (results->verticalHeaderItem(i)->text() == row)
+                return results->item(i, 0)->text();
+        return QString();
+    };
+    EXPECT_TRUE(figure(u"Settling after the move"_s).contains(u"ms"_s))
+        << figure(u"Settling after the move"_s).toStdString();
+    const QJsonObject state = sim.state(1);
+    EXPECT_LE(std::abs(state[u"position"_s].toInt() - state[u"command_position"_s].toDouble()), 10);
+    EXPECT_TRUE(panel.module().servoOn());
+    EXPECT_EQ(sim.violations(), "");
+}
+INSTANTIATE_TEST_SUITE_P(Motors, TuningMoves,
+                         testing::Values(std::vector<const char*>{},
+                                         std::vector{"inertia 1e-4", "friction 0.01"},
+                                         std::vector{"inertia 4e-5", "load 0.003", "gain 20000"}));
 
 /// One click, after which the motor is back where it was, and is known.
 TEST_F(Tuning, OneClickStepsFourTimesAndFindsTheMotor) {
