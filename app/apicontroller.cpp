@@ -415,7 +415,7 @@ bool ApiController::rests(ModuleIndex index) const {
     if (module == nullptr)
         return true;
     const auto done = m_doneAt.find(index);
-    return !module->awaited && !module->home.awaited() &&
+    return module->motionSeen() && !module->awaited && !module->home.awaited() &&
            !m_pending.contains(index) && (done == m_doneAt.end() || module->latestTime > done->second) &&
            !module->moving() && !m_commander.procedures().running(index) &&
            !m_commander.sequences().parts().contains(index);

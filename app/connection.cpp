@@ -64,8 +64,10 @@ void Connection::openOffered() {
     if (!m_ports.offered())
         return;
     const ConnectTarget offer = *m_ports.offered();
-    if (m_lostPort)
-        m_lostPort = offer.port;  // the same adapter under another name
+    if (m_lostPort) {  // the same adapter under another name
+        m_unconfirmed[offer.port] = std::move(m_unconfirmed[*m_lostPort]);
+        m_lostPort = offer.port;
+    }
     openAnyway(offer);
 }
 
@@ -88,6 +90,10 @@ void Connection::openNow(const ConnectTarget& target) {
     const bool fixed = network && network->protocol == NetworkLine::Protocol::Raw;
     config.baud = fixed ? kPowerUpBaud : target.baud;
     config.readOnly = target.readOnly;
+    config.unconfirmed = m_unconfirmed[port];
+    if (m_lostPort == port && m_worker.stopWaits())
+        for (const bus::ModuleInfo& module : m_chain)
+            config.unconfirmed.push_back({module, StopManner::Abruptly});
     BusWorker::TransportFactory factory;
     if (simulated) {
         config.adapterLatency = Duration::zero();
@@ -200,6 +206,7 @@ void Connection::on(const bus::ChainFound& found) {
         m_lostPort.reset();
         emit recovered();
     }
+    m_chain = found.modules;
     const int modules = static_cast<int>(found.modules.size());
     // The machine's own list takes precedence over what was seen at this port.
     const auto ofMachine = static_cast<int>(expectedModules(m_store.machine()));
@@ -213,6 +220,7 @@ void Connection::on(const bus::ChainFound& found) {
 
 void Connection::on(const PortClosed& closed) {
     m_searchWhenIdle = false;
+    m_unconfirmed[m_target->port] = closed.unconfirmed;
     if (closed.error) {
         if (closed.error->problem == PortProblem::Gone)
             m_lostPort = m_target->port;

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QSettings>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -87,7 +88,9 @@ private:
     Transports m_transports;
     std::optional<ConnectTarget> m_target;    ///< the present connection, or the last one
     std::optional<ConnectTarget> m_openNext;  ///< opened when the present connection has closed
-    std::optional<QString> m_lostPort;        ///< where the state of motors became unknown
+    std::map<QString, std::vector<bus::UnconfirmedStop>> m_unconfirmed;  ///< stops, by port
+    std::vector<bus::ModuleInfo> m_chain;                                ///< found last
+    std::optional<QString> m_lostPort;  ///< where the state of motors became unknown
     bool m_endWhenClosed = false;
     bool m_searchWhenIdle = false;  ///< as soon as no procedure and no sequence is running
     bool m_enableFaults = false;

@@ -26,7 +26,8 @@ struct Reporter {
     using All = std::vector<News>;
 
     All operator()(const bus::ChainFound& found) const {
-        All all{{texts::connected(found, port)}};
+        All all{
+            {texts::connected(found, port), Until::Cause, bus::StopCause::ConnectionEnded, found.toldToStop}};
         if (found.replyGap > Duration{})
             all.push_back(
                 {texts::repliesInPieces(port, static_cast<int>(std::lround(1e3 * toSeconds(found.replyGap)))),

@@ -5434,6 +5434,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Approach it 2 to 100 times from each side.</source>
         <translation>2 bis 100 Anfahrten von jeder Seite wählen.</translation>
     </message>
+    <message>
+        <source>The stop sent before the connection ended was not confirmed.</source>
+        <translation>Der Stopp, der vor dem Ende der Verbindung gesendet wurde, ist nicht bestätigt worden.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

@@ -5434,6 +5434,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>Approach it 2 to 100 times from each side.</source>
         <translation>Elija de 2 a 100 aproximaciones desde cada lado.</translation>
     </message>
+    <message>
+        <source>The stop sent before the connection ended was not confirmed.</source>
+        <translation>La parada enviada antes del final de la conexión no se confirmó.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

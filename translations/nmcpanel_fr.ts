@@ -5434,6 +5434,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>Approach it 2 to 100 times from each side.</source>
         <translation>Choisissez de 2 à 100 approches de chaque côté.</translation>
     </message>
+    <message>
+        <source>The stop sent before the connection ended was not confirmed.</source>
+        <translation>L’arrêt envoyé avant la fin de la connexion n’a pas été confirmé.</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

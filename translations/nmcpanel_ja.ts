@@ -5417,6 +5417,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>Approach it 2 to 100 times from each side.</source>
         <translation>各側からの接近は2～100回にしてください。</translation>
     </message>
+    <message>
+        <source>The stop sent before the connection ended was not confirmed.</source>
+        <translation>接続が終わる前に送った停止は確認されていません。</translation>
+    </message>
 </context>
 <context>
     <name>TravelTexts</name>

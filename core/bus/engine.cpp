@@ -394,6 +394,14 @@ std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
     return changed ? std::optional(stopBurst()) : std::nullopt;
 }
 
+std::vector<UnconfirmedStop> Engine::unconfirmedStops() const {
+    std::vector<UnconfirmedStop> stops = m_config.unconfirmed;
+    for (const Chain::Module& module : m_chain.modules())
+        if (module.owed && !module.owed->target.stopped())
+            stops.push_back({module.belief.info(), module.owed->target.manner()});
+    return stops;
+}
+
 // ---- dispatch ----
 
 void Engine::proceed(TimePoint now) {
@@ -593,6 +601,14 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
     }
     setStopOutputs(m_stopOutputs);
     m_chain.schedule().watch(m_watched);
+    if (!found.readOnly)
+        for (const UnconfirmedStop& stop : std::exchange(m_config.unconfirmed, {}))
+            for (const ModuleInfo& info : found.modules)
+                if (found.attached && sameModule(info, stop.module))
+                    m_chain.owe(info.index, StopCause::ConnectionEnded, stop.manner);
+    for (const Chain::Module& module : m_chain.modules())
+        if (module.owed)
+            found.toldToStop.push_back(module.belief.info().index);
     m_events.emplace_back(found);
     for (const ModuleIndex module : found.absent)
         if (rejoined->restarted == module)

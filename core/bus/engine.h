@@ -170,6 +170,9 @@ public:
     /// The rate at which the chain receives the burst; the port may be at another one, for example during a
     /// search.
     [[nodiscard]] std::uint32_t stopBurstBaud() const { return m_chain.rate(); }
+    /// For the next connection to this port: the stops that are owed now, and those of EngineConfig that no
+    /// chain was found for.
+    [[nodiscard]] std::vector<UnconfirmedStop> unconfirmedStops() const;
     /// The burst if it, or its rate, has changed since the last call; cheap otherwise. The burst counts as
     /// empty before the first call.
     [[nodiscard]] std::optional<std::vector<std::uint8_t>> changedStopBurst();

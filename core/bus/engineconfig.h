@@ -27,6 +27,9 @@ struct EngineConfig {
     /// The rate at which that chain was left, if it is not in kBaudRows; 0: unknown. The chain is searched
     /// for there as well, and at `baud`.
     std::uint32_t knownBaud = 0;
+    /// Engine::unconfirmedStops() of the last connection to this port. A module that is found as it was is
+    /// sent its stop again; ignored on a read-only connection.
+    std::vector<UnconfirmedStop> unconfirmed{};
     /// Monitors a chain that has addresses without changing anything: No Operation and Read Status only, and
     /// a stop on request (faults.md H-02). Such a stop has all the properties of any other: if it is not
     /// confirmed, it is owed and repeated until it is. Enforced by Line::Permit.

@@ -13,6 +13,7 @@
 #include "bus/path.h"
 #include "bus/rejection.h"
 #include "module/modulecommand.h"
+#include "module/stopmanner.h"
 
 /// Inputs and outputs of the bus engine. Values only; any thread may hold copies.
 namespace nmc::bus {
@@ -231,6 +232,8 @@ struct ChainFound {
     /// Those of `modules` that belong to the chain known before but do not answer at their address.
     /// ModuleUnresponsive follows for each, or ModuleRestarted.
     std::vector<ModuleIndex> absent{};
+    /// Those of `modules` that are sent a stop again (EngineConfig::unconfirmed).
+    std::vector<ModuleIndex> toldToStop{};
     /// As EngineConfig::readOnly.
     bool readOnly = false;
     /// The longest pause within a reply seen on the line, which is allowed for; 0: none.
@@ -343,6 +346,7 @@ enum class StopCause : std::uint8_t {
     GroupStop,  ///< the user stopped its group, or the module itself while its chain was being searched for
     PathEnded,  ///< a path ended before its last point
     TravelLimit,
+    ConnectionEnded,  ///< its stop had not been confirmed when the last connection ended
 };
 
 /// True if the user wanted the motion to end, or it was about to leave its limits: the user may request
@@ -357,6 +361,12 @@ enum class StopCause : std::uint8_t {
 struct OwedStopConfirmed {
     ModuleIndex module;
     StopCause cause = StopCause::HoldReleased;
+};
+
+/// A stop that had not been confirmed when its connection ended.
+struct UnconfirmedStop {
+    ModuleInfo module;
+    StopManner manner = StopManner::Abruptly;
 };
 
 /// A module has stopped answering, or answers again.

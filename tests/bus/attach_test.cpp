@@ -178,6 +178,49 @@ TEST(Attach, StopsOneMotorAtOnceWhileItsChainIsLookedForAgain) {
         }
 }
 
+TEST(Attach, SendsAStopAgainThatWasNotConfirmedWhenTheLastConnectionEnded) {
+    LeftBehind left(3, 19'200);
+    VirtualBus& bus = left.bus;
+    ASSERT_TRUE(bus.connect());
+    bus.onCommand = [](std::vector<std::uint8_t>& command) { command.clear(); };  // the cable is cut
+    bus.engine.stopAll(bus.now);
+    bus.runFor(20ms);
+    EngineConfig next;
+    next.unconfirmed = bus.engine.unconfirmedStops();
+    EXPECT_EQ(next.unconfirmed.size(), 3U);
+    bus.newHost(next);
+    EXPECT_FALSE(bus.connect()) << "nobody answers";
+    next.unconfirmed = bus.engine.unconfirmedStops();
+    EXPECT_EQ(next.unconfirmed.size(), 3U) << "they are passed on";
+    bus.onCommand = nullptr;
+    bus.newHost(next);
+    ASSERT_TRUE(bus.connect());
+    EXPECT_EQ(bus.last<ChainFound>()->toldToStop.size(), 3U);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() == 3; }, 5s));
+    EXPECT_DOUBLE_EQ(left.commandVelocity(), 0);
+    EXPECT_TRUE(bus.servo(0).servoOn) << "it holds";
+    EXPECT_FALSE(bus.servo(1).servoOn) << "it was off";
+    EXPECT_TRUE(bus.engine.unconfirmedStops().empty());
+}
+
+TEST(Attach, StopsOnlyTheModuleWhoseStopWasNotConfirmed) {
+    const ModuleInfo running{ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}};
+    ModuleInfo other = running;
+    other.address = BusAddress(9);
+    for (const ModuleInfo& owed : {running, other})
+        for (const bool readOnly : {false, true}) {
+            EngineConfig next;
+            next.unconfirmed = {{owed, StopManner::Off}};
+            next.readOnly = readOnly;
+            LeftBehind left(2, 19'200, next);
+            ASSERT_TRUE(left.bus.connect());
+            left.bus.runFor(500ms);
+            const bool stops = owed.address == running.address && !readOnly;
+            EXPECT_EQ(left.bus.servo(0).servoOn, !stops) << owed.address.value() << readOnly;
+            EXPECT_EQ(left.bus.engine.unconfirmedStops().size(), readOnly ? 1U : 0U);
+        }
+}
+
 TEST(Attach, EndsAStopDuringALookThatFindsNobody) {
     VirtualBus bus(servos(1));
     bus.losesReply = [](ByteSpan) { return true; };

@@ -227,6 +227,22 @@ TEST_F(OtherPrograms, WaitForTheEndOfAStopThatWouldCancelWhatComesNext) {
     EXPECT_TRUE(client.answer(wait).contains("result"));
 }
 
+TEST_F(OtherPrograms, WaitNoLongerForAStopOnceTheLineIsLost) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    ASSERT_EQ(client.call("jog", {{"axis", 1}, {"velocity", 2}})["result"]["accepted"], true);
+    const int stop = client.request("stop");
+    const int wait = client.request("wait");
+    sim.unplug();
+    EXPECT_EQ(client.answer(stop)["result"]["sent"], true);
+    EXPECT_EQ(client.answer(wait)["error"]["data"]["reason"], "NotConnected");
+    sim.plugIn();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    EXPECT_TRUE(client.call("wait").contains("result"));
+    EXPECT_FALSE(moves(sim)) << "the stop was sent again";
+}
+
 TEST_F(OtherPrograms, WaitUntilHomeIsKnown) {
     OtherProgram client(panel, path());
     client.hello();

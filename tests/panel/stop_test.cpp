@@ -79,5 +79,40 @@ INSTANTIATE_TEST_SUITE_P(
              [](MainWindow& w) { w.findChild<QComboBox*>(QStringLiteral("scopeWindowBox"))->showPopup(); }}),
     [](const auto& open) { return std::string(open.param.name); });
 
+/// Esc is pressed before the panel knows that the port has gone, or just before the port goes.
+class StopOnALostLine : public testing::TestWithParam<bool> {};
+
+TEST_P(StopOnALostLine, StopsTheMotorOnceTheLineIsBack) {
+    VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    if (GetParam())
+        sim.unplug();
+    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
+    sim.unplug();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    ASSERT_TRUE(moves(sim));
+    sim.plugIn();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_EQ(panel.count(QStringLiteral("left running. Modules 1 and 2 were commanded to stop.")), 1);
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Module 1 has stopped.")) == 1; }));
+    EXPECT_TRUE(panel.module().servoOn()) << "it holds";
+}
+INSTANTIATE_TEST_SUITE_P(PortGone, StopOnALostLine, testing::Bool());
+
+TEST(LostLine, LeavesAMotorRunningThatNobodyStopped) {
+    VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    sim.unplug();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    sim.plugIn();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.answersFor(1.0));
+    EXPECT_TRUE(moves(sim));
+    EXPECT_EQ(panel.count(QStringLiteral("commanded to stop")), 0);
+}
+
 }  // namespace
 }  // namespace nmc

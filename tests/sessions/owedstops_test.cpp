@@ -100,6 +100,7 @@ public:
             case StopCause::ForeignTraffic:
             case StopCause::GroupStop:
             case StopCause::PathEnded:
+            case StopCause::ConnectionEnded:
                 return false;
         }
         return rig.runUntil([&] { return deafSince.has_value(); }, 5s);

@@ -116,7 +116,11 @@ Message connected(const bus::ChainFound& found, const QString& port) {
     if (found.attached) {
         m.headline = Texts::tr("Connected to %1: %2 at %3 Bd, left running.")
                          .arg(portName(port), countOfModules(modules), rate(found.baud));
-        m.body = Texts::tr(
+        if (!found.toldToStop.empty()) {
+            m.headline += u' ' + commandedToStop(found.toldToStop);
+            m.body = Texts::tr("The stop sent before the connection ended was not confirmed.") + u' ';
+        }
+        m.body += Texts::tr(
             "The modules carry on with what they were doing. Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.");
         return m;
     }

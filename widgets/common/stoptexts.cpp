@@ -84,12 +84,18 @@ QString stopReach(int reachable, int modules) {
     return Texts::tr("reaches %1 of %2").arg(reachable).arg(modules);
 }
 
+QString commandedToStop(const std::vector<ModuleIndex>& modules) {
+    return Texts::tr("Modules %1 were commanded to stop.", nullptr, howMany(modules))
+        .arg(listOfModules(modules));
+}
+
 QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
     // These messages are about several modules.
     return confirmed.cause == bus::StopCause::GroupHalfStarted ||
                    confirmed.cause == bus::StopCause::GroupStop ||
                    confirmed.cause == bus::StopCause::PathEnded ||
-                   confirmed.cause == bus::StopCause::ForeignTraffic
+                   confirmed.cause == bus::StopCause::ForeignTraffic ||
+                   confirmed.cause == bus::StopCause::ConnectionEnded
                ? Texts::tr("Module %1 has stopped.").arg(moduleNumber(confirmed.module))
                : Texts::tr("It has stopped.");
 }
@@ -140,9 +146,7 @@ Message motionSuspect(const bus::MotionSuspect& suspect) {
 Message foreignTraffic(const bus::ForeignTraffic& traffic) {
     QString headline = Texts::tr("Another host is sending on this line.");
     if (!traffic.toldToStop.empty())
-        headline +=
-            u' ' + Texts::tr("Modules %1 were commanded to stop.", nullptr, howMany(traffic.toldToStop))
-                       .arg(listOfModules(traffic.toldToStop));
+        headline += u' ' + commandedToStop(traffic.toldToStop);
     return {
         .key = u"foreign"_s,
         .severity = Severity::Fault,

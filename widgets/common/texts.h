@@ -150,6 +150,8 @@ namespace texts {
 [[nodiscard]] Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleState>& modules);
 /// True if there were modules, and each is known to have stopped.
 [[nodiscard]] bool allStopped(const bus::StopFinished& finished);
+/// "Modules 1, 2 were commanded to stop."
+[[nodiscard]] QString commandedToStop(const std::vector<ModuleIndex>& modules);
 /// Appended to the headline of the message that reported the stop: "It has stopped."
 [[nodiscard]] QString stopConfirmed(const bus::OwedStopConfirmed& confirmed);
 /// "reaches 5 of 5"

@@ -81,7 +81,7 @@ void BusLoop::run(const TransportFactory& factory, const bus::EngineConfig& conf
     ::pthread_setname_np(::pthread_self(), "bus");
     const crashburst::HandlerStack stack;
     preferThisThread();
-    PortClosed closed;
+    PortClosed closed{{}, config.unconfirmed};
     const std::unique_ptr<Transport> transport = factory();
     if (const auto opened = transport->open()) {
         bus::EngineConfig measured = config;
@@ -89,6 +89,7 @@ void BusLoop::run(const TransportFactory& factory, const bus::EngineConfig& conf
         m_channel.post(PortOpened{measured.adapterLatency});
         BusSession session(m_channel, *transport, measured, m_guards, m_asleepSoFar);
         closed.error = session.run();
+        closed.unconfirmed = session.unconfirmedStops();
         for (WorkerEvent& end : session.abandon())
             m_channel.post(std::move(end));
     } else {

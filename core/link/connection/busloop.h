@@ -56,6 +56,7 @@ public:
     [[nodiscard]] bool isOpen() const { return m_thread.joinable(); }
 
     void stopAll() { m_channel.requests.stopAll(); }
+    [[nodiscard]] bool stopWaits() const { return m_channel.requests.stopWaits(); }
     /// Requests of which only the latest counts, unlike those that ask() queues.
     [[nodiscard]] RequestBox& requestBox() { return m_channel.requests; }
     /// Every request ends in its event (busrequest.h): a refusal comes at once when too many requests are

@@ -30,6 +30,10 @@ public:
     /// Returns nothing after a requested close, once the motors have confirmed their stop or the wait for it
     /// is over; otherwise the error that ended the connection. Blocks only in Transport::receive().
     [[nodiscard]] std::optional<PortError> run();
+    /// Call after run().
+    [[nodiscard]] std::vector<bus::UnconfirmedStop> unconfirmedStops() const {
+        return m_engine.unconfirmedStops();
+    }
     /// The final events of requests that the engine has taken on and not finished.
     [[nodiscard]] std::vector<WorkerEvent> abandon() { return m_open.abandon(); }
 

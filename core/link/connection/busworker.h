@@ -68,6 +68,8 @@ public:
     void hold(const bus::HoldToMove& hold);
     void release();
     void stopAll() { m_loop.stopAll(); }
+    /// A stop has been requested since the last connection ended; until open().
+    [[nodiscard]] bool stopWaits() const { return m_loop.stopWaits(); }
     /// Lends the line to the program that opens a terminal at `path` (docs/lending.md): LineLent or
     /// LendingProblem follows. Until it is over, every other request is refused, except for a stop of all
     /// modules, after which the program is held off until letThrough().

@@ -54,6 +54,8 @@ public:
     void close();
 
     // From any thread.
+    /// A stop has been requested that no connection has taken: not the last one, because it had ended.
+    [[nodiscard]] bool stopWaits() const { return m_stop; }
     /// Calls `how` with what is pending.
     template <typename Change>
     void change(Change how) {

@@ -20,6 +20,7 @@ struct PortOpened {
 /// The connection has ended, either through close() or for the given reason.
 struct PortClosed {
     std::optional<PortError> error;
+    std::vector<bus::UnconfirmedStop> unconfirmed{};  ///< for the next connection to this port
 };
 
 /// The built-in simulator's answer to a control line.

@@ -144,6 +144,11 @@ struct ModuleState : ServoRegisters {
     /// A motion that must not be disturbed: a trapezoidal move in progress, or any command velocity other
     /// than 0.
     [[nodiscard]] bool moving() const;
+    /// It is known whether it moves. Of a servo that was on when it was found, only a second report shows
+    /// that.
+    [[nodiscard]] bool motionSeen() const {
+        return activity() != Activity::Unknown && (!m_motionUnknown || m_looksWhileOn > 1);
+    }
     [[nodiscard]] Activity activity() const;
 
 private:
