@@ -178,6 +178,16 @@ OWING = (
              "            if (module.owed && info.address == module",
              "            if (false && module.owed && info.address == module"),
     )),
+    Mutant("owed-stop-dropped-with-its-connection", "faults.md F-27: the next connection sends it again", (
+        Edit("core/bus/engine.cpp",
+             "                if (found.attached && sameModule(info, stop.module))",
+             "                if (false && sameModule(info, stop.module))"),
+    )),
+    Mutant("owed-stop-of-another-module", "faults.md F-27: only a module that is found as it was is sent it", (
+        Edit("core/bus/engine.cpp",
+             "                if (found.attached && sameModule(info, stop.module))",
+             "                if (found.attached)"),
+    )),
     Mutant("owed-stop-over-when-answered", "link.md 2.6: only a confirmation ends it", (
         Edit("core/bus/stoplane.cpp",
              "    if (owed->target.stopped()) {", "    if (end.result == ReplyResult::Accepted) {"),
