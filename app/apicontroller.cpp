@@ -307,6 +307,8 @@ void ApiController::stop(Client client, const api::Method& method, const Json& p
         m_worker.stopAll();
         m_commander.endRuns();
         endControl(texts::ControlLost::Stopped);
+        if (!m_worker.isOpen())
+            return refuse(client, id, api::refused(Refusal::NotConnected));
         return answer(client, id, {{"sent", true}});
     }
     command(client, method, parameters, id);

@@ -5435,8 +5435,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>2 bis 100 Anfahrten von jeder Seite wählen.</translation>
     </message>
     <message>
-        <source>The stop sent before the connection ended was not confirmed.</source>
-        <translation>Der Stopp, der vor dem Ende der Verbindung gesendet wurde, ist nicht bestätigt worden.</translation>
+        <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
+        <translation>Der Stopp, der vor dem Ende der Verbindung gesendet wurde, ist nicht bestätigt worden und wurde deshalb noch einmal gesendet.</translation>
     </message>
 </context>
 <context>

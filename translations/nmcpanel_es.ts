@@ -5435,8 +5435,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Elija de 2 a 100 aproximaciones desde cada lado.</translation>
     </message>
     <message>
-        <source>The stop sent before the connection ended was not confirmed.</source>
-        <translation>La parada enviada antes del final de la conexión no se confirmó.</translation>
+        <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
+        <translation>La parada enviada antes del final de la conexión no se confirmó, así que se envió de nuevo.</translation>
     </message>
 </context>
 <context>

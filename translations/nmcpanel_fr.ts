@@ -5435,8 +5435,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Choisissez de 2 à 100 approches de chaque côté.</translation>
     </message>
     <message>
-        <source>The stop sent before the connection ended was not confirmed.</source>
-        <translation>L’arrêt envoyé avant la fin de la connexion n’a pas été confirmé.</translation>
+        <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
+        <translation>L’arrêt envoyé avant la fin de la connexion n’a pas été confirmé ; il a donc été envoyé de nouveau.</translation>
     </message>
 </context>
 <context>

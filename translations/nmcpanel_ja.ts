@@ -5418,8 +5418,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>各側からの接近は2～100回にしてください。</translation>
     </message>
     <message>
-        <source>The stop sent before the connection ended was not confirmed.</source>
-        <translation>接続が終わる前に送った停止は確認されていません。</translation>
+        <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
+        <translation>接続が終わる前に送った停止は確認されなかったため、もう一度送りました。</translation>
     </message>
 </context>
 <context>

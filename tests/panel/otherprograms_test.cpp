@@ -335,6 +335,21 @@ TEST_F(OtherPrograms, StopWithoutHelloAndWithoutControl) {
     EXPECT_FALSE(client.notification("control_lost").is_null());
 }
 
+TEST_F(OtherPrograms, AreNotToldThatAStopWasSentWhichIsOnlySentLater) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    sim.unplug();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"was unplugged"_s) == 1; }));
+    EXPECT_EQ(client.call("stop")["error"]["data"]["reason"], "NotConnected");
+    ASSERT_TRUE(moves(sim));
+    sim.plugIn();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+}
+
 TEST_F(OtherPrograms, LeaveNoMotorMovingWhenTheyVanish) {
     OtherProgram client(panel, path());
     client.hello();

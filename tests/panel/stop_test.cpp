@@ -95,7 +95,7 @@ TEST_P(StopOnALostLine, StopsTheMotorOnceTheLineIsBack) {
     sim.plugIn();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
-    EXPECT_EQ(panel.count(QStringLiteral("left running. Modules 1 and 2 were commanded to stop.")), 1);
+    EXPECT_EQ(panel.count(QStringLiteral("Bd. Modules 1 and 2 were commanded to stop.")), 1);
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Module 1 has stopped.")) == 1; }));
     EXPECT_TRUE(panel.module().servoOn()) << "it holds";
 }

@@ -113,20 +113,22 @@ Message connected(const bus::ChainFound& found, const QString& port) {
             "The modules carry on, even after you disconnect. Only status requests are sent. STOP ALL still works.");
         return m;
     }
-    if (found.attached) {
+    if (found.attached && found.toldToStop.size() < found.modules.size()) {
         m.headline = Texts::tr("Connected to %1: %2 at %3 Bd, left running.")
                          .arg(portName(port), countOfModules(modules), rate(found.baud));
-        if (!found.toldToStop.empty()) {
-            m.headline += u' ' + commandedToStop(found.toldToStop);
-            m.body = Texts::tr("The stop sent before the connection ended was not confirmed.") + u' ';
-        }
-        m.body += Texts::tr(
+        m.body = Texts::tr(
             "The modules carry on with what they were doing. Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.");
-        return m;
+    } else {
+        m.headline = Texts::tr("Connected to %1: %2 at %3 Bd.")
+                         .arg(portName(port), countOfModules(modules), rate(found.baud));
+        m.body = Texts::tr("Nothing moves until you command it. Gains are unknown until you apply them.");
     }
-    m.headline = Texts::tr("Connected to %1: %2 at %3 Bd.")
-                     .arg(portName(port), countOfModules(modules), rate(found.baud));
-    m.body = Texts::tr("Nothing moves until you command it. Gains are unknown until you apply them.");
+    if (!found.toldToStop.empty()) {
+        m.headline += u' ' + commandedToStop(found.toldToStop);
+        m.body.prepend(
+            Texts::tr("The stop sent before the connection ended was not confirmed, so it was sent again.") +
+            u' ');
+    }
     return m;
 }
 
