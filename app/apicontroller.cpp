@@ -39,6 +39,7 @@ constexpr int kRefused = -32000, kNoControl = -32001, kNotGreeted = -32002;
         case api::Problem::Kind::FieldMissing:
         case api::Problem::Kind::FieldWrong:
         case api::Problem::Kind::AxisUnknown:
+        case api::Problem::Kind::AxisAmbiguous:
         case api::Problem::Kind::SequenceUnknown:
             return kBadParameters;
         case api::Problem::Kind::NotAnOutput:
@@ -190,11 +191,6 @@ void ApiController::call(Client client, const api::Method& method, const Json& p
         return command(client, method, parameters, id);
     if (name == "describe")
         return answer(client, id, api::describe());
-    if (name == "state") {
-        Json state = api::stateOf(m_store.link(), m_store.machine());
-        state["control"] = m_control ? Json(session(*m_control).program.toStdString()) : Json();
-        return answer(client, id, state);
-    }
     if (name == "subscribe") {
         m_feed.subscribe(client, parameters);
         return answer(client, id, Json::object());
@@ -208,7 +204,7 @@ void ApiController::call(Client client, const api::Method& method, const Json& p
         }
         return answer(client, id, Json::object());
     }
-    // "wait"
+    // "state" and "wait"
     std::optional<ModuleIndex> module;
     if (parameters.contains("axis")) {
         const auto axis = api::axisOf(parameters, m_store.link(), m_store.machine());
@@ -216,6 +212,8 @@ void ApiController::call(Client client, const api::Method& method, const Json& p
             return refuse(client, id, axis.error());
         module = *axis;
     }
+    if (name == "state")
+        return answer(client, id, stateOf(module));
     if (session(client).waits.size() >= kMostWaits)
         return fail(client, id, kRefused, QStringLiteral("Too many calls of wait are pending."), "TooMany");
     session(client).waits.push_back({id, module, {}});
@@ -498,14 +496,19 @@ void ApiController::answerWaits() {
                 waiting.push_back(std::move(wait));
             else if (arrival == Arrival::State::Missed)
                 fail(client, wait.id, kRefused, texts::didNotSettle(), "NotSettled");
-            else if (wait.module)
-                answer(client, wait.id,
-                       api::stateOf(*m_store.module(*wait.module), m_store.machine().axis(*wait.module)));
             else
-                answer(client, wait.id, api::stateOf(m_store.link(), m_store.machine()));
+                answer(client, wait.id, stateOf(wait.module));
         }
         session.waits = std::move(waiting);
     }
+}
+
+ApiController::Json ApiController::stateOf(std::optional<ModuleIndex> module) const {
+    if (module)
+        return api::stateOf(*m_store.module(*module), m_store.machine().axis(*module));
+    Json state = api::stateOf(m_store.link(), m_store.machine());
+    state["control"] = m_control ? Json(m_sessions.at(*m_control).program.toStdString()) : Json();
+    return state;
 }
 
 /// All axes are those that answer, and those that the client has moved.

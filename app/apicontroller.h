@@ -116,6 +116,8 @@ private:
                                                    bool withSequence) const;
     [[nodiscard]] std::optional<QString> failureOf(const Session& session, ModuleIndex module) const;
 
+    /// Of this module, or of the chain.
+    [[nodiscard]] Json stateOf(std::optional<ModuleIndex> module) const;
     void answer(Client client, const Json& id, const Json& result);
     void refuse(Client client, const Json& id, const api::Problem& problem, const QString& sentence = {});
     void fail(Client client, const Json& id, int code, const QString& sentence, std::string_view reason);

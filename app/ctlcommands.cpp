@@ -34,6 +34,13 @@ constexpr std::array kNotAsTheyAre{"hello", "describe",        "state",         
     return QString::fromStdString(utf8);
 }
 
+/// A number means the axis with this number, even if another one has it for a name.
+[[nodiscard]] Json axisOf(const QString& given) {
+    bool isWhole = false;
+    const qint64 number = given.toLongLong(&isWhole);
+    return isWhole ? Json(number) : Json(given.toStdString());
+}
+
 /// A number, a text or "-" for what is not known.
 [[nodiscard]] QString shown(const Json& value) {
     if (value.is_null())
@@ -250,7 +257,7 @@ Or<Json> CtlCommands::parametersOf(const api::Method& method, const Words& words
             continue;
         const QString given = positional ? words.values[next++] : words.options[name];
         if (field.kind == Kind::Axis)
-            axis = axisState(given);
+            axis = axisState(given).value_or(Json());  // the panel refuses what is no axis
         const auto value = valueOf(field, given, axis);
         if (!value)
             return tl::unexpected(value.error());
@@ -269,7 +276,7 @@ Or<Json> CtlCommands::valueOf(const api::Field& field, const QString& given, con
     const qint64 whole = given.toLongLong(&isWhole);
     switch (field.kind) {
         case Kind::Axis:
-            return isWhole ? Json(whole) : Json(given.toStdString());
+            return axisOf(given);
         case Kind::Text:
             return Json(given.toStdString());
         case Kind::Whole:
@@ -296,14 +303,8 @@ Or<Json> CtlCommands::valueOf(const api::Field& field, const QString& given, con
     return Json(parts.captured(1).toDouble());
 }
 
-Json CtlCommands::axisState(const QString& axis) {
-    const auto state = m_client.call("state");
-    if (!state)
-        return {};
-    for (const Json& module : state->at("modules"))
-        if (shown(module.at("number")) == axis || shown(module.at("name")) == axis)
-            return module;
-    return {};
+tl::expected<Json, ApiClient::Error> CtlCommands::axisState(const QString& axis) {
+    return m_client.call("state", {{"axis", axisOf(axis)}});
 }
 
 // ---- what is read ----
@@ -319,20 +320,15 @@ CtlCommands::Exit CtlCommands::list(const Command&, const Words&) {
 }
 
 CtlCommands::Exit CtlCommands::state(const Command&, const Words& words) {
-    const auto whole = m_client.call("state");
-    if (!whole)
-        return report(whole.error());
-    Json axes = whole->at("modules");
-    if (!words.values.isEmpty()) {
-        axes = Json::array({axisState(words.values[0])});
-        if (axes[0].is_null())
-            return noAxis();
-    }
+    const bool one = !words.values.isEmpty();
+    const auto state = one ? axisState(words.values[0]) : m_client.call("state");
+    if (!state)
+        return report(state.error());
     if (words.has("json")) {
-        m_out << text((words.values.isEmpty() ? *whole : axes[0]).dump()) << '\n';
+        m_out << text(state->dump()) << '\n';
         return Done;
     }
-    for (const Json& axis : axes) {
+    for (const Json& axis : one ? Json::array({*state}) : state->at("modules")) {
         m_out << nameOf(axis) << '\n';
         for (const auto& [key, value] : axis.items())
             m_out << "  " << text(key) << ": " << shown(value) << '\n';
@@ -395,9 +391,10 @@ CtlCommands::Exit CtlCommands::record(const Command& command, const Words& words
 }
 
 CtlCommands::Exit CtlCommands::gains(const Command& command, const Words& words) {
-    Json axis = axisState(words.values[0]);
-    if (axis.is_null())
-        return noAxis();
+    const auto state = axisState(words.values[0]);
+    if (!state)
+        return report(state.error());
+    const Json& axis = *state;
     if (!words.has("set")) {
         if (words.values.size() > 1)
             return usage(command, QStringLiteral("Gains are sent only with --set."));
@@ -455,15 +452,14 @@ CtlCommands::Exit CtlCommands::request(const api::Method& method, const Json& pa
 }
 
 CtlCommands::Exit CtlCommands::jog(const Command& command, const Words& words) {
-    const Json axis = axisState(words.values[0]);
+    const Json axis = axisState(words.values[0]).value_or(Json());
     const auto velocity = valueOf({"velocity", Kind::Velocity, true, {}}, words.values[1], axis);
     const auto until = endOf({{QStringLiteral("seconds"), words.values[2]}});
     if (!velocity || !until)
         return usage(command, velocity ? until.error() : velocity.error());
     if (const auto problem = takeControl())
         return *problem;
-    const Json parameters{{"axis", axis.is_null() ? Json(words.values[0].toStdString()) : axis.at("number")},
-                          {"velocity", *velocity}};
+    const Json parameters{{"axis", axisOf(words.values[0])}, {"velocity", *velocity}};
     while (!until->hasExpired()) {
         if (const auto held = m_client.call("jog", parameters); !held)
             return report(held.error());
@@ -475,7 +471,7 @@ CtlCommands::Exit CtlCommands::jog(const Command& command, const Words& words) {
 }
 
 void CtlCommands::warnOfLimits(const QString& axis) {
-    const Json state = axisState(axis);
+    const Json state = axisState(axis).value_or(Json());
     if (!state.is_null() && state.at("travel_limits_in_force") == false)
         m_problems << "The travel limits of " << nameOf(state) << " are not in force: its home is unknown."
                    << Qt::endl;
@@ -507,11 +503,6 @@ void CtlCommands::leaveRunning() {
         (void)m_client.call("request_control", {{"on_disconnect", "finish"}});
 }
 
-CtlCommands::Exit CtlCommands::noAxis() {
-    m_problems << "There is no such axis." << Qt::endl;
-    return BadArguments;
-}
-
 CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {
     using ErrorKind = ApiClient::Error::Kind;
     const QString sentence = !error.sentence.isEmpty()              ? error.sentence
@@ -528,7 +519,8 @@ CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {
         case ErrorKind::Refused:
             break;
     }
-    if (isOneOf(error.reason, std::array{"FieldMissing", "FieldWrong", "AxisUnknown", "SequenceUnknown"}))
+    if (isOneOf(error.reason,
+                std::array{"FieldMissing", "FieldWrong", "AxisUnknown", "AxisAmbiguous", "SequenceUnknown"}))
         return BadArguments;
     if (error.reason == "NotConnected")
         return NotReached;

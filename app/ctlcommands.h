@@ -78,12 +78,11 @@ private:
     [[nodiscard]] tl::expected<Json, QString> valueOf(const api::Field& field, const QString& text,
                                                       const Json& axis);
     /// The state of an axis; null if there is none.
-    [[nodiscard]] Json axisState(const QString& axis);
+    [[nodiscard]] tl::expected<Json, ApiClient::Error> axisState(const QString& axis);
     [[nodiscard]] std::optional<Exit> takeControl();
     [[nodiscard]] Exit request(const api::Method& method, const Json& parameters, bool waits);
     void warnOfLimits(const QString& axis);
     void showPlace(const Json& axis);
-    [[nodiscard]] Exit noAxis();
     [[nodiscard]] Exit usage(const Command& command, const QString& problem);
     Exit report(const ApiClient::Error& error);
 

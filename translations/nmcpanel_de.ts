@@ -5989,6 +5989,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
         <translation>Die Ausgänge dieses Moduls oder ihre Richtungen sind unbekannt. Sie zuerst einmal setzen.</translation>
     </message>
+    <message>
+        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
+        <translation>Mehrere Achsen haben diesen Namen. Die Nummer der Achse verwenden oder jeder einen eigenen Namen geben.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxesPage</name>

@@ -5989,6 +5989,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
         <translation>Las salidas de este módulo, o sus direcciones, son desconocidas. Establézcalas primero una vez.</translation>
     </message>
+    <message>
+        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
+        <translation>Varios ejes tienen este nombre. Use el número del eje o dé a cada uno su propio nombre.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxesPage</name>

@@ -5989,6 +5989,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
         <translation>Les sorties de ce module, ou leurs directions, sont inconnues. Réglez-les d’abord une fois.</translation>
     </message>
+    <message>
+        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
+        <translation>Plusieurs axes portent ce nom. Utilisez le numéro de l’axe, ou donnez à chacun son propre nom.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxesPage</name>

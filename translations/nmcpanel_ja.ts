@@ -5972,6 +5972,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
         <translation>このモジュールの出力またはその方向が不明です。先に一度設定してください。</translation>
     </message>
+    <message>
+        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
+        <translation>同じ名前の軸が複数あります。軸の番号を使うか、それぞれに別の名前を付けてください。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxesPage</name>

@@ -198,10 +198,7 @@ class Axis:
         return self._panel.call(method, axis=self._axis, **parameters)
 
     def state(self) -> dict[str, Any]:
-        for module in self._panel.state()["modules"]:
-            if self._axis in (module["name"], module["number"]):
-                return module
-        raise Refused("There is no such axis.", -32602, "AxisUnknown")
+        return self.call("state")
 
     @property
     def position(self) -> float | None:

@@ -121,6 +121,16 @@ class AtItsOwnLine(unittest.TestCase):
         self.assertEqual(code, REFUSED, "beyond the travel limit")
         self.assertNotIn("not in force", problems)
 
+    def test_takes_a_number_for_the_number_of_an_axis_whatever_others_are_called(self):
+        machine = self.place.file("odd.json", """{"format": "nmc-panel-machine", "version": 1, "axes": [
+            {"name": "2", "unit": {"kind": "millimetres", "counts_per_unit": 100}},
+            {"name": "B", "unit": {"kind": "degrees", "counts_per_unit": 10}}, {"name": "B"}]}""")
+        script = f"gains 2 --set {GAINS}\nenable 2\nmove 2 5deg\nstate B\n"
+        code, out, problems = self.place.ctl("--simulator=servo,servo,servo", "--machine", machine, "-", text=script)
+        self.assertEqual(code, BAD_ARGUMENTS, "two axes are called B")
+        self.assertIn("Several axes have this name.", problems)
+        self.assertAlmostEqual(float(out.splitlines()[-1].split("\t")[1].split()[0]), 5, delta=0.3)
+
     def test_records_what_the_scope_can_open(self):
         path = self.place.file("record.csv")
         self.assertEqual(self.place.ctl("--simulator=servo,step", "record", path, "--seconds", "0.5")[0], DONE)
@@ -147,8 +157,7 @@ class AtItsOwnLine(unittest.TestCase):
 class AtAPanelThatAnswersAsWritten(unittest.TestCase):
     """One that accepts everything, and then has bad news for who waits."""
     RESULTS = {"hello": {"protocol": "1.0", "program": "test", "asks_user": False}, "request_control": {"granted": True},
-               "state": {"phase": "connected", "modules": [{"number": 1, "name": "", "unit": "counts", "gains": None,
-                                                            "travel_limits_in_force": True}]}}
+               "state": {"number": 1, "name": "", "unit": "counts", "gains": None, "travel_limits_in_force": True}}
 
     def answer(self, listener, reason):
         connection, _ = listener.accept()

@@ -126,6 +126,13 @@ TEST(ApiMethods, FindAnAxisByNameOrNumber) {
             << axis;
 }
 
+TEST(ApiMethods, MoveNeitherOfTwoAxesWithOneName) {
+    Chain chain;
+    chain.machine.axes[1].name = "X";
+    EXPECT_EQ(chain.call("enable", {{"axis", "X"}}).error().kind, Kind::AxisAmbiguous);
+    EXPECT_EQ(chain.call("enable", {{"axis", 2}}).value().module, ModuleIndex(1));
+}
+
 /// 400 counts per mm, forward being the chip's reverse. A tick is 0.512 ms: 10 mm/s are 4 000 counts/s, 2.048
 /// counts per tick; 100 mm/s² are 40 000 counts/s², 40 000 x 0.000512² = 0.01048576 counts per tick squared.
 TEST(ApiMethods, SpeakTheUnitsOfTheAxis) {

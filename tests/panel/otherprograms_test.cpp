@@ -89,6 +89,8 @@ TEST_F(OtherPrograms, ReadWithoutAsking) {
     EXPECT_EQ(state["modules"][0]["position"], 0.0);
     EXPECT_TRUE(state["modules"][0]["home"].is_null());
     EXPECT_TRUE(state["control"].is_null());
+    EXPECT_EQ(client.call("state", {{"axis", 2}})["result"], state["modules"][1]);
+    EXPECT_EQ(client.call("state", {{"axis", 3}})["error"]["data"]["reason"], "AxisUnknown");
     EXPECT_TRUE(ribbon().contains(u"Connected: 1."_s)) << ribbon().toStdString();
 }
 

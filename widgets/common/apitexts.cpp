@@ -37,6 +37,9 @@ QString apiProblem(const api::Problem& problem) {
                 .arg(field);
         case AxisUnknown:
             return ApiWords::tr("There is no such axis.");
+        case AxisAmbiguous:
+            return ApiWords::tr(
+                "Several axes have this name. Use the number of the axis, or give each its own name.");
         case SequenceUnknown:
             return ApiWords::tr("There is no sequence or point of that name.");
         case NotAnOutput:

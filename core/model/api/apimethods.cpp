@@ -278,7 +278,10 @@ std::vector<Method> makeMethods() {
          {{"protocol", Kind::Text, true, "version that the client speaks, such as \"1.0\""},
           {"program", Kind::Text, true, "name of the client, for the user"}}},
         {"describe", Access::Read, "Lists all methods with their parameters."},
-        {"state", Access::Read, "The chain and all its modules."},
+        {"state",
+         Access::Read,
+         "The chain and all its modules, or one of them.",
+         {{"axis", Kind::Axis, false, "all modules if left out"}}},
         {"wait",
          Access::Read,
          "Answers once the axis is at rest, within its arrival tolerance if it has one, and nothing is pending "
@@ -458,14 +461,20 @@ tl::expected<Request, BadRequest> readRequest(std::string_view line) {
 Or<ModuleIndex> axisOf(const Json& parameters, const LinkState& link, const Machine& machine) {
     const Json& axis = parameters.at("axis");
     const std::string name = axis.is_string() ? axis.get<std::string>() : std::string();
+    std::optional<ModuleIndex> found;
     for (const ModuleState& module : link.modules) {
         const ModuleIndex index = module.info.index;
         // An axis without a name has only its number.
-        if (axis.is_string() ? !name.empty() && name == machine.axis(index).name
-                             : axis.get<std::int64_t>() == index.value() + 1)
-            return index;
+        const bool meant = axis.is_string() ? !name.empty() && name == machine.axis(index).name
+                                            : axis.get<std::int64_t>() == index.value() + 1;
+        if (meant && found)
+            return tl::unexpected(Problem{Problem::Kind::AxisAmbiguous, "axis"});
+        if (meant)
+            found = index;
     }
-    return tl::unexpected(Problem{Problem::Kind::AxisUnknown, "axis"});
+    if (!found)
+        return tl::unexpected(Problem{Problem::Kind::AxisUnknown, "axis"});
+    return *found;
 }
 
 Or<Call> callOf(const Method& method, const Json& parameters, const LinkState& link, const Machine& machine) {

@@ -35,6 +35,7 @@ struct Problem {
         FieldMissing,
         FieldWrong,  ///< it has another type, or is out of its range
         AxisUnknown,
+        AxisAmbiguous,    ///< several axes have this name
         SequenceUnknown,  ///< or point
         NotAnOutput,      ///< the pin is an input
         OutputsUnknown,   ///< or their directions: they were not sent in this connection
