@@ -25,14 +25,12 @@ using Or = tl::expected<T, Problem>;
 /// Forms (protocol/commandform.h) that read the fields of Set Gain from parameters, list them, and write
 /// them.
 struct GainsForm {
-    static constexpr bool kReads = false;
     [[nodiscard]] static bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) {
         return true;
     }
     static void ignoreRest(std::size_t /*most*/) {}
 };
 struct GainsReader : GainsForm {
-    static constexpr bool kReads = true;
     explicit GainsReader(const Json& given) : parameters(given) {}
     const Json& parameters;
     std::string missing;  ///< the last field that a first Set Gain needs and that is not given
