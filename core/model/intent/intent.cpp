@@ -127,7 +127,7 @@ struct ServoPlanner : MotorPlanner {
         return as(IntentKind::Move);
     }
     Plan operator()(const intent::CheckDirection&) const { return as(IntentKind::CheckDirection); }
-    Plan operator()(const In<ServoProcedure> auto& wanted) const { return unless(whyNot(wanted, module)); }
+    Plan operator()(In<ServoProcedure> auto wanted) const { return unless(whyNot(wanted, module)); }
     Plan operator()(const intent::KeepGains&) const { return Orders{}; }
     Plan operator()(const intent::SaveConfiguration&) const { return as(IntentKind::ControlSc); }
 
@@ -135,7 +135,7 @@ struct ServoPlanner : MotorPlanner {
         return unless(whyNotArm(arm, module), limitStop(arm));
     }
 
-    Plan operator()(const In<StepperIntent> auto&) const { return tl::unexpected(Refusal::NotAStepper); }
+    Plan operator()(In<StepperIntent> auto) const { return tl::unexpected(Refusal::NotAStepper); }
 
 private:
     /// What a motion lacks to ever start or end. A run at velocity 0 ends another one.

@@ -25,7 +25,9 @@ struct Planner {
     }
 };
 
-/// The requests that are the same for both motor chips.
+/// The requests that are the same for both motor chips. Lists of requests in derived planners are taken by
+/// value: clang 14 compares only the parameters of templates, not what they require, and would hide the ones
+/// here.
 struct MotorPlanner : Planner {
     Plan operator()(const intent::StopAbruptly&) const { return stop(StopManner::Abruptly); }
     Plan operator()(const intent::MotorOff&) const {

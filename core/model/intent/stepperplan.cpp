@@ -130,7 +130,7 @@ struct StepperPlanner : MotorPlanner {
         const steppermotion::Trapezoid first{moveBy.moves.counts, true, pace->speed, pace->accelerationTime};
         return unless(whyNotFromStandstill(first, module));
     }
-    Plan operator()(const In<ServoIntent> auto&) const { return tl::unexpected(Refusal::NotAServo); }
+    Plan operator()(In<ServoIntent> auto) const { return tl::unexpected(Refusal::NotAServo); }
 
 private:
     [[nodiscard]] stepper::LoadTrajectory boundedLoad(const StepperMotion& motion) const {

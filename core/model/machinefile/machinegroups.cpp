@@ -38,8 +38,8 @@ std::vector<bus::GroupChange> groupChanges(const Machine& machine, const std::ve
         if (!module.readOnly && !module.lent && module.info.group != wanted)
             changes.push_back({module.info.index, wanted});
     }
-    std::ranges::stable_partition(changes,
-                                  [](const bus::GroupChange& change) { return !change.place.leader; });
+    std::stable_partition(changes.begin(), changes.end(),
+                          [](const bus::GroupChange& change) { return !change.place.leader; });
     return changes;
 }
 

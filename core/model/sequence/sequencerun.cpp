@@ -14,8 +14,8 @@ namespace {
 
 /// Puts the starts after all loads, so that a refused load leaves every motor where it is.
 void startsLast(std::vector<bus::Order>& steps) {
-    std::ranges::stable_partition(steps,
-                                  [](const bus::Order& step) { return !is<StartMotion>(step.command); });
+    std::stable_partition(steps.begin(), steps.end(),
+                          [](const bus::Order& step) { return !is<StartMotion>(step.command); });
 }
 
 /// The commands that stop the motor, even if the module is believed silent; empty if nothing is on.
