@@ -140,7 +140,8 @@ protected:
     [[nodiscard]] ModuleIdentity identity() const { return m_identity; }
     /// Type and version in the format of item 5.
     [[nodiscard]] std::uint16_t identityItem() const {
-        return static_cast<std::uint16_t>(m_identity.version << 8U | static_cast<unsigned>(m_identity.type));
+        return static_cast<std::uint16_t>(unsigned{m_identity.version} << 8U |
+                                          static_cast<unsigned>(m_identity.type));
     }
 
     struct Place {

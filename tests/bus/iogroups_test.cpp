@@ -58,7 +58,7 @@ TEST_F(IoGroups, NothingStartsWhileNothingIsStored) {
 TEST_F(IoGroups, AMemberThatDidNotHearIsTold) {
     make();
     ASSERT_EQ(bus.perform({loadMove(kServo, 20'000), told(io::SetSynchOutput{0x0006, 0, 0})}), Outcome::Done);
-    bus.onCommand = [this](std::vector<std::uint8_t>& packet) {
+    bus.onCommand = [](std::vector<std::uint8_t>& packet) {
         if (packet.size() > 2 && packet[1] == kGroup && packet[2] == 0x05)
             packet.clear();
     };

@@ -2,8 +2,6 @@
 // F-10 to F-14, F-18 to F-20: there is no answer, or a late one, or always the same one.
 #include <gtest/gtest.h>
 
-#include <ranges>
-
 #include "tests/faults/faultybus.h"
 #include "tests/faults/truth.h"
 
@@ -211,7 +209,7 @@ TEST(F13_LateReply, IsNeverTakenForTheAnswerToTheNextCommand) {
 /// As on a busy computer: replies to a search are late, one in four by up to twice the time-out, so that one
 /// in six comes too late.
 TEST(F13_LateReply, HidesNoChain) {
-    for (const std::uint64_t seed : std::views::iota(std::uint64_t{1}, std::uint64_t{101})) {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         SCOPED_TRACE(seed);
         FaultyBus bus(servos(1 + seed % 3), kPowerUpBaud, seed);
         ASSERT_TRUE(bus.connect());

@@ -526,7 +526,7 @@ void Monkey::befall() {
     }
     const Strike& strike = kStrikes[below(kStrikes.size())];
     const Duration lasts = milliseconds(20, 2'500);
-    const auto inWords = [this, lasts, module = below(kChain.size()) + 1](const char* line) {
+    const auto inWords = [lasts, module = below(kChain.size()) + 1](const char* line) {
         return QString::fromLatin1(line)
             .replace(u"%1"_s, QString::number(module))
             .replace(u"%2"_s, QString::number(lasts / 1ms) + u"ms"_s)

@@ -227,7 +227,7 @@ class OtherWish : public HomingPage, public testing::WithParamInterface<Other> {
 
 /// Any other request ends the search, and leaves the motor as that request wants it.
 TEST_P(OtherWish, EndsTheSearchAndIsNotUndone) {
-    const auto [name, on] = GetParam();
+    const char* const name = GetParam().button;
     ASSERT_NO_FATAL_FAILURE(begin());
     type("homingVelocityField", u"0.2"_s);
     click("homeButton");
@@ -242,7 +242,7 @@ TEST_P(OtherWish, EndsTheSearchAndIsNotUndone) {
     }));
     ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_FALSE(testing_support::moves(sim));
-    EXPECT_EQ(sim.state(1)[u"servo_on"_s].toBool(), on);
+    EXPECT_EQ(sim.state(1)[u"servo_on"_s].toBool(), GetParam().servoOn);
     EXPECT_LT(sim.state(1)[u"position"_s].toInt(), -50)
         << "it had moved, and nothing has made this position zero";
     EXPECT_EQ(sim.violations(), "");

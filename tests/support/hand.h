@@ -136,7 +136,8 @@ private:
     template <typename Widget>
     Widget* inSight(const QString& name) {
         QWidgetList windows = QApplication::topLevelWidgets();
-        std::ranges::partition(windows, [](const QWidget* window) { return window->isActiveWindow(); });
+        std::partition(windows.begin(), windows.end(),
+                       [](const QWidget* window) { return window->isActiveWindow(); });
         for (QWidget* window : windows)
             for (Widget* widget : window->findChildren<Widget*>())
                 if (widget->isVisible() && nameOf(*widget).startsWith(name)) {

@@ -18,7 +18,7 @@ namespace nmc::testing_support {
 /// encoder. nmcsim needs --enable-faults for it.
 template <typename Simulator>
 void leaveRunning(Simulator& chain, std::uint8_t modules, std::uint8_t velocity) {
-    constexpr Duration kForAnAnswer = std::chrono::milliseconds(30);
+    static constexpr Duration kForAnAnswer = std::chrono::milliseconds(30);
     const auto send = [&chain](std::vector<std::uint8_t> bytes) {
         std::uint8_t sum = 0;
         for (std::size_t i = 1; i < bytes.size(); ++i)

@@ -111,7 +111,7 @@ public:
     /// again and again.
     QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
                        const QWidget* widget) const override {
-        QIcon& icon = m_icons[which];
+        QIcon& icon = m_icons[static_cast<int>(which)];
         if (icon.isNull())
             // Finding Qt's own icon for the menu bar takes longer than building the menu bar.
             icon = which == SP_ToolBarHorizontalExtensionButton

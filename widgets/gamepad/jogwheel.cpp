@@ -26,7 +26,7 @@ constexpr int kSearchInterval = 1'000;  // ms
 constexpr int kQuiet = 150;             // ms; a cap that is pushed reports at least every 20 ms
 constexpr double kRingEnd = 7;
 constexpr double kCapEnd = 350;
-constexpr double kCapSlack = 35;  ///< so that a trembling hand does not start the motor
+constexpr int kCapSlack = 35;  ///< so that a trembling hand does not start the motor
 constexpr int kShuttleStop = BTN_0 + 6;
 constexpr int kCapStop = BTN_1;
 
