@@ -54,7 +54,7 @@ public:
     void close();
 
     // From any thread.
-    /// A stop has been requested that no connection has taken: not the last one, because it had ended.
+    /// A stop has been requested that no connection has taken, because the last one had ended.
     [[nodiscard]] bool stopWaits() const { return m_stop; }
     /// Calls `how` with what is pending.
     template <typename Change>
