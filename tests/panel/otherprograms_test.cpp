@@ -68,6 +68,13 @@ protected:
         ASSERT_EQ(client.call("enable", {{"axis", 1}})["result"]["accepted"], true);
         ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
     }
+    /// Motor 1 is on its way to a distant place.
+    void setGoing(OtherProgram& client) {
+        client.hello();
+        ASSERT_NO_FATAL_FAILURE(ready(client));
+        EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
+        ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    }
     [[nodiscard]] QString ribbon() {
         return panel.window().findChild<QLabel*>(u"programsRibbonText"_s)->text();
     }
@@ -308,10 +315,7 @@ TEST_F(OtherPrograms, LoseControlByAStopThatNobodyRequested) {
 
 TEST_F(OtherPrograms, WaitForALimitedNumberOfThings) {
     OtherProgram client(panel, path());
-    client.hello();
-    ASSERT_NO_FATAL_FAILURE(ready(client));
-    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
-    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    ASSERT_NO_FATAL_FAILURE(setGoing(client));
     for (int i = 0; i < 64; ++i)
         client.request("wait", {{"axis", 1}});
     EXPECT_EQ(client.call("wait", {{"axis", 1}})["error"]["data"]["reason"], "TooMany");
@@ -327,10 +331,7 @@ TEST_F(OtherPrograms, LoseControlByTheButton) {
 
 TEST_F(OtherPrograms, StopWithoutHelloAndWithoutControl) {
     OtherProgram client(panel, path());
-    client.hello();
-    ASSERT_NO_FATAL_FAILURE(ready(client));
-    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
-    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    ASSERT_NO_FATAL_FAILURE(setGoing(client));
     OtherProgram other(panel, path());
     EXPECT_EQ(other.call("stop")["result"]["sent"], true);
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
@@ -339,10 +340,7 @@ TEST_F(OtherPrograms, StopWithoutHelloAndWithoutControl) {
 
 TEST_F(OtherPrograms, AreNotToldThatAStopWasSentWhichIsOnlySentLater) {
     OtherProgram client(panel, path());
-    client.hello();
-    ASSERT_NO_FATAL_FAILURE(ready(client));
-    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
-    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    ASSERT_NO_FATAL_FAILURE(setGoing(client));
     sim.unplug();
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"was unplugged"_s) == 1; }));
     EXPECT_EQ(client.call("stop")["error"]["data"]["reason"], "NotConnected");
@@ -354,10 +352,7 @@ TEST_F(OtherPrograms, AreNotToldThatAStopWasSentWhichIsOnlySentLater) {
 
 TEST_F(OtherPrograms, LeaveNoMotorMovingWhenTheyVanish) {
     OtherProgram client(panel, path());
-    client.hello();
-    ASSERT_NO_FATAL_FAILURE(ready(client));
-    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
-    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    ASSERT_NO_FATAL_FAILURE(setGoing(client));
     client.vanish();
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
     EXPECT_LT(*panel.module().latest->position, 900'000);
@@ -366,10 +361,7 @@ TEST_F(OtherPrograms, LeaveNoMotorMovingWhenTheyVanish) {
 
 TEST_F(OtherPrograms, LeaveNoMotorMovingThatOnlyTheyHaveCommanded) {
     OtherProgram client(panel, path());
-    client.hello();
-    ASSERT_NO_FATAL_FAILURE(ready(client));
-    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
-    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    ASSERT_NO_FATAL_FAILURE(setGoing(client));
     emit panel.window().requests().intent(ModuleIndex(1), intent::ClearStickyBits{});
     EXPECT_FALSE(client.notification("control_lost").is_null());
     EXPECT_TRUE(moves(sim)) << "a command to another motor";

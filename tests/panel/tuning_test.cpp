@@ -39,14 +39,24 @@ protected:
     }
     /// Enables the servo with the starting values, at a known position.
     void hold() {
-        ASSERT_NO_FATAL_FAILURE(panel.click("fillGainsButton"));
-        ASSERT_NO_FATAL_FAILURE(panel.click("applyGainsButton"));
+        ASSERT_NO_FATAL_FAILURE(click("fillGainsButton"));
+        ASSERT_NO_FATAL_FAILURE(click("applyGainsButton"));
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-        ASSERT_NO_FATAL_FAILURE(panel.click("enableButton"));
+        ASSERT_NO_FATAL_FAILURE(click("enableButton"));
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && panel.module().goal(); }));
     }
     void step() {
-        panel.step([this] { panel.click("responseButton"); });
+        panel.step([this] { click("responseButton"); });
+    }
+    void stepWithNewGains() {
+        panel.step([this] {
+            click("responseButton");
+            click("applyAndStepButton");
+        });
+    }
+    void click(const char* name) {
+        ++clicks;
+        panel.click(name);
     }
     /// Types over the contents of the fields, as a user does.
     void fill(std::initializer_list<std::pair<const char*, const char*>> fields) {
@@ -88,22 +98,13 @@ protected:
         return 1e3 * 1.7e-5 * kResistance / (kConstant * kConstant);
     }
 
+    int clicks = 0;
     VirtualChain sim{u"servo"_s};
     VirtualPanel panel;
 };
 
 TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
-    int clicks = 0;
-    const auto click = [&](const char* name) {
-        ++clicks;
-        panel.click(name);
-    };
-    ASSERT_NO_FATAL_FAILURE(click("fillGainsButton"));
-    ASSERT_NO_FATAL_FAILURE(click("applyGainsButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-    ASSERT_NO_FATAL_FAILURE(click("enableButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && panel.module().goal(); }));
-    ++clicks;
+    ASSERT_NO_FATAL_FAILURE(hold());
     ASSERT_NO_FATAL_FAILURE(step());
     ASSERT_NO_FATAL_FAILURE(click("identifyButton"));
     ASSERT_TRUE(panel.waitFor([&] { return text("motorModel").contains(u"Time constant"_s); }))
@@ -114,11 +115,7 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
     ASSERT_TRUE(panel.waitFor([&] { return text("suggestedGains").contains(u"Kp"_s); }));
     ASSERT_NO_FATAL_FAILURE(click("fillSuggestedButton"));
     EXPECT_EQ(panel.module().gains->kp, 100) << "nothing is sent";
-    clicks += 2;
-    ASSERT_NO_FATAL_FAILURE(panel.step([this] {
-        panel.click("responseButton");
-        panel.click("applyAndStepButton");
-    }));
+    ASSERT_NO_FATAL_FAILURE(stepWithNewGains());
     EXPECT_LE(clicks, 8);
     const auto* table = panel.window().findChild<QTableWidget*>(u"responseResults"_s);
     EXPECT_TRUE(table->item(3, 0)->text().contains(u"ms"_s)) << table->item(3, 0)->text().toStdString();
@@ -132,16 +129,8 @@ class TuningMoves : public Tuning, public testing::WithParamInterface<std::vecto
 TEST_P(TuningMoves, SettleInsideTheirWindowAfterTenClicks) {
     for (const char* of : GetParam())
         ASSERT_TRUE(sim.control(u"set 1 "_s + QLatin1String(of))[u"ok"_s].toBool()) << of;
-    int clicks = 1;  // View, Tune
-    const auto click = [&](const char* name) {
-        ++clicks;
-        panel.click(name);
-    };
-    ASSERT_NO_FATAL_FAILURE(click("fillGainsButton"));
-    ASSERT_NO_FATAL_FAILURE(click("applyGainsButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-    ASSERT_NO_FATAL_FAILURE(click("enableButton"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && panel.module().goal(); }));
+    ++clicks;  // View, Tune
+    ASSERT_NO_FATAL_FAILURE(hold());
     ASSERT_NO_FATAL_FAILURE(click("stepAndFindButton"));
     ASSERT_TRUE(panel.waitFor([&] { return text("suggestedGains").contains(u"Kp"_s); }))
         << text("motorModel").toStdString();
@@ -149,11 +138,7 @@ TEST_P(TuningMoves, SettleInsideTheirWindowAfterTenClicks) {
     clicks += 2;  // which opens the list, and its third line
     panel.window().findChild<QComboBox*>(u"responseMethodBox"_s)->setCurrentIndex(2);
     fill({{"responseWindowField", "10"}});
-    clicks += 2;
-    ASSERT_NO_FATAL_FAILURE(panel.step([this] {
-        panel.click("responseButton");
-        panel.click("applyAndStepButton");
-    }));
+    ASSERT_NO_FATAL_FAILURE(stepWithNewGains());
     EXPECT_LE(clicks, 10);
     const auto* results = panel.window().findChild<QTableWidget*>(u"responseResults"_s);
     const auto figure = [results](const QString& row) {
