@@ -234,12 +234,11 @@ void Connection::on(const PortClosed& closed) {
 
 /// Stores the changed addresses, so that the chain can be found again.
 void Connection::remember() {
-    if (m_store.link().simulated)
-        return;
-    std::vector<bus::ModuleInfo> chain;
+    m_chain.clear();
     for (const ModuleState& module : m_store.link().modules)
-        chain.push_back(module.info);
-    rememberChain(m_settings, m_target->port, chain);
+        m_chain.push_back(module.info);
+    if (!m_store.link().simulated)
+        rememberChain(m_settings, m_target->port, m_chain);
 }
 
 }  // namespace nmc

@@ -89,8 +89,8 @@ private:
     std::optional<ConnectTarget> m_target;    ///< the present connection, or the last one
     std::optional<ConnectTarget> m_openNext;  ///< opened when the present connection has closed
     std::map<QString, std::vector<bus::UnconfirmedStop>> m_unconfirmed;  ///< stops, by port
-    std::vector<bus::ModuleInfo> m_chain;                                ///< found last
-    std::optional<QString> m_lostPort;  ///< where the state of motors became unknown
+    std::vector<bus::ModuleInfo> m_chain;  ///< found last, with its present addresses
+    std::optional<QString> m_lostPort;     ///< where the state of motors became unknown
     bool m_endWhenClosed = false;
     bool m_searchWhenIdle = false;  ///< as soon as no procedure and no sequence is running
     bool m_enableFaults = false;

@@ -101,6 +101,23 @@ TEST_P(StopOnALostLine, StopsTheMotorOnceTheLineIsBack) {
 }
 INSTANTIATE_TEST_SUITE_P(PortGone, StopOnALostLine, testing::Bool());
 
+/// The module was given another address in this connection.
+TEST(LostLine, StopsAModuleAtItsPresentAddress) {
+    VirtualChain sim{QStringLiteral("servo")};
+    VirtualPanel panel;
+    panel.composition().show({sim.terminal(), 115'200, false});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
+    panel.composition().worker().ask(Readdress{ModuleIndex(0), BusAddress(9)});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().info.address == BusAddress(9); }));
+    ASSERT_NO_FATAL_FAILURE(panel.setGoing());
+    sim.unplug();
+    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    sim.plugIn();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+}
+
 TEST(LostLine, LeavesAMotorRunningThatNobodyStopped) {
     VirtualChain sim{QStringLiteral("servo,servo")};
     VirtualPanel panel;

@@ -112,6 +112,10 @@ public:
     void startMoving(Simulator& sim) {
         m_composition.show({sim.terminal(), 115'200, false});
         ASSERT_TRUE(waitFor([&] { return connected() && module().activity() != Activity::Unknown; }));
+        setGoing();
+    }
+    /// Runs the first module in velocity mode.
+    void setGoing() {
         ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
         ASSERT_TRUE(waitFor([&] { return module().gains.has_value(); }));
         ask(intent::Enable{});
