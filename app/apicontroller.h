@@ -116,7 +116,7 @@ private:
                                                    bool withSequence) const;
     [[nodiscard]] std::optional<QString> failureOf(const Session& session, ModuleIndex module) const;
 
-    /// Of this module, or of the chain.
+    /// What `state` returns for this module, or without one for the whole chain.
     [[nodiscard]] Json stateOf(std::optional<ModuleIndex> module) const;
     void answer(Client client, const Json& id, const Json& result);
     void refuse(Client client, const Json& id, const api::Problem& problem, const QString& sentence = {});

@@ -77,7 +77,7 @@ private:
     [[nodiscard]] tl::expected<Json, QString> parametersOf(const api::Method& method, const Words& words);
     [[nodiscard]] tl::expected<Json, QString> valueOf(const api::Field& field, const QString& text,
                                                       const Json& axis);
-    /// The state of an axis; null if there is none.
+    /// The state of one axis, or why the panel refuses it.
     [[nodiscard]] tl::expected<Json, ApiClient::Error> axisState(const QString& axis);
     [[nodiscard]] std::optional<Exit> takeControl();
     [[nodiscard]] Exit request(const api::Method& method, const Json& parameters, bool waits);
