@@ -13,6 +13,7 @@
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
@@ -58,12 +59,16 @@ NumberField::NumberField(int decimals, QWidget* parent) : QLineEdit(parent), m_d
 }
 
 void NumberField::setRange(double min, double max) {
+    if (min == m_min && max == m_max)
+        return;
     m_min = min;
     m_max = max;
     judge();
 }
 
 void NumberField::setRangeReason(const QString& reason) {
+    if (m_rangeReason == reason)
+        return;
     m_rangeReason = reason;
     judge();
 }
@@ -79,6 +84,8 @@ void NumberField::setDigits(int digits) {
 }
 
 void NumberField::setWords(const QString& quantity, const QString& unit) {
+    if (m_quantity == quantity && m_unit == unit)
+        return;
     m_quantity = quantity;
     m_unit = unit;
     judge();
@@ -232,7 +239,10 @@ void NumberField::judge() {
         problem = Problem::OutOfRange;
     if (number.has_value() && m_decimals > 0 && isAmbiguous())
         problem = Problem::Ambiguous;
-    m_problem = m_unavailable.isEmpty() ? problem : Problem::Unavailable;
+    if (!m_unavailable.isEmpty())
+        problem = Problem::Unavailable;
+    if (std::exchange(m_problem, problem) != problem)
+        update();  // the mark
     const QString trouble = problemText();
     const bool show = m_problem != Problem::None && m_problem != Problem::Empty;
     setToolTip(show && !m_meaning.isEmpty() ? trouble + u"\n\n"_s + m_meaning : show ? trouble : m_meaning);
@@ -240,7 +250,6 @@ void NumberField::judge() {
     const int mark = show && m_problem != Problem::Unavailable ? fontMetrics().height() : 0;
     if (textMargins().left() != mark)
         setTextMargins(mark, 0, 0, 0);
-    update();
 }
 
 bool NumberField::isAmbiguous() const {

@@ -49,6 +49,7 @@ void PlotFrame::setLook(const QPalette& palette, const QFont& font) {
     m_axes = look::mutedText(palette);
     m_grid = look::faintLine(palette);
     m_legendPicture = {};
+    measureLabels();
     invalidate();
 }
 
@@ -75,7 +76,12 @@ void PlotFrame::setTimeUnit(const QString& unit) {
 }
 
 void PlotFrame::setValueAxis(double bottom, double top, double interval) {
-    set(m_values, Axis{bottom, top, interval});
+    const Axis axis{bottom, top, interval};
+    if (m_values == axis)
+        return;
+    m_values = axis;
+    measureLabels();
+    invalidate();
 }
 
 QRectF PlotFrame::plotArea() const {
@@ -90,12 +96,12 @@ double PlotFrame::gap() const {
     return textHeight() * 0.4;
 }
 
-int PlotFrame::labelWidth() const {
+void PlotFrame::measureLabels() {
     const QFontMetricsF metrics(m_font);
     const double widest =
         std::max(metrics.horizontalAdvance(texts::numberAt(m_values.from, m_values.interval)),
                  metrics.horizontalAdvance(texts::numberAt(m_values.to, m_values.interval)));
-    return static_cast<int>(std::ceil(widest + gap()));
+    m_labelWidth = static_cast<int>(std::ceil(widest + gap()));
 }
 
 const QPixmap& PlotFrame::picture(double devicePixelRatio) {

@@ -43,7 +43,7 @@ public:
 
     [[nodiscard]] QRectF plotArea() const;
     /// Width that the numbers to the left of the plot area need.
-    [[nodiscard]] int labelWidth() const;
+    [[nodiscard]] int labelWidth() const { return m_labelWidth; }
     /// Returns the picture for the screen.
     [[nodiscard]] const QPixmap& picture(double devicePixelRatio);
     /// Draws vectors, for paper.
@@ -69,6 +69,7 @@ private:
         QString label;
     };
     void invalidate();
+    void measureLabels();
     [[nodiscard]] std::vector<Placed> placedLegend() const;
     void drawLegend(QPainter& painter, const std::vector<Placed>& entries) const;
     void paintLines(QPainter& painter) const;
@@ -84,6 +85,7 @@ private:
     QColor m_text, m_base, m_axes, m_grid;
     Axis m_values, m_times;
     double m_labelInterval = 0;
+    int m_labelWidth = 0;  ///< stored because text is slow to measure, and every frame asks
     QString m_timeUnit{QLatin1Char('s')};
     std::vector<LegendEntry> m_legend;
     QPixmap m_picture;
