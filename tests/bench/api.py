@@ -18,6 +18,8 @@ import bus
 CALLS = 2000
 CLIENTS, STALLED = 100, 10
 MODULES = 32
+# After it has found the chain, the panel builds the pages of all modules, one after another. That is not what programs cost.
+SETTLING = 20  # s
 
 
 class Client:
@@ -47,6 +49,7 @@ class Load:
         self.clients, self.calls, self.said = clients, calls, ""
 
     def __call__(self, panel):
+        time.sleep(SETTLING)
         clients = [Client() for _ in range(self.clients)]
         readers = selectors.DefaultSelector()
         for i, client in enumerate(clients):
