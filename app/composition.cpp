@@ -186,6 +186,7 @@ void Composition::wireConnection() {
     connect(&m_connection, &Connection::searching, this, [this] { m_messages.end(texts::key::port()); });
     connect(&m_connection, &Connection::recovered, this, [this] {
         m_messages.end(texts::key::gone());
+        m_messages.end(texts::key::stopWaits());
         m_messages.end(texts::key::link());
     });
     connect(&m_connection, &Connection::fewerFound, this, [this](int modules, int expected) {

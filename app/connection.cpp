@@ -64,9 +64,9 @@ void Connection::openOffered() {
     if (!m_ports.offered())
         return;
     const ConnectTarget offer = *m_ports.offered();
-    if (m_lostPort) {  // the same adapter under another name
-        m_unconfirmed[offer.port] = std::move(m_unconfirmed[*m_lostPort]);
-        m_lostPort = offer.port;
+    if (m_lost) {  // the same adapter under another name
+        m_unconfirmed[offer.port] = std::move(m_unconfirmed[m_lost->port]);
+        m_lost->port = offer.port;
     }
     openAnyway(offer);
 }
@@ -90,10 +90,10 @@ void Connection::openNow(const ConnectTarget& target) {
     const bool fixed = network && network->protocol == NetworkLine::Protocol::Raw;
     config.baud = fixed ? kPowerUpBaud : target.baud;
     config.readOnly = target.readOnly;
+    if (m_lost && m_worker.stopWaits())  // opening ends the wait, whichever port is opened
+        for (const bus::ModuleInfo& module : m_lost->chain)
+            m_unconfirmed[m_lost->port].push_back({module, StopManner::Abruptly});
     config.unconfirmed = m_unconfirmed[port];
-    if (m_lostPort == port && m_worker.stopWaits())
-        for (const bus::ModuleInfo& module : m_chain)
-            config.unconfirmed.push_back({module, StopManner::Abruptly});
     BusWorker::TransportFactory factory;
     if (simulated) {
         config.adapterLatency = Duration::zero();
@@ -192,7 +192,7 @@ void Connection::take(const StoreEvent& event) {
     else if (const auto* closed = std::get_if<PortClosed>(&event))
         on(*closed);
     else if (std::holds_alternative<bus::LinkLost>(event))
-        m_lostPort = m_target->port;
+        m_lost = {m_target->port, m_chain};
     else if (std::holds_alternative<bus::AddressChanged>(event) && !m_store.link().lent)
         remember();
     else if (const auto* changed = std::get_if<bus::RateChanged>(&event);
@@ -202,8 +202,8 @@ void Connection::take(const StoreEvent& event) {
 
 /// Known modules that are missing are reported separately, as silent.
 void Connection::on(const bus::ChainFound& found) {
-    if (m_lostPort == m_target->port) {
-        m_lostPort.reset();
+    if (m_lost && m_lost->port == m_target->port) {
+        m_lost.reset();
         emit recovered();
     }
     m_chain = found.modules;
@@ -223,7 +223,7 @@ void Connection::on(const PortClosed& closed) {
     m_unconfirmed[m_target->port] = closed.unconfirmed;
     if (closed.error) {
         if (closed.error->problem == PortProblem::Gone)
-            m_lostPort = m_target->port;
+            m_lost = {m_target->port, m_chain};
         m_ports.closed(*closed.error);
     }
     if (m_endWhenClosed)

@@ -90,7 +90,12 @@ private:
     std::optional<ConnectTarget> m_openNext;  ///< opened when the present connection has closed
     std::map<QString, std::vector<bus::UnconfirmedStop>> m_unconfirmed;  ///< stops, by port
     std::vector<bus::ModuleInfo> m_chain;  ///< found last, with its present addresses
-    std::optional<QString> m_lostPort;     ///< where the state of motors became unknown
+    /// Where the state of motors became unknown.
+    struct LostLine {
+        QString port;
+        std::vector<bus::ModuleInfo> chain;
+    };
+    std::optional<LostLine> m_lost;
     bool m_endWhenClosed = false;
     bool m_searchWhenIdle = false;  ///< as soon as no procedure and no sequence is running
     bool m_enableFaults = false;

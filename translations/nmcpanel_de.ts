@@ -933,6 +933,10 @@
         <source>Work offsets</source>
         <translation>Nullpunktversätze</translation>
     </message>
+    <message>
+        <source>waits for the port</source>
+        <translation>wartet auf die Schnittstelle</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -5437,6 +5441,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
         <translation>Der Stopp, der vor dem Ende der Verbindung gesendet wurde, ist nicht bestätigt worden und wurde deshalb noch einmal gesendet.</translation>
+    </message>
+    <message>
+        <source>No stop can be sent to %1 now: use the hardware stop.</source>
+        <translation>Jetzt kann kein Stopp an %1 gesendet werden: den Hardware-Stopp benutzen.</translation>
+    </message>
+    <message>
+        <source>It is sent as soon as you connect to the same modules again.</source>
+        <translation>Er wird gesendet, sobald wieder eine Verbindung zu denselben Modulen besteht.</translation>
     </message>
 </context>
 <context>

@@ -933,6 +933,10 @@
         <source>Work offsets</source>
         <translation>Desplazamientos de trabajo</translation>
     </message>
+    <message>
+        <source>waits for the port</source>
+        <translation>espera al puerto</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -5437,6 +5441,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
         <translation>La parada enviada antes del final de la conexión no se confirmó, así que se envió de nuevo.</translation>
+    </message>
+    <message>
+        <source>No stop can be sent to %1 now: use the hardware stop.</source>
+        <translation>Ahora no se puede enviar ninguna parada a %1: use la parada por hardware.</translation>
+    </message>
+    <message>
+        <source>It is sent as soon as you connect to the same modules again.</source>
+        <translation>Se enviará en cuanto vuelva a conectar con los mismos módulos.</translation>
     </message>
 </context>
 <context>

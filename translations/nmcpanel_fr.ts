@@ -933,6 +933,10 @@
         <source>Work offsets</source>
         <translation>Décalages de travail</translation>
     </message>
+    <message>
+        <source>waits for the port</source>
+        <translation>attend le port</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -5437,6 +5441,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
         <translation>L’arrêt envoyé avant la fin de la connexion n’a pas été confirmé ; il a donc été envoyé de nouveau.</translation>
+    </message>
+    <message>
+        <source>No stop can be sent to %1 now: use the hardware stop.</source>
+        <translation>Aucun arrêt ne peut être envoyé à %1 pour l’instant : utilisez l’arrêt câblé.</translation>
+    </message>
+    <message>
+        <source>It is sent as soon as you connect to the same modules again.</source>
+        <translation>Il sera envoyé dès que vous serez de nouveau connecté aux mêmes modules.</translation>
     </message>
 </context>
 <context>

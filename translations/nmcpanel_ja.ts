@@ -933,6 +933,10 @@
         <source>Work offsets</source>
         <translation>ワークオフセット</translation>
     </message>
+    <message>
+        <source>waits for the port</source>
+        <translation>ポート待ち</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -5420,6 +5424,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
         <translation>接続が終わる前に送った停止は確認されなかったため、もう一度送りました。</translation>
+    </message>
+    <message>
+        <source>No stop can be sent to %1 now: use the hardware stop.</source>
+        <translation>現在%1に停止を送信できません。ハードウェア停止装置を使用してください。</translation>
+    </message>
+    <message>
+        <source>It is sent as soon as you connect to the same modules again.</source>
+        <translation>同じモジュールに再び接続すると、すぐに送信されます。</translation>
     </message>
 </context>
 <context>

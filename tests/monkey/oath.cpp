@@ -218,7 +218,7 @@ void Oath::checkWindow() {
     const auto* stop = m_program.window().findChild<QWidget*>(u"stopAllButton"_s);
     if (stop == nullptr || (m_program.window().isVisible() && !stop->isVisible()))
         complain("stop: the button is not there");
-    else if (stop->isEnabled() != (link().phase != LinkPhase::Disconnected))
+    else if (stop->isEnabled() != (link().phase != LinkPhase::Disconnected || link().unplugged))
         complain("stop: the button is " + std::string(stop->isEnabled() ? "" : "not ") + "enabled");
     if (const QWidget* focus = placeOfFocus()) {
         const QWidget*& before = m_focus[focus->window()];

@@ -79,27 +79,59 @@ INSTANTIATE_TEST_SUITE_P(
              [](MainWindow& w) { w.findChild<QComboBox*>(QStringLiteral("scopeWindowBox"))->showPopup(); }}),
     [](const auto& open) { return std::string(open.param.name); });
 
-/// Esc is pressed before the panel knows that the port has gone, or just before the port goes.
-class StopOnALostLine : public testing::TestWithParam<bool> {};
+/// When Esc is pressed.
+enum class Pressed { BeforeThePortGoes, BeforeThePanelKnows, OnceThePanelKnows, AfterAFailedRetry };
+
+class StopOnALostLine : public testing::TestWithParam<Pressed> {};
 
 TEST_P(StopOnALostLine, StopsTheMotorOnceTheLineIsBack) {
+    const Pressed when = GetParam();
     VirtualChain sim{QStringLiteral("servo,servo")};
     VirtualPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    if (GetParam())
-        sim.unplug();
-    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
+    const auto press = [&] { QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape); };
+    if (when == Pressed::BeforeThePortGoes)
+        press();
     sim.unplug();
+    if (when == Pressed::BeforeThePanelKnows)
+        press();
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
     ASSERT_TRUE(moves(sim));
+    const QString waits = QStringLiteral("No stop can be sent to %1 now").arg(sim.terminal());
+    if (when == Pressed::AfterAFailedRetry) {
+        panel.askFor(sim.terminal());
+        ASSERT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));
+    }
+    if (when == Pressed::OnceThePanelKnows || when == Pressed::AfterAFailedRetry) {
+        press();
+        EXPECT_NE(panel.standing(waits), nullptr);
+    }
     sim.plugIn();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     EXPECT_EQ(panel.count(QStringLiteral("Bd. Modules 1 and 2 were commanded to stop.")), 1);
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Module 1 has stopped.")) == 1; }));
     EXPECT_TRUE(panel.module().servoOn()) << "it holds";
+    EXPECT_EQ(panel.standing(waits), nullptr);
 }
-INSTANTIATE_TEST_SUITE_P(PortGone, StopOnALostLine, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(PortGone, StopOnALostLine,
+                         testing::Values(Pressed::BeforeThePortGoes, Pressed::BeforeThePanelKnows,
+                                         Pressed::OnceThePanelKnows, Pressed::AfterAFailedRetry));
+
+TEST(LostLine, StopsTheMotorAfterAnotherPortWasOpenMeanwhile) {
+    VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualChain other{QStringLiteral("servo")};
+    VirtualPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    sim.unplug();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(other.terminal()));
+    EXPECT_EQ(panel.count(QStringLiteral("were commanded to stop")), 0) << "nobody stopped these";
+    sim.plugIn();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+}
 
 /// The module was given another address in this connection.
 TEST(LostLine, StopsAModuleAtItsPresentAddress) {

@@ -80,6 +80,14 @@ Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleSt
     return {.key = key::stop(), .severity = Severity::Fault, .headline = first + u' ' + parts.join(u". "_s)};
 }
 
+Message stopWaits(const QString& port) {
+    return {
+        .key = key::stopWaits(),
+        .severity = Severity::Fault,
+        .headline = Texts::tr("No stop can be sent to %1 now: use the hardware stop.").arg(portName(port)),
+        .body = Texts::tr("It is sent as soon as you connect to the same modules again.")};
+}
+
 QString stopReach(int reachable, int modules) {
     return Texts::tr("reaches %1 of %2").arg(reachable).arg(modules);
 }

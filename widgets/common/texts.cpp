@@ -337,6 +337,9 @@ QString restarted(ModuleIndex module) {
 QString stop() {
     return u"stop"_s;
 }
+QString stopWaits() {
+    return u"stopWaits"_s;
+}
 QString gone() {
     return u"gone"_s;
 }

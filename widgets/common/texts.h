@@ -146,6 +146,8 @@ namespace texts {
 [[nodiscard]] Message settingsNotSaved(const QString& file);
 /// The log of messages cannot be written.
 [[nodiscard]] Message messagesNotKept(const FileError& error);
+/// A stop was requested after the port had gone.
+[[nodiscard]] Message stopWaits(const QString& port);
 /// "1 stopped and holding, 2 were off, 22 ms." `modules`: their present state.
 [[nodiscard]] Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleState>& modules);
 /// True if there were modules, and each is known to have stopped.
@@ -261,6 +263,7 @@ namespace key {
 [[nodiscard]] QString current(ModuleIndex module);
 [[nodiscard]] QString restarted(ModuleIndex module);
 [[nodiscard]] QString stop();
+[[nodiscard]] QString stopWaits();
 [[nodiscard]] QString gone();
 [[nodiscard]] QString endedWhileMoving(const QString& file);
 [[nodiscard]] QString safety();

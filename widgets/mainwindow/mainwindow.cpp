@@ -525,10 +525,13 @@ void MainWindow::showSafetyOnce() {
 }
 
 void MainWindow::requestStop() {
-    if (!m_session.isOpen())
+    const LinkState& link = m_session.link();
+    if (!m_session.isOpen() && !link.unplugged)
         return;
     endHold();
     emit stopAllRequested();
+    if (!m_session.isOpen())
+        showMessage(texts::stopWaits(QString::fromStdString(link.port)));
 }
 
 void MainWindow::showStopResult(const bus::StopFinished& finished) {

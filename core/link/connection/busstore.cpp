@@ -47,7 +47,7 @@ void BusStore::begin(const QString& port, bool simulated, std::uint32_t baud, bo
     forgetChain();
     m_link.phase = LinkPhase::Connecting;
     ++m_link.connection;
-    m_link.unplugged = false;
+    m_link.unplugged = m_link.unplugged && m_link.port == port.toStdString();
     m_link.port = port.toStdString();
     m_link.simulated = simulated;
     m_link.readOnly = readOnly;
@@ -108,7 +108,10 @@ void BusStore::drain() {
 void BusStore::take(const WorkerEvent& event) {
     std::visit(Overloaded{
                    [this](const bus::Event& told) { take(told); },
-                   [this](const PortOpened& opened) { m_link.latency = opened.latency; },
+                   [this](const PortOpened& opened) {
+                       m_link.latency = opened.latency;
+                       m_link.unplugged = false;
+                   },
                    [this](const PortClosed& close) { closed(close); },
                    [this](const In<StoreEvent> auto& news) {
                        note(news);
@@ -451,9 +454,10 @@ void BusStore::note(const bus::ModuleUnresponsive& silence) {
 
 void BusStore::closed(const PortClosed& closed) {
     PortClosed news = closed;
-    m_link.unplugged = news.error && news.error->problem == PortProblem::Gone;
-    if (m_link.unplugged)
+    if (news.error && news.error->problem == PortProblem::Gone) {
+        m_link.unplugged = true;
         news.error->moving = movingModules(m_link);
+    }
     m_link.phase = LinkPhase::Disconnected;
     m_link.readOnly = false;
     m_link.lent.reset();

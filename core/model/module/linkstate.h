@@ -27,8 +27,10 @@ struct LinkState {
     /// Number of the connection within this program run, from 1; the last one while disconnected. 0: none
     /// yet.
     std::uint32_t connection = 0;
-    bool unplugged = false;  ///< unplugging ended the connection: the last values shown are the last known
-    std::string port;        ///< as chosen by the user
+    /// Unplugging ended the last connection to this port, which has not been open since: the last values
+    /// shown are the last known.
+    bool unplugged = false;
+    std::string port;  ///< as chosen by the user
     bool simulated = false;
     /// Only queries and a stop of all modules are sent: another host is responsible for what moves (faults.md
     /// H-02).
