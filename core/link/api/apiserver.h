@@ -59,7 +59,6 @@ signals:
 private:
     void accept();
     void read(Client client);
-    void drop(Client client);
 
     QLocalServer m_server;
     std::map<Client, QLocalSocket*> m_clients;
