@@ -5439,12 +5439,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>2 bis 100 Anfahrten von jeder Seite wählen.</translation>
     </message>
     <message>
-        <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
-        <translation>Der Stopp, der vor dem Ende der Verbindung gesendet wurde, ist nicht bestätigt worden und wurde deshalb noch einmal gesendet.</translation>
+        <source>An earlier stop was not confirmed, so it was sent now.</source>
+        <translation>Ein früherer Stopp wurde nicht bestätigt und deshalb jetzt gesendet.</translation>
     </message>
     <message>
-        <source>No stop can be sent to %1 now: use the hardware stop.</source>
-        <translation>Jetzt kann kein Stopp an %1 gesendet werden: den Hardware-Stopp benutzen.</translation>
+        <source>No stop can be sent now: use the hardware stop.</source>
+        <translation>Jetzt kann kein Stopp gesendet werden: den Hardware-Stopp benutzen.</translation>
     </message>
     <message>
         <source>It is sent as soon as you connect to the same modules again.</source>

@@ -5439,12 +5439,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Elija de 2 a 100 aproximaciones desde cada lado.</translation>
     </message>
     <message>
-        <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
-        <translation>La parada enviada antes del final de la conexión no se confirmó, así que se envió de nuevo.</translation>
+        <source>An earlier stop was not confirmed, so it was sent now.</source>
+        <translation>Una parada anterior no se confirmó, así que se envió ahora.</translation>
     </message>
     <message>
-        <source>No stop can be sent to %1 now: use the hardware stop.</source>
-        <translation>Ahora no se puede enviar ninguna parada a %1: use la parada por hardware.</translation>
+        <source>No stop can be sent now: use the hardware stop.</source>
+        <translation>Ahora no se puede enviar ninguna parada: use la parada por hardware.</translation>
     </message>
     <message>
         <source>It is sent as soon as you connect to the same modules again.</source>

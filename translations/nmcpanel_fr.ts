@@ -5439,12 +5439,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Choisissez de 2 à 100 approches de chaque côté.</translation>
     </message>
     <message>
-        <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
-        <translation>L’arrêt envoyé avant la fin de la connexion n’a pas été confirmé ; il a donc été envoyé de nouveau.</translation>
+        <source>An earlier stop was not confirmed, so it was sent now.</source>
+        <translation>Un arrêt demandé auparavant n’avait pas été confirmé ; il vient donc d’être envoyé.</translation>
     </message>
     <message>
-        <source>No stop can be sent to %1 now: use the hardware stop.</source>
-        <translation>Aucun arrêt ne peut être envoyé à %1 pour l’instant : utilisez l’arrêt câblé.</translation>
+        <source>No stop can be sent now: use the hardware stop.</source>
+        <translation>Aucun arrêt ne peut être envoyé pour l’instant : utilisez l’arrêt câblé.</translation>
     </message>
     <message>
         <source>It is sent as soon as you connect to the same modules again.</source>

@@ -5422,12 +5422,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>各側からの接近は2～100回にしてください。</translation>
     </message>
     <message>
-        <source>The stop sent before the connection ended was not confirmed, so it was sent again.</source>
-        <translation>接続が終わる前に送った停止は確認されなかったため、もう一度送りました。</translation>
+        <source>An earlier stop was not confirmed, so it was sent now.</source>
+        <translation>以前の停止が確認されていなかったため、今送信しました。</translation>
     </message>
     <message>
-        <source>No stop can be sent to %1 now: use the hardware stop.</source>
-        <translation>現在%1に停止を送信できません。ハードウェア停止装置を使用してください。</translation>
+        <source>No stop can be sent now: use the hardware stop.</source>
+        <translation>現在、停止を送信できません。ハードウェア停止装置を使用してください。</translation>
     </message>
     <message>
         <source>It is sent as soon as you connect to the same modules again.</source>

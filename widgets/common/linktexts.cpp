@@ -125,9 +125,7 @@ Message connected(const bus::ChainFound& found, const QString& port) {
     }
     if (!found.toldToStop.empty()) {
         m.headline += u' ' + commandedToStop(found.toldToStop);
-        m.body.prepend(
-            Texts::tr("The stop sent before the connection ended was not confirmed, so it was sent again.") +
-            u' ');
+        m.body.prepend(Texts::tr("An earlier stop was not confirmed, so it was sent now.") + u' ');
     }
     return m;
 }

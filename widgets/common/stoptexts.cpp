@@ -80,12 +80,12 @@ Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleSt
     return {.key = key::stop(), .severity = Severity::Fault, .headline = first + u' ' + parts.join(u". "_s)};
 }
 
-Message stopWaits(const QString& port) {
-    return {
-        .key = key::stopWaits(),
-        .severity = Severity::Fault,
-        .headline = Texts::tr("No stop can be sent to %1 now: use the hardware stop.").arg(portName(port)),
-        .body = Texts::tr("It is sent as soon as you connect to the same modules again.")};
+Message stopWaits() {
+    return {.key = key::stopWaits(),
+            .severity = Severity::Fault,
+            .headline = Texts::tr("No stop can be sent now: use the hardware stop."),
+            .body = Texts::tr("It is sent as soon as you connect to the same modules again."),
+            .actions = {retry()}};
 }
 
 QString stopReach(int reachable, int modules) {

@@ -147,7 +147,7 @@ namespace texts {
 /// The log of messages cannot be written.
 [[nodiscard]] Message messagesNotKept(const FileError& error);
 /// A stop was requested after the port had gone.
-[[nodiscard]] Message stopWaits(const QString& port);
+[[nodiscard]] Message stopWaits();
 /// "1 stopped and holding, 2 were off, 22 ms." `modules`: their present state.
 [[nodiscard]] Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleState>& modules);
 /// True if there were modules, and each is known to have stopped.

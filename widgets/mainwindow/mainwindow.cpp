@@ -531,7 +531,7 @@ void MainWindow::requestStop() {
     endHold();
     emit stopAllRequested();
     if (!m_session.isOpen())
-        showMessage(texts::stopWaits(QString::fromStdString(link.port)));
+        showMessage(texts::stopWaits());
 }
 
 void MainWindow::showStopResult(const bus::StopFinished& finished) {
