@@ -105,6 +105,8 @@ public:
             std::fprintf(stderr, "window_bench: the chain was not found\n");
             std::exit(1);
         }
+        // While no motor moves, the pages of all modules are built, one after another.
+        turnFor(15);
         setGoing();
         turnFor(2);
     }
