@@ -472,6 +472,8 @@ TEST_F(OtherPrograms, SurviveNonsense) {
     OtherProgram client(panel, path());
     client.write(QByteArray(static_cast<qsizetype>(ApiServer::kLongestLine) + 10, 'x'));
     EXPECT_TRUE(client.cutOff());
+    ASSERT_EQ(client.arrived().size(), 1U);
+    EXPECT_EQ(client.arrived()[0]["error"]["data"]["reason"], "LineTooLong");
     EXPECT_FALSE(moves(sim));
     EXPECT_FALSE(sim.isOn(0));
 }

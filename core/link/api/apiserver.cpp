@@ -124,7 +124,8 @@ void ApiServer::send(Client client, const QByteArray& line) {
             this, [this, client] { cutOff(client); }, Qt::QueuedConnection);
         return;
     }
-    found->second->write(line + '\n');
+    found->second->write(line);
+    found->second->flush();  // with a hundred clients, waiting until each can be written to takes longer
 }
 
 bool ApiServer::offer(Client client, const QByteArray& line) {

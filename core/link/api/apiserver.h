@@ -41,7 +41,7 @@ public:
     [[nodiscard]] QString path() const { return m_server.fullServerName(); }
     [[nodiscard]] qsizetype clients() const { return static_cast<qsizetype>(m_clients.size()); }
 
-    /// `line` has no line feed. The client must read it.
+    /// `line` ends with a line feed. The client must read it.
     void send(Client client, const QByteArray& line);
     /// The same, but dropped if the client is behind; returns whether it was sent.
     bool offer(Client client, const QByteArray& line);
