@@ -34,7 +34,7 @@ ApiFeed::ApiFeed(const BusStore& store, ApiServer& server, QObject* parent)
 }
 
 QByteArray ApiFeed::lineOf(const Json& json) {
-    return QByteArray::fromStdString(json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
+    return QByteArray::fromStdString(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 QByteArray ApiFeed::notification(const char* method, Json parameters) {

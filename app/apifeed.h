@@ -26,7 +26,7 @@ public:
     void forget(ApiServer::Client client) { m_subscriptions.erase(client); }
     void publish(const Message& message);
 
-    /// A line as it is sent, with its line feed.
+    /// A line as it is sent.
     [[nodiscard]] static QByteArray lineOf(const api::Json& json);
     [[nodiscard]] static QByteArray notification(const char* method, api::Json parameters);
 

@@ -76,7 +76,7 @@ tl::expected<void, ApiServerProblem> ApiServer::listen(const QString& path) {
 void ApiServer::close() {
     m_server.close();
     while (!m_clients.empty())
-        cutOff(m_clients.begin()->first);
+        drop(m_clients.begin()->first);
 }
 
 void ApiServer::accept() {
@@ -90,7 +90,7 @@ void ApiServer::accept() {
         socket->setReadBufferSize(kLongestLine);
         connect(socket, &QLocalSocket::readyRead, this, [this, client] { read(client); });
         connect(
-            socket, &QLocalSocket::disconnected, this, [this, client] { cutOff(client); },
+            socket, &QLocalSocket::disconnected, this, [this, client] { drop(client); },
             Qt::QueuedConnection);
         emit clientsChanged();
         read(client);
@@ -121,11 +121,10 @@ void ApiServer::send(Client client, const QByteArray& line) {
     if (found->second->bytesToWrite() + line.size() > kMostWaiting) {
         // Queued: whoever sends may be looking at all clients.
         QMetaObject::invokeMethod(
-            this, [this, client] { cutOff(client); }, Qt::QueuedConnection);
+            this, [this, client] { drop(client); }, Qt::QueuedConnection);
         return;
     }
-    found->second->write(line);
-    found->second->flush();  // with a hundred clients, waiting until each can be written to takes longer
+    found->second->write(line + '\n');
 }
 
 bool ApiServer::offer(Client client, const QByteArray& line) {
@@ -137,6 +136,12 @@ bool ApiServer::offer(Client client, const QByteArray& line) {
 }
 
 void ApiServer::cutOff(Client client) {
+    if (const auto found = m_clients.find(client); found != m_clients.end())
+        found->second->flush();
+    drop(client);
+}
+
+void ApiServer::drop(Client client) {
     const auto found = m_clients.find(client);
     if (found == m_clients.end())
         return;

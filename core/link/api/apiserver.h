@@ -41,7 +41,7 @@ public:
     [[nodiscard]] QString path() const { return m_server.fullServerName(); }
     [[nodiscard]] qsizetype clients() const { return static_cast<qsizetype>(m_clients.size()); }
 
-    /// `line` ends with a line feed. The client must read it.
+    /// `line` has no line feed. The client must read it.
     void send(Client client, const QByteArray& line);
     /// The same, but dropped if the client is behind; returns whether it was sent.
     bool offer(Client client, const QByteArray& line);
@@ -59,6 +59,7 @@ signals:
 private:
     void accept();
     void read(Client client);
+    void drop(Client client);
 
     QLocalServer m_server;
     std::map<Client, QLocalSocket*> m_clients;
