@@ -8,6 +8,8 @@
 
 namespace nmc {
 
+using namespace Qt::StringLiterals;
+
 QFileDialog* newFileDialog(QWidget* window, const QString& objectName, const QString& title,
                            const QStringList& filters, const QString& folder) {
     if (auto* open = window->findChild<QFileDialog*>(objectName)) {
@@ -23,6 +25,34 @@ QFileDialog* newFileDialog(QWidget* window, const QString& objectName, const QSt
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setModal(false);
     return dialog;
+}
+
+void askWhereToSave(QWidget* window, const FileQuestion& question, const FileChosen& chosen) {
+    QFileDialog* dialog =
+        newFileDialog(window, question.objectName, question.title, question.filters, question.folder);
+    if (dialog == nullptr)
+        return;
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    const auto takeSuffix = [dialog](const QString& filter) {
+        const qsizetype dot = filter.indexOf(u"(*."_s);
+        if (dot >= 0)
+            dialog->setDefaultSuffix(filter.mid(dot + 3).chopped(1));
+    };
+    takeSuffix(question.filters.front());
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, takeSuffix);
+    dialog->selectFile(question.proposed);
+    QObject::connect(dialog, &QFileDialog::fileSelected, window, chosen);
+    dialog->show();
+}
+
+void askWhatToOpen(QWidget* window, const FileQuestion& question, const FileChosen& chosen) {
+    QFileDialog* dialog =
+        newFileDialog(window, question.objectName, question.title, question.filters, question.folder);
+    if (dialog == nullptr)
+        return;
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    QObject::connect(dialog, &QFileDialog::fileSelected, window, chosen);
+    dialog->show();
 }
 
 }  // namespace nmc

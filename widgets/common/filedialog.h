@@ -11,7 +11,7 @@ class QWidget;
 
 namespace nmc {
 
-/// Returns what is to be written to a file; called in the thread that writes it.
+/// Makes the content of a file. A call may take a second, and may come from any thread.
 using FileContent = std::function<std::string()>;
 
 /// Makes a dialog that asks for a file. It is not modal: the panel, including STOP ALL, stays usable. If this
@@ -19,5 +19,20 @@ using FileContent = std::function<std::string()>;
 /// and shows the dialog.
 [[nodiscard]] QFileDialog* newFileDialog(QWidget* window, const QString& objectName, const QString& title,
                                          const QStringList& filters, const QString& folder);
+
+/// What newFileDialog() needs, and the name that is proposed for a new file.
+struct FileQuestion {
+    QString objectName, title;
+    QStringList filters;
+    QString folder{};
+    QString proposed{};
+};
+using FileChosen = std::function<void(const QString& path)>;
+
+/// Asks which file to write; a file is replaced only if the user confirms it. A name without a suffix gets
+/// that of the filter.
+void askWhereToSave(QWidget* window, const FileQuestion& question, const FileChosen& chosen);
+/// Asks which file to read.
+void askWhatToOpen(QWidget* window, const FileQuestion& question, const FileChosen& chosen);
 
 }  // namespace nmc

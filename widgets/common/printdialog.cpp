@@ -2,7 +2,6 @@
 #include "widgets/common/printdialog.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -88,18 +87,15 @@ void PrintDialog::print() {
 }
 
 void PrintDialog::savePdf() {
-    QFileDialog* dialog =
-        newFileDialog(this, u"printPdfDialog"_s, tr("Save the page"), {Common::tr("PDF (*.pdf)")}, {});
-    if (dialog == nullptr)
-        return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(u"pdf"_s);
-    dialog->selectFile(tr("page"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        emit m_requests.save(path, [content = m_pdf.toStdString()] { return content; });
-        accept();
-    });
-    dialog->show();
+    askWhereToSave(this,
+                   {.objectName = u"printPdfDialog"_s,
+                    .title = tr("Save the page"),
+                    .filters = {Common::tr("PDF (*.pdf)")},
+                    .proposed = tr("page")},
+                   [this](const QString& path) {
+                       emit m_requests.save(path, [content = m_pdf.toStdString()] { return content; });
+                       accept();
+                   });
 }
 
 }  // namespace nmc

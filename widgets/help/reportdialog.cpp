@@ -2,7 +2,6 @@
 #include "widgets/help/reportdialog.h"
 
 #include <QDate>
-#include <QFileDialog>
 #include <QFontDatabase>
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -51,17 +50,14 @@ ReportDialog::ReportDialog(const QString& report, Requests& requests, QWidget* p
 }
 
 void ReportDialog::chooseFile(const QString& report) {
-    QFileDialog* dialog =
-        newFileDialog(this, u"reportSaveDialog"_s, tr("Save the report"), {Common::tr("Text (*.txt)")}, {});
-    if (dialog == nullptr)
-        return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(u"txt"_s);
-    dialog->selectFile(u"nmcpanel-report-"_s + QDate::currentDate().toString(Qt::ISODate));
-    connect(dialog, &QFileDialog::fileSelected, this, [this, report](const QString& path) {
-        emit m_requests.save(path, [report] { return report.toStdString(); });
-    });
-    dialog->show();
+    askWhereToSave(this,
+                   {.objectName = u"reportSaveDialog"_s,
+                    .title = tr("Save the report"),
+                    .filters = {Common::tr("Text (*.txt)")},
+                    .proposed = u"nmcpanel-report-"_s + QDate::currentDate().toString(Qt::ISODate)},
+                   [this, report](const QString& path) {
+                       emit m_requests.save(path, [report] { return report.toStdString(); });
+                   });
 }
 
 }  // namespace nmc

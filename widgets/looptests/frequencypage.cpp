@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/looptests/frequencypage.h"
 
-#include <QDir>
-#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 
@@ -152,18 +150,15 @@ void FrequencyPage::refresh() {
 }
 
 void FrequencyPage::chooseFile() {
-    QFileDialog* dialog = newFileDialog(this, u"frequencyFileDialog"_s, tr("Export the frequency response"),
-                                        {Common::tr("CSV (*.csv)")}, QDir::homePath());
-    if (dialog == nullptr)
-        return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(u"csv"_s);
-    dialog->selectFile(u"frequency-response"_s);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        if (last() != nullptr)
-            emit m_requests.saveFrequencies(path, last()->measured);
-    });
-    dialog->show();
+    askWhereToSave(this,
+                   {.objectName = u"frequencyFileDialog"_s,
+                    .title = tr("Export the frequency response"),
+                    .filters = {Common::tr("CSV (*.csv)")},
+                    .proposed = u"frequency-response"_s},
+                   [this](const QString& path) {
+                       if (last() != nullptr)
+                           emit m_requests.saveFrequencies(path, last()->measured);
+                   });
 }
 
 }  // namespace nmc

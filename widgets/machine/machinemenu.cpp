@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <utility>
@@ -217,33 +216,23 @@ void MachineMenu::goOnAfterSaving() {
         then();
 }
 
-QFileDialog* MachineMenu::newMachineDialog(const QString& objectName, const QString& title) {
+FileQuestion MachineMenu::fileQuestion(const QString& objectName, const QString& title) const {
     const QString last = m_file.path.isEmpty() ? m_file.recent.value(0) : m_file.path;
-    return newFileDialog(m_window, objectName, title,
-                         {tr("Machine files (*.%1)").arg(kMachineSuffix), Common::tr("All files (*)")},
-                         last.isEmpty() ? QString() : QFileInfo(last).absolutePath());
+    return {objectName,
+            title,
+            {tr("Machine files (*.%1)").arg(kMachineSuffix), Common::tr("All files (*)")},
+            last.isEmpty() ? QString() : QFileInfo(last).absolutePath(),
+            m_file.title().isEmpty() ? tr("machine") : m_file.title()};
 }
 
 void MachineMenu::chooseToOpen() {
-    QFileDialog* dialog = newMachineDialog(u"openMachineDialog"_s, Common::tr("Open machine"));
-    if (dialog == nullptr)
-        return;
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, &MachineMenu::openRequested);
-    dialog->show();
+    askWhatToOpen(m_window, fileQuestion(u"openMachineDialog"_s, Common::tr("Open machine")),
+                  [this](const QString& path) { emit openRequested(path); });
 }
 
 void MachineMenu::chooseToSave(const Go& then) {
-    QFileDialog* dialog = newMachineDialog(u"saveMachineDialog"_s, tr("Save machine"));
-    if (dialog == nullptr)
-        return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(kMachineSuffix);
-    const QString title = m_file.title();
-    dialog->selectFile(title.isEmpty() ? tr("machine") : title);
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this, then](const QString& path) { save(path, then); });
-    dialog->show();
+    askWhereToSave(m_window, fileQuestion(u"saveMachineDialog"_s, tr("Save machine")),
+                   [this, then](const QString& path) { save(path, then); });
 }
 
 }  // namespace nmc

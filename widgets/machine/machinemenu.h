@@ -9,10 +9,11 @@
 #include "widgets/machine/differencesdialog.h"
 
 class QAction;
-class QFileDialog;
 class QMenu;
 
 namespace nmc {
+
+struct FileQuestion;
 
 /// What the window shows about the machine and its file.
 struct MachineFile {
@@ -81,7 +82,7 @@ private:
     void waitForSave(const Go& close);
     void chooseToOpen();
     void chooseToSave(const Go& then);
-    QFileDialog* newMachineDialog(const QString& objectName, const QString& title);
+    [[nodiscard]] FileQuestion fileQuestion(const QString& objectName, const QString& title) const;
 
     QWidget* m_window;
     MachineFile m_file;

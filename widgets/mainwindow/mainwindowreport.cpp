@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is known about the selected servo's loop, on one page.
-#include <QDir>
-#include <QFileDialog>
 
 #include "model/response/frequencyfile.h"
 #include "widgets/common/filedialog.h"
@@ -60,22 +58,16 @@ void MainWindow::chooseReportFile() {
     const auto report = tuningReport();
     if (!report)
         return;
-    QFileDialog* dialog = newFileDialog(this, u"reportFileDialog"_s, tr("Save the tuning report"),
-                                        {Common::tr("PDF (*.pdf)"), tr("HTML (*.html)")}, QDir::homePath());
-    if (dialog == nullptr)
-        return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(u"pdf"_s);
-    dialog->selectFile(u"tuning-report"_s);
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-        dialog->setDefaultSuffix(filter.contains(u"html"_s) ? u"html"_s : u"pdf"_s);
-    });
-    connect(dialog, &QFileDialog::fileSelected, this, [this, report = *report](const QString& path) {
-        const bool html = path.endsWith(u".html"_s, Qt::CaseInsensitive);
-        const QByteArray bytes = html ? reportHtml(report).toUtf8() : reportPdf(report);
-        emit m_requests->save(path, [content = bytes.toStdString()] { return content; });
-    });
-    dialog->show();
+    askWhereToSave(this,
+                   {.objectName = u"reportFileDialog"_s,
+                    .title = tr("Save the tuning report"),
+                    .filters = {Common::tr("PDF (*.pdf)"), tr("HTML (*.html)")},
+                    .proposed = u"tuning-report"_s},
+                   [this, report = *report](const QString& path) {
+                       const bool html = path.endsWith(u".html"_s, Qt::CaseInsensitive);
+                       const QByteArray bytes = html ? reportHtml(report).toUtf8() : reportPdf(report);
+                       emit m_requests->save(path, [content = bytes.toStdString()] { return content; });
+                   });
 }
 
 }  // namespace nmc

@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDate>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QPushButton>
 
@@ -101,17 +100,15 @@ void MessagePanel::filter() {
 }
 
 void MessagePanel::saveAs() {
-    QFileDialog* dialog = newFileDialog(this, u"messageExportDialog"_s, tr("Export messages"),
-                                        {Common::tr("Text (*.txt)")}, {});
-    if (dialog == nullptr)
-        return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(u"txt"_s);
-    dialog->selectFile(u"messages "_s + QDate::currentDate().toString(Qt::ISODate));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        emit m_requests.save(path, [entries = m_list->shownEntries()] { return messageText(entries); });
-    });
-    dialog->show();
+    askWhereToSave(this,
+                   {.objectName = u"messageExportDialog"_s,
+                    .title = tr("Export messages"),
+                    .filters = {Common::tr("Text (*.txt)")},
+                    .proposed = u"messages "_s + QDate::currentDate().toString(Qt::ISODate)},
+                   [this](const QString& path) {
+                       emit m_requests.save(
+                           path, [entries = m_list->shownEntries()] { return messageText(entries); });
+                   });
 }
 
 }  // namespace nmc

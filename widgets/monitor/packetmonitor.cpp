@@ -3,7 +3,6 @@
 
 #include <QClipboard>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QPushButton>
@@ -182,20 +181,13 @@ void PacketMonitor::copy() {
 }
 
 void PacketMonitor::chooseFile() {
-    const QString text = Common::tr("Text (*.txt)");
-    const QString log = tr("Replayable log (*%1)").arg(kPacketLogSuffix);
-    QFileDialog* dialog = newFileDialog(this, u"packetSaveDialog"_s, tr("Save packets"), {text, log}, {});
-    if (dialog == nullptr)
-        return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(u"txt"_s);
-    dialog->selectFile(u"packets"_s);
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, log](const QString& filter) {
-        dialog->setDefaultSuffix(filter == log ? kPacketLogSuffix.mid(1) : u"txt"_s);
-    });
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this](const QString& path) { emit m_requests.save(path, packetFile(m_model->log(), path)); });
-    dialog->show();
+    askWhereToSave(
+        this,
+        {.objectName = u"packetSaveDialog"_s,
+         .title = tr("Save packets"),
+         .filters = {Common::tr("Text (*.txt)"), tr("Replayable log (*%1)").arg(kPacketLogSuffix)},
+         .proposed = u"packets"_s},
+        [this](const QString& path) { emit m_requests.save(path, packetFile(m_model->log(), path)); });
 }
 
 void PacketMonitor::showSummary() {

@@ -2,8 +2,6 @@
 #include "widgets/paths/pathspage.h"
 
 #include <QComboBox>
-#include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QProgressBar>
@@ -329,31 +327,25 @@ void PathsPage::refreshProgress(const QString& notRun) {
 // ---- actions of the user ----
 
 void PathsPage::chooseFile() {
-    QFileDialog* dialog =
-        newFileDialog(this, u"openPathDialog"_s, tr("Open a path"),
-                      {Common::tr("CSV (*.csv)"), Common::tr("All files (*)")}, QDir::homePath());
-    if (dialog == nullptr)
-        return;
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-        if (whyNoAxes().isEmpty())
-            emit m_requests.openPath(file, axesNow());
-    });
-    dialog->show();
+    askWhatToOpen(this,
+                  {.objectName = u"openPathDialog"_s,
+                   .title = tr("Open a path"),
+                   .filters = {Common::tr("CSV (*.csv)"), Common::tr("All files (*)")}},
+                  [this](const QString& file) {
+                      if (whyNoAxes().isEmpty())
+                          emit m_requests.openPath(file, axesNow());
+                  });
 }
 
 void PathsPage::chooseTarget() {
-    QFileDialog* dialog = newFileDialog(this, u"savePathDialog"_s, tr("Save the path"),
-                                        {Common::tr("CSV (*.csv)")}, QDir::homePath());
-    if (dialog == nullptr)
-        return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(u"csv"_s);
-    dialog->selectFile(QFileInfo(m_path->name).completeBaseName());
-    connect(dialog, &QFileDialog::fileSelected, this, [this, path = m_path](const QString& file) {
-        emit m_requests.save(file, [path] { return pathText(path->table, path->axes); });
-    });
-    dialog->show();
+    askWhereToSave(this,
+                   {.objectName = u"savePathDialog"_s,
+                    .title = tr("Save the path"),
+                    .filters = {Common::tr("CSV (*.csv)")},
+                    .proposed = QFileInfo(m_path->name).completeBaseName()},
+                   [this, path = m_path](const QString& file) {
+                       emit m_requests.save(file, [path] { return pathText(path->table, path->axes); });
+                   });
 }
 
 void PathsPage::draw() {

@@ -3,8 +3,6 @@
 
 #include <QCheckBox>
 #include <QCoreApplication>
-#include <QDir>
-#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
@@ -329,19 +327,17 @@ void ResponsePage::putBack() {
 }
 
 void ResponsePage::chooseFile() {
-    QFileDialog* dialog = newFileDialog(this, kSaveDialog, tr("Export step responses"),
-                                        {Common::tr("CSV (*.csv)")}, QDir::homePath());
-    if (dialog == nullptr)
-        return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(u"csv"_s);
-    dialog->selectFile(u"step-responses"_s);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        const QString program = u"NMC Panel "_s + QCoreApplication::applicationVersion();
-        emit m_requests.save(
-            path, [program = program.toStdString(), runs = m_kept] { return responsesCsv(program, runs); });
-    });
-    dialog->show();
+    askWhereToSave(this,
+                   {.objectName = kSaveDialog,
+                    .title = tr("Export step responses"),
+                    .filters = {Common::tr("CSV (*.csv)")},
+                    .proposed = u"step-responses"_s},
+                   [this](const QString& path) {
+                       const QString program = u"NMC Panel "_s + QCoreApplication::applicationVersion();
+                       emit m_requests.save(path, [program = program.toStdString(), runs = m_kept] {
+                           return responsesCsv(program, runs);
+                       });
+                   });
 }
 
 }  // namespace nmc

@@ -4,7 +4,6 @@
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -166,17 +165,14 @@ Picture ResponseView::picture() const {
 
 void ResponseView::choose(Kind kind) {
     const QString suffix = kind == Kind::Png ? u"png"_s : kind == Kind::Svg ? u"svg"_s : u"pdf"_s;
-    QFileDialog* dialog = newFileDialog(
-        this, u"responsePicture%1Dialog"_s.arg(suffix), tr("Picture of the step response"),
-        {Common::tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix), Common::tr("All files (*)")}, m_folder);
-    if (dialog == nullptr)
-        return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(suffix);
-    dialog->selectFile(tr("step"));
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this, kind](const QString& path) { save(kind, path); });
-    dialog->show();
+    askWhereToSave(
+        this,
+        {u"responsePicture%1Dialog"_s.arg(suffix),
+         tr("Picture of the step response"),
+         {Common::tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix), Common::tr("All files (*)")},
+         m_folder,
+         tr("step")},
+        [this, kind](const QString& path) { save(kind, path); });
 }
 
 void ResponseView::save(Kind kind, const QString& path) {

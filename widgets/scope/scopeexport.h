@@ -2,9 +2,7 @@
 #pragma once
 
 #include <QObject>
-#include <functional>
 #include <optional>
-#include <string>
 
 #include "widgets/common/filedialog.h"
 #include "widgets/scope/scoperecord.h"
@@ -16,9 +14,6 @@ namespace nmc {
 
 class Requests;
 class ScopeStrips;
-
-/// Makes the content of a file. A call may take a second, and may come from any thread.
-using FileContent = std::function<std::string()>;
 
 /// The content of a recording with the samples in [from, to].
 [[nodiscard]] FileContent samplesBetween(TimePoint from, TimePoint to, const History& history,

@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QDateTime>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -147,34 +146,25 @@ void ScopeFiles::recordOrEnd() {
 }
 
 void ScopeFiles::chooseToRecord() {
-    QFileDialog* dialog = newFileDialog(
-        m_panel, u"scopeRecordDialog"_s, tr("Record to a file"),
-        {tr("Recordings (*.%1)").arg(kRecordingFileSuffix), Common::tr("All files (*)")}, m_folder);
-    if (dialog == nullptr)
-        return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);  // also asks before a file is replaced
-    dialog->setDefaultSuffix(kRecordingFileSuffix);
-    dialog->selectFile(QDateTime::currentDateTime().toString(u"yyyy-MM-dd HHmmss"_s));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        m_folder = QFileInfo(path).absolutePath();
-        emit recordRequested(path);
-    });
-    dialog->show();
+    askWhereToSave(m_panel,
+                   {u"scopeRecordDialog"_s, tr("Record to a file"), filters(), m_folder,
+                    QDateTime::currentDateTime().toString(u"yyyy-MM-dd HHmmss"_s)},
+                   [this](const QString& path) {
+                       m_folder = QFileInfo(path).absolutePath();
+                       emit recordRequested(path);
+                   });
+}
+
+QStringList ScopeFiles::filters() {
+    return {tr("Recordings (*.%1)").arg(kRecordingFileSuffix), Common::tr("All files (*)")};
 }
 
 void ScopeFiles::choose(const QString& objectName, const QString& title,
                         void (ScopeFiles::*wanted)(const QString&)) {
-    QFileDialog* dialog = newFileDialog(
-        m_panel, objectName, title,
-        {tr("Recordings (*.%1)").arg(kRecordingFileSuffix), Common::tr("All files (*)")}, m_folder);
-    if (dialog == nullptr)
-        return;
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [this, wanted](const QString& path) {
+    askWhatToOpen(m_panel, {objectName, title, filters(), m_folder}, [this, wanted](const QString& path) {
         m_folder = QFileInfo(path).absolutePath();
         emit(this->*wanted)(path);
     });
-    dialog->show();
 }
 
 }  // namespace nmc

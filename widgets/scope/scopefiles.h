@@ -68,6 +68,7 @@ private:
     void showRecordAction();
     void recordOrEnd();
     void chooseToRecord();
+    [[nodiscard]] static QStringList filters();
     void choose(const QString& objectName, const QString& title, void (ScopeFiles::*wanted)(const QString&));
     void addMoveButton(const QString& objectName, const QString& text, const QString& meaning, double share);
 
