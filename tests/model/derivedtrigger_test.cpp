@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A trigger on derived signals, which no sample contains: acceleration, PWM, count rate.
+// A trigger on derived signals, which no sample contains: acceleration, PWM, count rate, the user's own.
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <vector>
 
+#include "model/scope/derivedsignals.h"
 #include "model/scope/scopetrigger.h"
 #include "scopesamples.h"
 #include "servofixture.h"
@@ -24,16 +25,28 @@ class DerivedTrigger : public testing::Test {
 protected:
     /// 20 ms before the trigger, 80 ms after it.
     void watch(ScopeSignal signal, Condition condition, double level) {
-        trigger.set({.module = kWatched,
-                     .source = signal,
-                     .condition = condition,
-                     .level = level,
-                     .preTrigger = 0.2,
-                     .window = 0.1});
+        watch({.module = kWatched,
+               .source = signal,
+               .condition = condition,
+               .level = level,
+               .preTrigger = 0.2,
+               .window = 0.1});
+    }
+    void watch(const TriggerSettings& settings) {
+        trigger.set(settings);
+        derived = DerivedSignals();
+        derived.want({*trigger.derivedSource()}, settings.custom);
+        fed = 0;
         trigger.arm(atMs(0));
     }
+    /// Begins again with no samples.
+    void startOver() {
+        history = History(2);
+        trigger = ScopeTrigger();
+        next = 0;
+    }
     void setGains(double milliseconds, const std::optional<servo::SetGain>& set) {
-        gains.push_back({kWatched, atMs(milliseconds), set});
+        history.noteGains({kWatched, atMs(milliseconds), set});
     }
     /// Feeds the samples up to number `last`.
     State run(int last, const std::function<void(int, ScopeSample&)>& fill) {
@@ -42,9 +55,16 @@ protected:
             sample.time = atMs(next * 2);
             sample.aux = kServoOn;
             fill(next, sample);
-            trigger.feed(kWatched, sample, gains);
+            history.append(kWatched, sample);
+            trigger.feed(kWatched, sample);
+            follow();
         }
         return trigger.state();
+    }
+    void follow() {
+        derived.follow(history);
+        fed = derived.source(history, *trigger.derivedSource())
+                  .samples->visitSince(fed, [this](const ScopeSample& value) { trigger.feedDerived(value); });
     }
     void expectFiredAt(double milliseconds) {
         ASSERT_TRUE(trigger.firedAt().has_value());
@@ -52,7 +72,9 @@ protected:
     }
 
     ScopeTrigger trigger;
-    std::vector<GainsChange> gains;
+    History history{2};
+    DerivedSignals derived;
+    std::uint64_t fed = 0;  ///< values
     int next = 0;
 };
 
@@ -79,12 +101,8 @@ void thirdPower(int i, ScopeSample& sample) {
 TEST_F(DerivedTrigger, AConstantAccelerationIsAboveWhatIsLessAndNotAboveWhatIsMore) {
     watch(ScopeSignal::Acceleration, Condition::Above, 500'001);
     EXPECT_EQ(run(100, parabola), State::Armed);
-    trigger.set({.module = kWatched,
-                 .source = ScopeSignal::Acceleration,
-                 .condition = Condition::Above,
-                 .level = 499'999});
-    trigger.arm(atMs(0));
-    EXPECT_EQ(run(200, parabola), State::Fired);
+    watch(ScopeSignal::Acceleration, Condition::Above, 499'999);
+    EXPECT_EQ(run(101, parabola), State::Complete);
 }
 
 /// With samples up to 82 ms, the acceleration is known up to 62 ms.
@@ -124,7 +142,7 @@ TEST_F(DerivedTrigger, NoEdgeOfAnAccelerationLiesInAGap) {
     };
     watch(ScopeSignal::Acceleration, Condition::Rising, 250'000);
     EXPECT_EQ(run(200, startsToMove(true)), State::Armed) << "0 before the gap, 500 000 after it";
-    next = 0;
+    startOver();
     watch(ScopeSignal::Acceleration, Condition::Rising, 250'000);
     EXPECT_EQ(run(200, startsToMove(false)), State::Complete);
     // A parabola through 21 samples with the start in their middle has half of the acceleration.
@@ -160,7 +178,7 @@ TEST_F(DerivedTrigger, WithoutGainsThereIsNoPwmAndNoTrigger) {
     const auto error = errorOf([](int i) { return i < 50 ? -100.0F : 100.0F; });
     for (const Condition condition :
          {Condition::Rising, Condition::Falling, Condition::Above, Condition::Below}) {
-        next = 0;
+        startOver();
         watch(ScopeSignal::Pwm, condition, 0);
         EXPECT_EQ(run(200, error), State::Armed) << static_cast<int>(condition);
     }
@@ -187,7 +205,7 @@ TEST_F(DerivedTrigger, OtherGainsMoveThePwmWhileItWaits) {
 
 TEST_F(DerivedTrigger, GainsOfAnotherModuleDoNot) {
     setGains(0, proportional(256));
-    gains.push_back({ModuleIndex(0), atMs(100), proportional(1'024)});
+    history.noteGains({ModuleIndex(0), atMs(100), proportional(1'024)});
     watch(ScopeSignal::Pwm, Condition::Rising, 25);
     EXPECT_EQ(run(200, errorOf([](int) { return 10.0F; })), State::Armed);
 }
@@ -219,8 +237,7 @@ TEST_F(DerivedTrigger, NormalModeTakesTheNextEdge) {
     watch(ScopeSignal::Pwm, Condition::Rising, 50);
     TriggerSettings settings = trigger.settings();
     settings.mode = TriggerSettings::Mode::Normal;
-    trigger.set(settings);
-    trigger.arm(atMs(0));
+    watch(settings);
     ASSERT_EQ(run(100, square), State::Complete);
     expectFiredAt(99);
     trigger.rearm(atMs(200));
@@ -246,6 +263,42 @@ TEST_F(DerivedTrigger, ACountRateReachesTheLevel) {
     EXPECT_EQ(run(163, counts), State::Complete) << "up to 325 ms";
 }
 
+// ---- the user's own ----
+
+/// The position of the watched module less that of the other one, which has a sample 1 ms after each.
+TEST_F(DerivedTrigger, ADifferenceOfTwoModulesReachesTheLevel) {
+    constexpr ModuleSignal kOwn{kWatched, ScopeSignal::Custom1};
+    watch({.module = kWatched,
+           .source = ScopeSignal::Custom1,
+           .condition = Condition::Falling,
+           .level = -25,
+           .preTrigger = 0.2,
+           .window = 0.1,
+           .custom = {{kOwn,
+                       {{kWatched, ScopeSignal::Position}},
+                       CustomSignal::Part{{ModuleIndex(0), ScopeSignal::Position}, {-1, 0}}}}});
+    const auto both = [this](int last) {
+        for (int i = next; i <= last; ++i) {
+            run(i, [](int n, ScopeSample& sample) { sample.position = 1'000 + 5 * n; });
+            ScopeSample other;
+            other.time = atMs(i * 2 + 1);
+            other.position = 1'000 + (i < 50 ? 5 * i : 5 * i + (i - 49) * 10);
+            history.append(ModuleIndex(0), other);
+            trigger.feed(ModuleIndex(0), other);
+            follow();
+        }
+        return trigger.state();
+    };
+    // The other one runs ahead by 10, 20, 30 counts at 101, 103, 105 ms; half-way between two of its samples,
+    // it is 2.5 counts behind that. The difference is -2.5 at 100 ms, -12.5 at 102, -22.5 at 104 and -32.5 at
+    // 106 ms, so it reaches -25 at 104.5 ms.
+    EXPECT_EQ(both(52), State::Armed);
+    EXPECT_EQ(both(53), State::Fired);
+    expectFiredAt(104.5);
+    EXPECT_EQ(both(92), State::Fired) << "the picture extends to 184.5 ms";
+    EXPECT_EQ(both(93), State::Complete);
+}
+
 // ---- the samples that were fed before ----
 
 TEST_F(DerivedTrigger, AnotherWindowKeepsWhatIsKnown) {
@@ -262,6 +315,9 @@ TEST_F(DerivedTrigger, OtherDataIsNotJoinedOnTo) {
     watch(ScopeSignal::Acceleration, Condition::Above, 0);
     const auto standing = [](int, ScopeSample& sample) { sample.position = 1'000'000; };
     run(30, [](int, ScopeSample&) {});
+    derived.forget();
+    history = History(2);
+    fed = 0;
     trigger.forgetSamples();
     EXPECT_EQ(run(100, standing), State::Armed) << "nothing moved";
 }

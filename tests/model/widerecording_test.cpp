@@ -269,6 +269,31 @@ TEST(WideRecording, HasTheCountRateOfAPicIo) {
     }
 }
 
+/// The position of module 1 less that of module 2, in half millimetres. Module 2 is at 4, 8 and 12 after 1, 3
+/// and 5 ms, so at 6 after 2 ms and at 10 after 4 ms.
+TEST(WideRecording, HasWhatTheUserHasDefined) {
+    History history(2);
+    for (int i = 0; i < 3; ++i) {
+        history.append(ModuleIndex(0), recordedAt(2ms * i, 10 + 10 * i));
+        history.append(ModuleIndex(1), recordedAt(2ms * i + 1ms, 4 + 4 * i));
+    }
+    RecordingHeader head = wideHeader();
+    head.modules[0].custom = {{"Skew, left",
+                               "mm",
+                               0.5,
+                               {{ModuleIndex(0), ScopeSignal::Custom2},
+                                {{ModuleIndex(0), ScopeSignal::Position}},
+                                CustomSignal::Part{{ModuleIndex(1), ScopeSignal::Position}, {-1, 0}}}}};
+    const std::string sparse = wideRecordingOf(head, history);
+    EXPECT_NE(sparse.find("/pwm_calculated,module1_Left_arm/Skew__left_mm,module1_Left_arm/status,module2/"),
+              std::string::npos)
+        << sparse;
+    const std::string kSkew = "module1_Left_arm/Skew__left_mm";
+    EXPECT_EQ(column(sparse, kSkew), (std::vector<std::string>{"", "", "7", "", "10", ""}));
+    EXPECT_EQ(column(wideRecordingOf(head, history, Duration(1ms)), kSkew),
+              (std::vector<std::string>{"", "", "7", "8.5", "10", ""}));
+}
+
 TEST(WideRecording, HasNoPwmOfAStepper) {
     History history(2);
     history.append(ModuleIndex(1), recordedAt(0ms, 0));

@@ -15,6 +15,7 @@
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopeplot.h"
 #include "widgets/scope/scopestrips.h"
+#include "widgets/scope/tracedefinition.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -283,6 +284,31 @@ TEST_F(Trigger, WaitsForThePwmThatThePlotShows) {
     pick(u"triggerConditionBox"_s, u"is above"_s);
     pick(u"triggerModeBox"_s, u"Single"_s);
     run(5.0, pushed);
+    expectShown(3.0 - 0.2, 3.0 + 0.8);
+}
+
+/// The trace falls by 100 a second, and by half of that with the other definition.
+TEST_F(Trigger, WaitsForWhatTheUserHasDefinedAndForItsNewDefinition) {
+    auto* panel = find<ScopePanel>(u"scopePanel"_s);
+    ScopeSetup setup = panel->setup();
+    setup.custom[0] = TraceDefinition{u"lead"_s, u"ct"_s, {{{}, ScopeSignal::Position}, -1}};
+    panel->setSetup(setup);
+    pick(u"triggerSourceBox"_s, u"lead"_s);
+    type(u"triggerLevelField"_s, u"-150"_s);
+    pick(u"triggerConditionBox"_s, u"falls to"_s);
+    pick(u"triggerModeBox"_s, u"Single"_s);
+    const auto ramp = [](double t, ScopeSample& sample) {
+        sample.position = static_cast<std::int32_t>(std::lround(100 * t));
+    };
+    run(1.4, ramp);
+    EXPECT_EQ(state(), u"waiting"_s);
+    run(2.6, ramp);
+    expectShown(1.5 - 0.2, 1.5 + 0.8);
+    setup.custom[0]->first.factor = -0.5;
+    panel->setSetup(setup);
+    run(2.7, ramp);
+    EXPECT_EQ(state(), u"waiting"_s) << "another definition, so it waits anew";
+    run(4.2, ramp);
     expectShown(3.0 - 0.2, 3.0 + 0.8);
 }
 

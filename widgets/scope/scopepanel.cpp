@@ -320,7 +320,6 @@ void ScopePanel::showModules(std::vector<ScopeModule> modules, std::optional<Mod
     const bool another = selected != m_selected;
     m_modules = std::move(modules);
     m_selected = selected;
-    m_trigger->showModules(m_modules, selected);
     if (another && !m_record && m_strips != nullptr) {
         m_strips->time().roll();
         showTime();
@@ -329,6 +328,7 @@ void ScopePanel::showModules(std::vector<ScopeModule> modules, std::optional<Mod
 }
 
 void ScopePanel::applyModules() {
+    m_trigger->showModules(withTraces(m_modules, m_setup.custom), m_selected);
     const std::vector<ScopeModule> modules =
         withTraces(m_record ? m_record->modules : m_modules, m_setup.custom);
     std::optional<ModuleIndex> selected = m_record && m_record->module ? m_record->module : m_selected;

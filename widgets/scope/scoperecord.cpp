@@ -19,10 +19,15 @@ RecordingHeader recordingHeader(const std::vector<ScopeModule>& modules, const Q
     header.zero = zero;
     header.port = port.toStdString();
     header.simulated = simulated;
-    for (std::size_t i = 0; i < modules.size(); ++i)
+    for (std::size_t i = 0; i < modules.size(); ++i) {
         header.modules.push_back({ModuleIndex(static_cast<std::uint8_t>(i)), modules[i].identity,
                                   modules[i].name.toStdString(), modules[i].scale.unit(),
                                   modules[i].analogOf(ScopeSignal::Analog), modules[i].pins});
+        for (const auto& trace : modules[i].custom)
+            if (trace)
+                header.modules.back().custom.push_back(
+                    {trace->name.toStdString(), trace->unit.toStdString(), trace->step, trace->signal});
+    }
     return header;
 }
 

@@ -249,6 +249,8 @@ std::optional<TriggerSettings> TriggerBar::settings() const {
         settings.level = (*m_level->value() - scale().offset) / scale().factor;
         if (scale().factor < 0)
             settings.condition = turned(settings.condition);
+        if (const CustomTrace* trace = m_modules[settings.module.value()].customOf(*signal()))
+            settings.custom = {trace->signal};
     }
     return settings;
 }

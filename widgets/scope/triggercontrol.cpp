@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "model/scope/derivedsignals.h"
-
 namespace nmc {
 
 using namespace Qt::StringLiterals;
@@ -49,18 +47,14 @@ void TriggerControl::apply() {
     if (wanted) {
         wanted->window = m_window;
         m_trigger.set(*wanted);
-        feedAnew(*wanted);
+        m_derived = DerivedSignals();
+        m_derivedFed = 0;
+        if (const auto source = m_trigger.derivedSource())
+            m_derived.want({*source}, wanted->custom);
         return arm();
     }
     m_trigger.disarm();
     emit restarted();
-}
-
-/// A derived signal equals the plotted one only if it is derived from all samples.
-void TriggerControl::feedAnew(const TriggerSettings& settings) {
-    const auto* signal = std::get_if<ScopeSignal>(&settings.source);
-    if (signal != nullptr && isDerived(*signal) && settings.module.value() < m_fed.size())
-        m_fed[settings.module.value()] = 0;
 }
 
 void TriggerControl::arm() {
@@ -90,15 +84,24 @@ void TriggerControl::feed(const History& history) {
     if (history.zero() != m_zero || history.modules() != m_fed.size()) {
         m_zero = history.zero();
         m_fed.assign(history.modules(), 0);
+        m_derived.forget();
+        m_derivedFed = 0;
         m_trigger.forgetSamples();
     }
     for (std::size_t i = 0; i < m_fed.size(); ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));
         const ModuleHistory& module = *history.module(index);
         m_fed[i] = module.visitSince(
-            m_fed[i], [&](const ScopeSample& sample) { m_trigger.feed(index, sample, history.gains()); },
+            m_fed[i], [&](const ScopeSample& sample) { m_trigger.feed(index, sample); },
             DerivedSignals::kAtOnce);
     }
+    const auto derived = m_trigger.derivedSource();
+    if (!derived)
+        return;
+    m_derived.follow(history);
+    if (const ModuleHistory* values = m_derived.source(history, *derived).samples)
+        m_derivedFed =
+            values->visitSince(m_derivedFed, [&](const ScopeSample& value) { m_trigger.feedDerived(value); });
 }
 
 std::optional<ScopeTrigger::Picture> TriggerControl::picture() const {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/scope/history.h"
+#include "model/scope/derivedsignals.h"
 #include "widgets/scope/triggerbar.h"
 
 namespace nmc {
@@ -44,7 +44,6 @@ private:
 
     void apply();
     void arm();
-    void feedAnew(const TriggerSettings& settings);
     void feed(const History& history);
     void showState(const QDateTime& zero, TimePoint historyZero);
 
@@ -54,6 +53,8 @@ private:
     TimePoint m_now;
     std::optional<TimePoint> m_zero;   ///< of the last history that was fed
     std::vector<std::uint64_t> m_fed;  ///< number of samples, by module
+    DerivedSignals m_derived;          ///< the source, if it is derived
+    std::uint64_t m_derivedFed = 0;    ///< number of its values
     std::optional<TimePoint> m_completeSince;
 };
 

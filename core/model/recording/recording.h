@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/strong.h"
+#include "model/scope/customsignal.h"
 #include "model/scope/history.h"
 #include "model/settings/axisscale.h"
 #include "model/settings/machine.h"
@@ -40,6 +41,14 @@
 /// splits them.
 namespace nmc {
 
+/// A signal that the user has defined.
+struct RecordingTrace {
+    std::string name, unit;  ///< UTF-8
+    double step = 1;         ///< in its unit; the values of `signal` are multiples of it
+    CustomSignal signal;
+    bool operator==(const RecordingTrace&) const = default;
+};
+
 struct RecordingModule {
     ModuleIndex index;
     ModuleIdentity identity;
@@ -47,6 +56,8 @@ struct RecordingModule {
     AxisUnit unit;
     AnalogScale analog;
     PinSettings pins{};  ///< PIC-I/O: only the names and scales are kept
+    /// Only in a table with one column per signal (model/recording/widerecording.h).
+    std::vector<RecordingTrace> custom{};
 
     bool operator==(const RecordingModule&) const = default;
 };

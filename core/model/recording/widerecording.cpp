@@ -2,11 +2,12 @@
 #include "model/recording/widerecording.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "model/recording/numbertext.h"
 #include "model/recording/timetext.h"
-#include "model/scope/signalmaker.h"
+#include "model/scope/derivedsignals.h"
 
 namespace nmc {
 
@@ -20,6 +21,22 @@ namespace {
     if (type == ModuleType::Servo)
         motor.push_back(Pwm);
     return motor;
+}
+
+[[nodiscard]] DerivedSignals derivedOf(const std::vector<RecordingModule>& modules, const History& history) {
+    std::vector<ModuleSignal> wanted;
+    std::vector<CustomSignal> custom;
+    for (const RecordingModule& module : modules) {
+        for (const ScopeSignal signal : signalsOf(module.identity.type))
+            wanted.push_back({module.index, signal});
+        for (const RecordingTrace& trace : module.custom)
+            custom.push_back(trace.signal);
+    }
+    DerivedSignals derived(std::numeric_limits<std::size_t>::max());
+    derived.want(std::move(wanted), custom);
+    while (!derived.follow(history)) {
+    }
+    return derived;
 }
 
 /// Part of a column's name: without separators, quotes, blanks, and slashes, which would create a tree.
@@ -51,12 +68,17 @@ namespace {
 
 class WideModule {
 public:
-    /// `seen` provides the rows; derived signals are computed from all of `history`.
-    WideModule(const RecordingModule& module, const ModuleHistory& seen, const History& history)
+    /// `seen` provides the rows; `derived` are the derived signals of `history`.
+    WideModule(const RecordingModule& module, const ModuleHistory& seen, const DerivedSignals& derived,
+               const History& history)
         : m_module(module), m_history(seen) {
-        for (const ScopeSignal signal : m_signals)
-            if (isDerived(signal))
-                m_made.push_back(made(signal, history));
+        for (const ScopeSignal signal : signalsOf(module.identity.type))
+            m_columns.push_back({signal});
+        for (const RecordingTrace& trace : m_module.custom)
+            m_columns.push_back({trace.signal.of.signal, &trace});
+        for (Column& column : m_columns)
+            if (isDerived(column.signal))
+                column.derived = derived.source(history, {module.index, column.signal}).samples;
     }
 
     [[nodiscard]] const ModuleHistory& history() const { return m_history; }
@@ -75,15 +97,17 @@ public:
         out += prefix + "position_" + unit + prefix + "velocity_" + unit + "_per_s" + prefix + "command_" +
                unit + prefix + "error_" + unit + prefix + "analog_" + wordOf(m_module.analog.unit) + prefix +
                "acceleration_" + unit + "_per_s2";
-        if (m_signals.back() == ScopeSignal::Pwm)
+        if (m_module.identity.type == ModuleType::Servo)
             out += prefix + "pwm_calculated";
+        appendCustomNames(out, prefix);
         out += prefix + "status";
     }
-    void appendEmpty(std::string& out) const { out.append(m_signals.size() + 1, ','); }
+    void appendEmpty(std::string& out) const { out.append(m_columns.size() + 1, ','); }
     void append(std::string& out, const ScopeSample& sample) const {
-        for (const ScopeSignal signal : m_signals)
-            appendCell(out, signal,
-                       isDerived(signal) ? madeAt(sample.time, signal) : valueOf(sample, signal));
+        for (const Column& column : m_columns)
+            appendCell(
+                out, column,
+                column.derived != nullptr ? derivedAt(sample.time, column) : valueOf(sample, column.signal));
         appendStatus(out, sample);
     }
     void appendAt(std::string& out, TimePoint time) const {
@@ -93,37 +117,31 @@ public:
         if (before->time == time)
             return append(out, *before);
         const double share = toSeconds(time - before->time) / toSeconds(after->time - before->time);
-        for (const ScopeSignal signal : m_signals) {
-            const auto from = valueOf(*before, signal);
-            const auto to = valueOf(*after, signal);
-            const bool whole = m_io || infoOf(signal).unit == SignalInfo::Unit::Analog;
-            appendCell(out, signal,
-                       isDerived(signal) ? madeAt(time, signal)
-                       : whole           ? from
-                       : from && to      ? std::optional(*from + share * (*to - *from))
-                                         : std::nullopt);
+        for (const Column& column : m_columns) {
+            const auto from = valueOf(*before, column.signal);
+            const auto to = valueOf(*after, column.signal);
+            const bool whole = m_io || infoOf(column.signal).unit == SignalInfo::Unit::Analog;
+            appendCell(out, column,
+                       column.derived != nullptr ? derivedAt(time, column)
+                       : whole                   ? from
+                       : from && to              ? std::optional(*from + share * (*to - *from))
+                                                 : std::nullopt);
         }
         appendStatus(out, *before);
     }
 
 private:
-    struct Made {
+    struct Column {
         ScopeSignal signal;
-        ModuleHistory values{};
+        const RecordingTrace* custom = nullptr;  ///< null unless it is the user's
+        const ModuleHistory* derived = nullptr;  ///< its values if no sample contains them
     };
-    [[nodiscard]] Made made(ScopeSignal signal, const History& history) const {
-        Made made{signal};
-        SignalMaker maker({m_module.index, signal});
-        history.module(m_module.index)->visitSince(0, [&](const ScopeSample& sample) {
-            if (const auto value = maker.take(sample, history.gains()))
-                made.values.append(*value);
-        });
-        return made;
+    [[nodiscard]] static std::optional<double> derivedAt(TimePoint time, const Column& column) {
+        return column.derived->valueAt(time, ScopeSignal::Error);
     }
-    [[nodiscard]] std::optional<double> madeAt(TimePoint time, ScopeSignal signal) const {
-        const auto found =
-            std::ranges::find_if(m_made, [signal](const Made& made) { return made.signal == signal; });
-        return found->values.valueAt(time, ScopeSignal::Error);
+    void appendCustomNames(std::string& out, const std::string& prefix) const {
+        for (const RecordingTrace& trace : m_module.custom)
+            out += prefix + wordOf(trace.name) + (trace.unit.empty() ? "" : '_' + wordOf(trace.unit));
     }
     /// Column names as the user has named the inputs; the pins are the bits of one number, where IO1 is 1.
     void appendIoNames(std::string& out, const std::string& prefix) const {
@@ -132,24 +150,28 @@ private:
             const std::string name = input.name.empty() ? "AD" + textOf(i + 1) : wordOf(input.name);
             out += prefix + name + '_' + wordOf(input.scale.unit);
         }
-        out += prefix + "count" + prefix + "count_rate_per_s" + prefix + "pins";
+        out += prefix + "count" + prefix + "count_rate_per_s";
+        appendCustomNames(out, prefix);
+        out += prefix + "pins";
         for (std::size_t i = 0; i < m_module.pins.pins.size(); ++i)
             if (const std::string& name = m_module.pins.pins[i].name; !name.empty())
                 out += "_IO" + textOf(i + 1) + '_' + wordOf(name);
     }
-    void appendCell(std::string& out, ScopeSignal signal, std::optional<double> value) const {
+    void appendCell(std::string& out, const Column& column, std::optional<double> value) const {
         out += ',';
         if (!value)
             return;
+        if (column.custom != nullptr)
+            return appendNumber(out, *value * column.custom->step);
         if (m_io) {
-            const auto input = infoOf(signal).analogInput;
+            const auto input = infoOf(column.signal).analogInput;
             const AnalogScale scale =
                 input ? PinSettings::of(m_module.pins.analog, *input).scale : AnalogScale{1, 0, {}};
             return appendNumber(out, scale.atZero + *value * scale.perCount);
         }
-        const bool bare = m_module.unit.kind == UnitKind::Native || signal == ScopeSignal::Pwm;
+        const bool bare = m_module.unit.kind == UnitKind::Native || column.signal == ScopeSignal::Pwm;
         const double perUnit = bare ? 1.0 : m_module.unit.countsPerUnit;
-        appendNumber(out, signal == ScopeSignal::Analog
+        appendNumber(out, column.signal == ScopeSignal::Analog
                               ? m_module.analog.atZero + *value * m_module.analog.perCount
                               : *value / perUnit);
     }
@@ -158,11 +180,10 @@ private:
         appendNumber(out, sample.status + (sample.io ? sample.aux << 8U : 0));
     }
 
-    RecordingModule m_module;
+    const RecordingModule& m_module;
     const ModuleHistory& m_history;
     bool m_io = m_module.identity.type == ModuleType::Io;
-    std::vector<ScopeSignal> m_signals = signalsOf(m_module.identity.type);
-    std::vector<Made> m_made;
+    std::vector<Column> m_columns;
 };
 
 /// `about`: the empty cells at the end of each row, with the end of the line; the same in appendEven().
@@ -214,17 +235,19 @@ void appendEven(std::string& out, const std::vector<WideModule>& modules, TimePo
 std::string wideRecordingOf(const RecordingHeader& header, const History& history, Duration interval,
                             TimePoint from, TimePoint to) {
     const History seen = history.cut(from, to);
-    std::vector<WideModule> modules;
+    std::vector<RecordingModule> shown;
     for (std::size_t i = 0; i < seen.modules(); ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));
-        const ModuleHistory& samples = *seen.module(index);
-        if (samples.empty())
+        if (seen.module(index)->empty())
             continue;
         const auto told = std::ranges::find_if(
             header.modules, [&](const RecordingModule& module) { return module.index == index; });
-        modules.emplace_back(told != header.modules.end() ? *told : RecordingModule{index, {}, {}, {}, {}},
-                             samples, history);
+        shown.push_back(told != header.modules.end() ? *told : RecordingModule{index, {}, {}, {}, {}});
     }
+    const DerivedSignals derived = derivedOf(shown, history);
+    std::vector<WideModule> modules;
+    for (const RecordingModule& module : shown)
+        modules.emplace_back(module, *seen.module(module.index), derived, history);
     std::string out(kWideTime);
     for (const WideModule& module : modules)
         module.appendNames(out);

@@ -26,7 +26,7 @@ namespace nmc {
 ///
 /// Signals that no sample contains (DerivedSignals) are computed from everything that `history` keeps. Such a
 /// value may belong to a moment between two replies, so in either form a row contains the linear
-/// interpolation between two values.
+/// interpolation between two values. The user's own are the last ones before the status.
 ///
 /// May take a second; time and memory grow with the samples.
 [[nodiscard]] std::string wideRecordingOf(const RecordingHeader& header, const History& history,

@@ -9,11 +9,13 @@ class DerivedSignals::Track {
 public:
     using Maker = std::variant<SignalMaker, CustomSignalMaker>;
 
-    explicit Track(Maker maker) : m_maker(std::move(maker)), m_values(1, kBudget) {}
+    Track(Maker maker, std::size_t budget)
+        : m_maker(std::move(maker)), m_budget(budget), m_values(1, budget) {}
 
     /// Forgets all values, and what was computed so far.
     void startOver() {
-        *this = Track(custom() != nullptr ? Maker(CustomSignalMaker(*custom())) : SignalMaker(of()));
+        *this =
+            Track(custom() != nullptr ? Maker(CustomSignalMaker(*custom())) : SignalMaker(of()), m_budget);
     }
     /// Null unless it is the user's.
     [[nodiscard]] const CustomSignal* custom() const {
@@ -68,11 +70,12 @@ private:
     }
 
     Maker m_maker;
+    std::size_t m_budget;
     History m_values;
     std::uint64_t m_taken = 0;
 };
 
-DerivedSignals::DerivedSignals() = default;
+DerivedSignals::DerivedSignals(std::size_t budget) : m_budget(budget) {}
 DerivedSignals::~DerivedSignals() = default;
 DerivedSignals::DerivedSignals(DerivedSignals&&) noexcept = default;
 DerivedSignals& DerivedSignals::operator=(DerivedSignals&&) noexcept = default;
@@ -92,10 +95,10 @@ void DerivedSignals::want(std::vector<ModuleSignal> wanted, const std::vector<Cu
     });
     for (const ModuleSignal& signal : wanted)
         if (isDerived(signal.signal) && !customIndex(signal.signal) && !has(signal))
-            m_tracks.push_back(std::make_unique<Track>(SignalMaker(signal)));
+            m_tracks.push_back(std::make_unique<Track>(SignalMaker(signal), m_budget));
     for (const CustomSignal& how : custom)
         if (!has(how.of))
-            m_tracks.push_back(std::make_unique<Track>(CustomSignalMaker(how)));
+            m_tracks.push_back(std::make_unique<Track>(CustomSignalMaker(how), m_budget));
 }
 
 bool DerivedSignals::follow(const History& history) {

@@ -14,11 +14,13 @@ namespace nmc {
 /// costs nothing. One thread.
 class DerivedSignals {
 public:
-    static constexpr std::size_t kBudget = 16U << 20U;  ///< bytes, for each signal
+    static constexpr std::size_t kBudget = 16U << 20U;
     /// Samples per call: a millisecond or two of work.
     static constexpr std::uint64_t kAtOnce = 20'000;
 
-    DerivedSignals();
+    /// `budget`: bytes for each signal; its oldest values are given up when it is used up.
+    explicit DerivedSignals(std::size_t budget);
+    DerivedSignals() : DerivedSignals(kBudget) {}
     ~DerivedSignals();
     DerivedSignals(DerivedSignals&&) noexcept;
     DerivedSignals& operator=(DerivedSignals&&) noexcept;
@@ -37,6 +39,7 @@ public:
 
 private:
     class Track;
+    std::size_t m_budget;
     std::vector<std::unique_ptr<Track>> m_tracks;
 };
 

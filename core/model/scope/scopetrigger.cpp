@@ -27,7 +27,7 @@ bool wraps(const std::variant<ScopeSignal, ScopeBit>& source) {
 
 void ScopeTrigger::set(const TriggerSettings& settings) {
     m_settings = settings;
-    startAnew();
+    m_last.reset();
     disarm();
 }
 
@@ -54,29 +54,33 @@ void ScopeTrigger::disarm() {
 
 void ScopeTrigger::forgetSamples() {
     m_samplesSince.reset();
-    startAnew();
-}
-
-void ScopeTrigger::startAnew() {
     m_last.reset();
-    m_maker.reset();
-    if (const auto* signal = std::get_if<ScopeSignal>(&m_settings.source); signal && isDerived(*signal))
-        m_maker.emplace(ModuleSignal{m_settings.module, *signal});
 }
 
-ScopeTrigger::State ScopeTrigger::feed(ModuleIndex module, const ScopeSample& sample,
-                                       const std::vector<GainsChange>& gains) {
+ScopeTrigger::State ScopeTrigger::feed(ModuleIndex module, const ScopeSample& sample) {
     if (!m_samplesSince)
         m_samplesSince = sample.time;
     if (module != m_settings.module)
         return m_state;
-    if (!m_maker)
+    if (!derivedSource())
         look(sample);
-    else if (const auto made = m_maker->take(sample, gains))
-        look(*made);
     if (m_state == State::Fired && reachesTheEnd(sample))
         m_state = State::Complete;
     return m_state;
+}
+
+ScopeTrigger::State ScopeTrigger::feedDerived(const ScopeSample& value) {
+    look(value);
+    if (m_state == State::Fired && value.time >= picture()->to)
+        m_state = State::Complete;
+    return m_state;
+}
+
+std::optional<ModuleSignal> ScopeTrigger::derivedSource() const {
+    const auto* signal = std::get_if<ScopeSignal>(&m_settings.source);
+    if (signal == nullptr || !isDerived(*signal))
+        return std::nullopt;
+    return ModuleSignal{m_settings.module, *signal};
 }
 
 void ScopeTrigger::look(const ScopeSample& value) {
@@ -100,7 +104,7 @@ bool ScopeTrigger::reachesTheEnd(const ScopeSample& sample) {
     const TimePoint end = picture()->to;
     if (sample.time < end)
         return false;
-    if (!m_maker || (m_last && m_last->time >= end))
+    if (!derivedSource())
         return true;
     return ++m_behind > SignalMaker::kSamplesBehind && sample.time - end > SignalMaker::kTimeBehind;
 }
@@ -117,7 +121,7 @@ std::optional<ScopeTrigger::Value> ScopeTrigger::watched(const ScopeSample& samp
         return Value{sample.time, isSet(sample, *bit) ? 1.0 : 0.0};
     // Derived values are stored in the form of an error.
     const auto value =
-        valueOf(sample, m_maker ? ScopeSignal::Error : std::get<ScopeSignal>(m_settings.source));
+        valueOf(sample, derivedSource() ? ScopeSignal::Error : std::get<ScopeSignal>(m_settings.source));
     if (!value)
         return std::nullopt;
     return Value{sample.time, *value};

@@ -8,7 +8,7 @@
 
 #include "base/strong.h"
 #include "base/time.h"
-#include "model/scope/signalmaker.h"
+#include "model/scope/customsignal.h"
 
 namespace nmc {
 
@@ -30,14 +30,15 @@ struct TriggerSettings {
     Condition condition = Condition::Rising;
     double level = 0.0;  ///< in the unit of valueOf(), or of a derived value; unused for a bit
     Mode mode = Mode::Single;
-    double preTrigger = 0.2;  ///< fraction of the window before the trigger, 0..1
-    double window = 1.0;      ///< s; limited to 1 us to 10 days
+    double preTrigger = 0.2;             ///< fraction of the window before the trigger, 0..1
+    double window = 1.0;                 ///< s; limited to 1 us to 10 days
+    std::vector<CustomSignal> custom{};  ///< the definition of the source, if it is one of the user's
 
     bool operator==(const TriggerSettings&) const = default;
 };
 
-/// Finds the moment that the scope is to show. It examines the samples as they arrive and keeps none; the
-/// picture is taken from the history. Pure.
+/// Finds the moment that the scope is to show. It examines the samples as they arrive, or the values that
+/// DerivedSignals computes from them, and keeps none; the picture is taken from the history. Pure.
 class ScopeTrigger {
 public:
     enum class State : std::uint8_t {
@@ -47,12 +48,14 @@ public:
         Complete,  ///< the picture is complete
     };
 
-    /// Switches the trigger off. A derived signal starts from nothing: its module's samples must be fed
-    /// again.
+    /// Switches the trigger off. A derived signal starts from nothing: its values must be fed again from the
+    /// first one.
     void set(const TriggerSettings& settings);
     /// Sets the window of the next picture and switches the trigger off; it must be armed again.
     void setWindow(double seconds);
     [[nodiscard]] const TriggerSettings& settings() const { return m_settings; }
+    /// The source, if it is derived.
+    [[nodiscard]] std::optional<ModuleSignal> derivedSource() const;
 
     /// Arms the trigger from `now` on. Earlier data may be in the picture, but do not trigger.
     void arm(TimePoint now);
@@ -62,9 +65,10 @@ public:
     /// The samples so far are no longer in the history: none of them precedes a trigger.
     void forgetSamples();
 
-    /// Feeds every sample of every module in order of arrival, in any state; `gains` are those of the same
-    /// history.
-    State feed(ModuleIndex module, const ScopeSample& sample, const std::vector<GainsChange>& gains = {});
+    /// Feeds every sample of every module in order of arrival, in any state.
+    State feed(ModuleIndex module, const ScopeSample& sample);
+    /// Feeds every value of derivedSource(), after the samples from which it is computed.
+    State feedDerived(const ScopeSample& value);
 
     [[nodiscard]] State state() const { return m_state; }
     /// Valid in Fired and Complete. An edge of a curve is where the straight line between two samples crosses
@@ -83,7 +87,6 @@ private:
         TimePoint time;
         double value = 0.0;
     };
-    void startAnew();
     void look(const ScopeSample& value);
     [[nodiscard]] std::optional<Value> watched(const ScopeSample& sample) const;
     [[nodiscard]] std::optional<TimePoint> conditionMet(const Value& now) const;
@@ -99,7 +102,6 @@ private:
     std::optional<TimePoint> m_firedAt;
     std::optional<TimePoint> m_samplesSince;  ///< of any module
     std::optional<Value> m_last;              ///< of the watched module, if no data are missing after it
-    std::optional<SignalMaker> m_maker;       ///< present for a derived signal
     std::size_t m_behind = 0;                 ///< samples after the picture while a derived value is missing
 };
 
