@@ -3,10 +3,16 @@
 
 #include <algorithm>
 #include <cassert>
+#include <deque>
+#include <memory>
 #include <utility>
+#include <vector>
 
-#include "sim/chainprivate.h"
+#include "sim/faultinjector.h"
 #include "sim/iomodule.h"
+#include "sim/line.h"
+#include "sim/module.h"
+#include "sim/random.h"
 #include "sim/servomodule.h"
 #include "sim/steppermodule.h"
 
@@ -22,6 +28,89 @@ constexpr Duration kCatchUpEvery = std::chrono::milliseconds(100);
 constexpr std::string_view kFaultsOff = "faults are not enabled; start with --enable-faults";
 
 }  // namespace
+
+/// The mechanism of the chain: which event is next, and which module it concerns.
+class Chain::Private {
+public:
+    Private(const std::vector<ModuleIdentity>& identities, const ChainOptions& options);
+
+    void runTo(TimePoint now);
+    [[nodiscard]] TimePoint nextEvent() const;
+    void updateAddressLines();
+    void powerUp(std::size_t module);
+    void clearFaults();
+    /// The first module that owes the host an answer, or nullptr.
+    [[nodiscard]] const Module* busyModule() const;
+    [[nodiscard]] double garbleChance(const Module& module, std::uint32_t baud) const {
+        return garbleProbability(module.baud(), baud, options.lineMargin);
+    }
+
+    ChainOptions options;
+    std::vector<std::unique_ptr<Module>> modules;
+    /// Module::nextEvent() of each module, contiguous because the search for the next event is the inner
+    /// loop.
+    std::vector<TimePoint> moduleEvents;
+    std::vector<bool> addressLineBroken;  ///< between a module and its neighbour towards the host
+    HostLine line;
+    std::vector<HostByte> toHost;
+    ViolationLog violations;
+    ChainStatistics statistics;
+    FaultInjector faults;
+    TimePoint now;
+    bool hasteIsUnknown = false;  ///< since bytes were read late, until the host is known to wait again
+    TimePoint readLateUntil;      ///< time at which the last byte that was read late leaves the line
+    int waited = 0;               ///< commands since then that were sent while no module was busy
+
+private:
+    void runModule(std::size_t index);
+    void execute(Module& module);
+    void sendReplyByte(Module& module);
+    std::uint8_t collide(Module& sender, std::uint8_t value);
+    void deliverToHost(const Module& sender, std::uint8_t value, bool garbles);
+    /// `due` may be in the future; bytes do not overtake each other.
+    void hostHears(std::uint8_t value, TimePoint due);
+    void deliverLateBytes();
+    void deliverToModules(const LineByte& byte);
+    /// Returns false when the module does not listen.
+    bool moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error, bool struck);
+    void watchForHaste(const LineByte& byte);
+    void catchUp();
+
+    // Faults.
+    /// A packet of the host that is being sent to the modules, and the damage done to it.
+    struct PacketUnderway {
+        PacketBytes bytes;  ///< up to and including the current one
+        bool decided = false;
+        std::optional<FrameEdit> busEdit;
+        std::vector<std::optional<FrameEdit>> moduleEdits;
+    };
+    void carryOutFaults();
+    void carryOut(const FaultInjector::Act& act);
+    void updateHolds();
+    /// Returns false when the module misses its packet.
+    [[nodiscard]] bool faultsLetExecute(Module& module);
+    void strikeReply(Module& module);
+    void followPacket(const LineByte& byte, bool insidePacket);
+    void strikePacket(const PacketBytes& known, std::size_t first);
+    void deliverWithFaults(const LineByte& byte);
+    /// Disturbs every module; no byte of the host is involved.
+    void disturbModules(std::uint8_t value, bool error);
+    [[nodiscard]] FrameEdit::Byte fateOfByte(std::size_t module) const;
+
+    Random m_random;
+    Receiver m_monitor;  ///< receives the host's undamaged bytes, to distinguish whole commands from nulls
+                         ///< and garbage
+    bool m_hasty = false;
+    std::uint8_t m_hurried = 0;  ///< the module that was busy
+    TimePoint m_nextCatchUp;
+    PacketUnderway m_underway;
+    /// For each module: true while it does not receive what the host sends, until both are between two
+    /// packets.
+    std::vector<bool> m_outOfStep;
+    bool m_someAreOutOfStep = false;
+    std::vector<Duration> m_heldUp;  ///< line delay of each module's current reply
+    std::deque<HostByte> m_late;
+};
 
 Chain::Private::Private(const std::vector<ModuleIdentity>& identities, const ChainOptions& chainOptions)
     : options(chainOptions), faults(options.seed, identities.size()), m_random(options.seed) {
@@ -387,6 +476,160 @@ void Chain::clearStatistics(TimePoint now) {
     d->violations.clear();
     for (const auto& module : d->modules)
         module->clearStatistics();
+}
+
+// ---- faults that are made on purpose (docs/simulator.md) ----
+
+// ---- Things that happen at a time ----
+
+void Chain::Private::carryOutFaults() {
+    for (const FaultInjector::Act& act : faults.takeDue(now))
+        carryOut(act);
+}
+
+void Chain::Private::carryOut(const FaultInjector::Act& act) {
+    if (const auto* cycle = std::get_if<FaultInjector::PowerCycle>(&act)) {
+        powerUp(cycle->module);
+    } else if (const auto* give = std::get_if<FaultInjector::GiveAddress>(&act)) {
+        modules[give->to]->takeAddress(modules[give->from]->address());
+    } else if (const auto* define = std::get_if<FaultInjector::DefineItems>(&act)) {
+        modules[define->module]->defineItems(define->mask);
+    } else if (const auto* noise = std::get_if<FaultInjector::NoiseByte>(&act)) {
+        if (noise->sides.command)
+            disturbModules(noise->value, false);
+        if (noise->sides.status)
+            hostHears(noise->value, now);
+    } else if (const auto* foreign = std::get_if<FaultInjector::ForeignPacket>(&act)) {
+        Payload payload{foreign->code, {}};
+        if (foreign->code != CommandCode::Nop)
+            payload.data.push_back(foreign->items);
+        line.send(toPacket({BusAddress(modules[foreign->module]->address()), payload}), now, true);
+    } else if (const auto* begins = std::get_if<FaultInjector::BreakBegins>(&act)) {
+        if (begins->sides.command)
+            disturbModules(0, true);
+        if (begins->sides.status)
+            hostHears(0, now);
+    } else {
+        updateHolds();
+    }
+}
+
+void Chain::Private::updateHolds() {
+    for (const auto& module : modules) {
+        module->advanceTo(now);
+        module->holdShaft(faults.isOn(FaultKind::Stall, module->index(), now));
+        module->reverseEncoder(faults.isOn(FaultKind::Reverse, module->index(), now));
+    }
+}
+
+void Chain::Private::clearFaults() {
+    faults.clear();
+    for (const auto& module : modules)
+        module->giveAddressBack();
+    std::ranges::fill(m_heldUp, Duration{});
+    updateHolds();
+}
+
+// ---- Commands and replies ----
+
+bool Chain::Private::faultsLetExecute(Module& module) {
+    const CommandCode code = module.pendingPacket().code();
+    if (faults.ignores(module.index(), code, now)) {
+        module.forgetPending();
+        return false;
+    }
+    if (faults.refuses(module.index(), code, now))
+        module.damagePending();
+    return true;
+}
+
+void Chain::Private::strikeReply(Module& module) {
+    if (!module.isReplying())
+        return;
+    std::vector<std::uint8_t> bytes(module.reply().begin(), module.reply().end());
+    const auto fate = faults.strikeReply(module.index(), module.answeredCode(), bytes, now);
+    if (!fate.sent)
+        bytes.clear();
+    module.replaceReply(bytes, fate.begunLater);
+    m_heldUp[module.index()] = fate.heldUp;
+}
+
+// ---- Bytes from the host ----
+
+void Chain::Private::deliverWithFaults(const LineByte& byte) {
+    const bool insidePacket = m_monitor.inPacket();
+    if (!byte.foreign) {
+        ++statistics.bytesIn;
+        watchForHaste(byte);
+        followPacket(byte, insidePacket);
+    }
+    const bool broken = faults.breaks(&FaultSides::command, now);
+    faults.strikesByte(FaultKind::MuteTx, std::nullopt, now);
+    bool heard = byte.foreign;
+    for (std::size_t i = 0; i < modules.size(); ++i) {
+        const FrameEdit::Byte fate = byte.foreign ? FrameEdit::Byte{} : fateOfByte(i);
+        const bool mute = faults.isOn(FaultKind::MuteTx, static_cast<std::uint8_t>(i), now);
+        if (!insidePacket && !modules[i]->inPacket())
+            m_outOfStep[i] = false;
+        if (byte.foreign || mute || broken || fate.error || fate.flips != 0 || fate.copies != 1)
+            m_outOfStep[i] = true;
+        const auto value = static_cast<std::uint8_t>(broken ? 0U : unsigned{byte.value} ^ fate.flips);
+        for (unsigned copy = 0; copy < fate.copies && !mute; ++copy)
+            heard |= moduleHears(i, value, byte.baud, broken || fate.error, m_outOfStep[i]);
+    }
+    m_someAreOutOfStep = std::ranges::count(m_outOfStep, true) > 0;
+    statistics.bytesUnheard += heard ? 0 : 1;
+    if (!byte.foreign && faults.strikesByte(FaultKind::Echo, std::nullopt, now))
+        hostHears(byte.value, now);
+}
+
+void Chain::Private::disturbModules(std::uint8_t value, bool error) {
+    m_outOfStep.assign(modules.size(), true);
+    m_someAreOutOfStep = true;
+    for (std::size_t i = 0; i < modules.size(); ++i)
+        moduleHears(i, value, line.baud(), error, true);
+}
+
+/// A packet is struck when its header is sent if the host has handed it over whole. From a host that sends
+/// byte by byte, it is struck when its command byte is sent, because its type and length are unknown before.
+void Chain::Private::followPacket(const LineByte& byte, bool insidePacket) {
+    if (!insidePacket) {
+        m_underway.bytes.clear();
+        m_underway.decided = byte.value != kHeader;
+        m_underway.busEdit.reset();
+        std::ranges::fill(m_underway.moduleEdits, std::nullopt);
+        if (m_underway.decided)
+            return;
+    }
+    m_underway.bytes.push_back(byte.value);
+    if (m_underway.decided)
+        return;
+    if (!insidePacket) {
+        const PacketBytes whole = line.packetBehind(byte.value);
+        if (whole.size() > kCommandByteAt && whole.size() == packetLength(whole[kCommandByteAt]))
+            strikePacket(whole, 0);
+    } else if (m_underway.bytes.size() > kCommandByteAt) {
+        strikePacket(m_underway.bytes, kCommandByteAt);
+    }
+}
+
+void Chain::Private::strikePacket(const PacketBytes& known, std::size_t first) {
+    const auto code = static_cast<CommandCode>(known[kCommandByteAt] & 0x0FU);
+    const FrameInSight packet{known, packetLength(known[kCommandByteAt]), first, true};
+    m_underway.decided = true;
+    m_underway.busEdit = faults.strikePacket(std::nullopt, code, packet, now);
+    for (const auto& module : modules)
+        if (module->isAwake(now) && module->isAddressedBy(known[1]))
+            m_underway.moduleEdits[module->index()] = faults.strikePacket(module->index(), code, packet, now);
+}
+
+FrameEdit::Byte Chain::Private::fateOfByte(std::size_t module) const {
+    if (m_underway.bytes.empty())
+        return {};
+    const std::size_t at = m_underway.bytes.size() - 1;
+    if (const auto& edit = m_underway.moduleEdits[module])
+        return edit->at[at];
+    return m_underway.busEdit ? m_underway.busEdit->at[at] : FrameEdit::Byte{};
 }
 
 }  // namespace nmc::sim

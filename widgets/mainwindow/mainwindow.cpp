@@ -1,31 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/mainwindow/mainwindow.h"
 
+#include <QAction>
 #include <QClipboard>
+#include <QCloseEvent>
+#include <QDockWidget>
 #include <QGuiApplication>
+#include <QKeyEvent>
+#include <QLayout>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPointer>
 #include <QPushButton>
+#include <QResizeEvent>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <QWindow>
+#include <algorithm>
 #include <utility>
 
+#include "model/response/frequencyfile.h"
 #include "widgets/axes/axesdock.h"
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
 #include "widgets/common/apitexts.h"
 #include "widgets/common/askdialog.h"
+#include "widgets/common/filedialog.h"
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/look.h"
 #include "widgets/common/palettes.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/scrolled.h"
 #include "widgets/common/sharedwords.h"
+#include "widgets/common/texts.h"
+#include "widgets/common/words.h"
 #include "widgets/gamepad/jogwheel.h"
+#include "widgets/help/manualwindow.h"
+#include "widgets/help/problemreport.h"
+#include "widgets/help/reportdialog.h"
+#include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/looptestsdock.h"
+#include "widgets/looptests/tuningreport.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/colourchoice.h"
+#include "widgets/mainwindow/commandpalette.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/escfilter.h"
 #include "widgets/mainwindow/linkbar.h"
@@ -45,12 +67,15 @@
 #include "widgets/messages/messagemodel.h"
 #include "widgets/messages/messagepanel.h"
 #include "widgets/monitor/monitordock.h"
+#include "widgets/panels/command.h"
+#include "widgets/panels/modulepage.h"
 #include "widgets/panels/modulepanel.h"
 #include "widgets/paths/pathsdock.h"
 #include "widgets/response/responsedock.h"
 #include "widgets/scope/scopefiles.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopepresets.h"
+#include "widgets/scope/scoperecord.h"
 #include "widgets/sequences/sequencesdock.h"
 #include "widgets/simulator/simulatordock.h"
 
@@ -60,8 +85,43 @@ using namespace Qt::StringLiterals;
 using namespace settingskeys;
 
 namespace {
+
 constexpr int kPrepareInterval = 100;  // ms
+
+// In lines of text.
+constexpr int kLowestScope = 12;
+constexpr int kTitleBar = 3;  ///< above the window; its true height is known only once it is shown
+
+QString shortcutText(const QAction& action) {
+    return action.shortcut().toString(QKeySequence::NativeText);
 }
+
+void addMenu(const QMenu& menu, std::vector<CommandPalette::Entry>& entries) {
+    for (QAction* action : menu.actions()) {
+        if (action->menu() != nullptr) {
+            addMenu(*action->menu(), entries);
+            continue;
+        }
+        if (action->isSeparator() || !action->isVisible())
+            continue;
+        const QString text = action->text().remove(u'&');
+        const auto reason = [action = QPointer(action)] {
+            if (action && action->isEnabled())
+                return QString();
+            const bool told = action && action->toolTip() != action->iconText();
+            return told ? action->toolTip() : MainWindow::tr("Not possible now.");
+        };
+        entries.push_back({text, text, menu.title().remove(u'&'), shortcutText(*action),
+                           MainWindow::tr("Press Enter to run it."), reason, [action = QPointer(action)] {
+                               if (action)
+                                   action->trigger();
+                           }});
+    }
+}
+
+constexpr int kReportedPackets = 500;
+
+}  // namespace
 
 MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     : QMainWindow(parent),
@@ -567,6 +627,467 @@ void MainWindow::endHold() {
 void MainWindow::setHoldInterval(int milliseconds) {
     m_panel->setHoldInterval(milliseconds);
     m_axes->setHoldInterval(milliseconds);
+}
+
+// ---- docks and layouts ----
+
+QDockWidget* MainWindow::newDock(const QString& objectName, const QString& title, QWidget* content) {
+    auto* dock = new QDockWidget(title, this);
+    look::name(dock, objectName, title);
+    dock->setWidget(content);
+    return dock;
+}
+
+void MainWindow::showDockOf(const QWidget& content) {
+    for (QDockWidget* dock : m_layouts->docks())
+        if (dock->isAncestorOf(&content)) {
+            dock->show();
+            dock->raise();
+        }
+}
+
+void MainWindow::buildDocks() {
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    m_layouts = new Layouts(*this, m_settings);
+    m_chain = new ChainView(this);
+    m_scope = new ScopePanel(*m_requests, this);
+    m_scopeDock = newDock(u"scopeDock"_s, Common::tr("Scope"), scrolled(m_scope));
+    m_messages = new MessagePanel(*m_model, *m_requests, this);
+    m_simulator = new SimulatorDock(this);
+    m_monitor = new MonitorDock(*m_requests, this);
+    m_response = new ResponseDock(*m_requests, this);
+    m_loopTests = new LoopTestsDock(*m_requests, this);
+    m_sequences = new SequencesDock(*m_requests, this);
+    m_paths = new PathsDock(*m_requests, this);
+    m_axes = new AxesDock(*m_requests, this);
+    for (QDockWidget* dock : std::initializer_list<QDockWidget*>{
+             newDock(u"chainDock"_s, tr("Modules"), m_chain), m_scopeDock,
+             newDock(u"messagesDock"_s, Common::tr("Messages"), scrolled(m_messages)), m_simulator, m_monitor,
+             m_response, m_loopTests, m_sequences, m_paths, m_axes})
+        m_layouts->add(*dock);
+    connect(m_layouts, &Layouts::chosen, this, &MainWindow::showLayout);
+    connect(m_panel, &ModulePanel::responseWanted, m_response, &ResponseDock::open);
+    connect(m_response, &ResponseDock::opened, this, &MainWindow::showSelected);
+    connect(m_requests, &Requests::stageGains, m_panel, &ModulePanel::stageGains);
+    connect(m_loopTests, &LoopTestsDock::opened, this, &MainWindow::showSelected);
+    connect(m_requests, &Requests::showRun, this, &MainWindow::showResponse);
+    connect(m_loopTests, &LoopTestsDock::reportWanted, this, &MainWindow::chooseReportFile);
+    connect(m_requests, &Requests::saveFrequencies, this, &MainWindow::saveFrequencies);
+    for (LazyDock* dock : std::initializer_list<LazyDock*>{m_sequences, m_paths, m_axes})
+        connect(dock, &LazyDock::opened, this, &MainWindow::showAllAxes);
+    m_stepNow = new QAction(tr("Step"), this);
+    m_stepNow->setObjectName(u"stepNowAction"_s);
+    m_stepNow->setShortcut(Qt::SHIFT | Qt::Key_F9);
+    addAction(m_stepNow);
+    connect(m_stepNow, &QAction::triggered, this, &MainWindow::stepNow);
+}
+
+/// If the window is low, the scope gives way to the controls that move the motor, as far as it remains
+/// readable. When the window becomes higher, the scope gets the height gained and the height that it gave
+/// before, as far as nothing else needs it.
+void MainWindow::makeRoomForMotions(int higher) {
+    layout()->activate();
+    ModulePage* page = m_panel->page();
+    if (page == nullptr || !m_scopeDock->isVisible() ||
+        dockWidgetArea(m_scopeDock) != Qt::BottomDockWidgetArea)
+        return;
+    const int least = fontMetrics().height() * kLowestScope;
+    const int most = m_scopeDock->height() + m_scopeGave + qMax(0, higher);
+    const int wanted =
+        qBound(qMin(least, m_scopeDock->height()), m_scopeDock->height() + page->spareHeight(), most);
+    if (wanted != m_scopeDock->height()) {
+        m_scopeGave = qMax(0, m_scopeGave + m_scopeDock->height() - wanted);
+        resizeDocks({m_scopeDock}, {wanted}, Qt::Vertical);
+    }
+    // Queued: the page has its new size only then.
+    QMetaObject::invokeMethod(page, &ModulePage::dropScrollBar, Qt::QueuedConnection);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    // Queued: the contents of the window have their new size only then.
+    if (const int before = event->oldSize().width(); before > 0 && before != width())
+        QMetaObject::invokeMethod(
+            this, [this, wider = width() - before] { m_layouts->keepColumn(wider); }, Qt::QueuedConnection);
+    const int higher = event->oldSize().height() > 0 ? height() - event->oldSize().height() : 0;
+    QMetaObject::invokeMethod(
+        this, [this, higher] { makeRoomForMotions(higher); }, Qt::QueuedConnection);
+}
+
+void MainWindow::restoreLayout() {
+    const QSize room = screen()->availableSize();
+    const int em = fontMetrics().height();
+    resize(qMin(em * 104, room.width()), qMin(em * 68, room.height() - em * kTitleBar));
+    restoreGeometry(m_settings.value(kGeometry).toByteArray());
+    m_layouts->restore();
+    m_simulator->showLink(m_session.link());
+    const QString port = m_settings.value(kLastPort).toString();
+    if (!port.isEmpty())
+        m_bar->choosePort(port, m_settings.value(kLastBaud).toUInt());
+}
+
+void MainWindow::saveLayout() {
+    m_settings.setValue(kGeometry, saveGeometry());
+    m_layouts->save();
+}
+
+void MainWindow::resetLayout() {
+    m_settings.remove(m_layouts->key(kSimulatorOpen));
+    m_layouts->reset();
+}
+
+void MainWindow::showLayout(Layouts::Kind kind) {
+    const bool tune = kind == Layouts::Kind::Tune;
+    m_simulator->setWanted(
+        m_settings.value(m_layouts->key(kSimulatorOpen), m_layouts->opens(*m_simulator)).toBool());
+    m_scope->setSetup(ScopeSetup::fromText(m_settings.value(m_layouts->key(kScope)).toString(),
+                                           tune ? ScopeSetup::forTuning() : ScopeSetup::usual()));
+    if (tune) {
+        m_panel->setFoot(m_response->page().lendForm());
+    } else {
+        m_panel->setFoot(nullptr);
+        m_response->takeFormBack();
+    }
+    showSelected();
+    // Queued: the docks have their sizes only then.
+    QMetaObject::invokeMethod(
+        this, [this] { makeRoomForMotions(0); }, Qt::QueuedConnection);
+}
+
+/// Makes a step, from anywhere in the window. It moves the motor, so its form must be visible.
+void MainWindow::stepNow() {
+    if (!m_response->page().lends())
+        m_response->open();
+    if (const ModuleState* module = m_session.selected())
+        m_response->page().showModule(m_session.viewOf(*module));
+    else
+        m_response->page().showNothing();
+    m_response->page().step();
+}
+
+// ---- the scope ----
+
+/// Without a connection, the scope still shows the last samples, and whose they are.
+void MainWindow::showScopeModules() {
+    const LinkState& link = m_session.link();
+    if (link.modules.empty())
+        return;
+    m_scope->showModules(m_session.scopeModules(), selectedModule());
+    m_scope->showSession(QString::fromStdString(link.port), link.simulated);
+}
+
+const std::vector<ScopeModule>& MainWindow::scopeModules() const {
+    return m_scope->modules();
+}
+
+void MainWindow::showHistory(const History& history, TimePoint now) {
+    m_scope->showHistory(history, now);
+    if (m_session.isOpen())
+        showTime(now);
+}
+
+void MainWindow::showTime(TimePoint now) {
+    m_session.setNow(now);
+}
+
+void MainWindow::showRecord(std::shared_ptr<const ScopeRecord> record) {
+    showDockOf(*m_scope);
+    m_scope->showRecord(std::move(record));
+}
+
+void MainWindow::showUnder(std::shared_ptr<const ScopeRecord> record) {
+    showDockOf(*m_scope);
+    m_scope->showUnder(std::move(record));
+}
+
+std::vector<ModuleIndex> MainWindow::watchedModules() const {
+    std::vector<ModuleIndex> watched = m_scope->setup().fixedModules();
+    if (m_axes->seen())
+        for (const ModuleState& module : m_session.link().modules)
+            if (std::find(watched.begin(), watched.end(), module.info.index) == watched.end())
+                watched.push_back(module.info.index);
+    const std::optional<ModuleIndex> selected = selectedModule();
+    if (selected && std::find(watched.begin(), watched.end(), *selected) == watched.end())
+        watched.push_back(*selected);
+    return watched;
+}
+
+// ---- the Module menu and the palette ----
+
+void MainWindow::fillModuleMenu(QMenu& menu) {
+    menu.clear();
+    ModulePage* page = m_panel->page();
+    if (page == nullptr) {
+        menu.addAction(Common::tr("No module"))->setEnabled(false);
+        return;
+    }
+    page->context().catchUp();
+    // Commands whose box is not visible are not updated otherwise, so this continues while the menu is open.
+    auto* open = new QObject(page);
+    connect(&menu, &QMenu::aboutToHide, open, &QObject::deleteLater);
+    connect(&page->context(), &ModuleContext::changed, open, [page] { page->context().catchUp(); });
+    const QWidget* box = nullptr;
+    for (Command* command : page->commands()) {
+        if (!command->isVisible())
+            continue;
+        if (box != nullptr && box != command->box())
+            menu.addSeparator();
+        box = command->box();
+        menu.addAction(command);
+    }
+    menu.addSeparator();
+    menu.addAction(m_pendant->action());
+}
+
+void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
+    ModulePage* page = m_panel->page();
+    if (page == nullptr)
+        return;
+    page->context().catchUp();
+    QAction* pendant = m_pendant->action();
+    entries.push_back({pendant->text().remove(u'&'), pendant->toolTip(), Common::tr("Module"),
+                       shortcutText(*pendant), pendant->toolTip(),
+                       [pendant] { return pendant->isEnabled() ? QString() : pendant->toolTip(); },
+                       [pendant] { pendant->trigger(); }});
+    for (Command* command : page->commands()) {
+        if (!command->isVisible())
+            continue;
+        const auto reason = [command = QPointer(command)] {
+            return command ? command->reason() : tr("Its module is no longer connected.");
+        };
+        const auto act = [page = QPointer(page), command = QPointer(command)] {
+            if (!page || !command)
+                return;
+            // With the present state, even if the command's box is not visible.
+            page->context().catchUp();
+            command->act();
+        };
+        entries.push_back({command->text().remove(u'&'), command->sentence(),
+                           texts::moduleName(page->context().state().info.index), shortcutText(*command),
+                           command->toolTip(), reason, act});
+    }
+}
+
+/// Commands of other modules use values on their pages, which are not visible from here: they are shown there
+/// instead of being carried out.
+void MainWindow::addOtherModules(std::vector<CommandPalette::Entry>& entries) {
+    for (const ModuleState& module : m_session.link().modules) {
+        const ModuleIndex index = module.info.index;
+        if (index == selectedModule())
+            continue;
+        const ModulePage* alike = m_panel->pageLike(m_session.viewOf(module));
+        if (alike == nullptr)
+            continue;
+        for (const Command* command : alike->commands()) {
+            const QString name = command->button()->objectName();
+            entries.push_back({command->text().remove(u'&'),
+                               command->sentence(),
+                               texts::moduleName(index),
+                               {},
+                               tr("Press Enter to show it on the module's page. Nothing is sent."),
+                               [] { return QString(); },
+                               [this, index, name] {
+                                   m_session.select(index);
+                                   if (ModulePage* page = m_panel->page())
+                                       page->showCommand(name);
+                               }});
+        }
+    }
+}
+
+void MainWindow::openPalette() {
+    std::vector<CommandPalette::Entry> entries;
+    addModuleEntries(entries);
+    for (const QAction* action : findChild<QMenuBar*>(u"menuBar"_s)->actions())
+        if (action->menu() != nullptr && action->menu()->objectName() != u"moduleMenu"_s)
+            addMenu(*action->menu(), entries);
+    addOtherModules(entries);
+    if (m_palette == nullptr)
+        m_palette = new CommandPalette(this);
+    m_palette->showEntries(std::move(entries));
+}
+
+/// Where digits are typed with Shift (AZERTY), Qt does not recognise Ctrl with a digit's key as Ctrl+1,
+/// although that is what the user means.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    constexpr quint32 kKeyOf1 = 10;  // on X11 and Wayland: the kernel's KEY_1 plus 8
+    constexpr quint32 kDigits = 8;
+    const quint32 above1 = event->nativeScanCode() - kKeyOf1;
+    if (event->modifiers() != Qt::ControlModifier || event->isAutoRepeat() || above1 >= kDigits)
+        return QMainWindow::keyPressEvent(event);
+    const QKeySequence wanted(QKeyCombination(Qt::CTRL, static_cast<Qt::Key>(Qt::Key_1 + above1)));
+    for (QAction* action : findChildren<QAction*>())
+        if (action->isEnabled() && action->shortcut() == wanted)
+            return action->trigger();
+}
+
+// ---- questions before closing and stopping ----
+
+void MainWindow::askBeforeStopping(const QString& name, const QString& stopText,
+                                   const std::function<void()>& go) {
+    AskDialog::ask({.name = name,
+                    .title = tr("Motors are moving"),
+                    .text = m_session.whileOpen(texts::closing),
+                    .stay = tr("&Cancel"),
+                    .stayName = u"stayButton"_s},
+                   {{stopText, u"stopAndCloseButton"_s,
+                     [this, go] {
+                         emit stopAllRequested();
+                         go();
+                     }}},
+                   this);
+}
+
+void MainWindow::askBeforeDisconnect() {
+    if (!m_session.leavingStopsMotors())
+        emit disconnectRequested();
+    else
+        askBeforeStopping(u"disconnectDialog"_s, tr("&Stop and disconnect"),
+                          [this] { m_session.disconnectWhenStopped(); });
+}
+
+/// Shows a waiting question in the banner, where the user may look meanwhile. It is not an event for the list
+/// of messages.
+void MainWindow::reviewQuestions() {
+    AskDialog::reviewAll(*this);
+    const AskDialog* question = AskDialog::waiting(*this);
+    const QString title = question != nullptr ? question->windowTitle() : QString();
+    if (std::exchange(m_waiting, title) == title)
+        return;
+    if (question != nullptr)
+        m_banner->setNotice(texts::questionWaits(title, question->text()));
+    else
+        m_banner->setNotice({});
+}
+
+void MainWindow::askBeforeRestart() {
+    if (whyInaccessible(m_session.link()))
+        return;
+    AskDialog::ask({.name = u"restartDialog"_s,
+                    .title = tr("Restart the network"),
+                    .text = m_session.whileOpen(texts::beforeRestart),
+                    .stay = tr("&Cancel"),
+                    .stayName = u"cancelRestartButton"_s,
+                    .stayIsDefault = true},
+                   {{tr("&Restart the network: positions and gains are lost"), u"restartButton"_s,
+                     [this] { emit restartNetworkRequested(); }}},
+                   this);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    const bool moving = !m_mayClose && m_session.leavingStopsMotors();
+    const MachineFile& file = m_machineMenu->file();
+    const bool unsaved = !m_mayClose && !m_workMayWait && (file.modified || file.saving);
+    if (!moving && !unsaved) {
+        endHold();
+        saveLayout();
+        event->accept();
+        return;
+    }
+    event->ignore();
+    if (moving)
+        askBeforeStopping(u"closeDialog"_s, tr("&Stop and close"), [this] {
+            m_bar->showStopResult(texts::stoppingBeforeClose());
+            emit closeConfirmed();
+        });
+    else
+        m_machineMenu->askBeforeClose([this] {
+            // Motors may have been started since the question was asked.
+            m_workMayWait = true;
+            close();
+            m_workMayWait = false;
+        });
+}
+
+void MainWindow::finishClose() {
+    m_mayClose = true;
+    close();
+}
+
+// ---- manual and problem report ----
+
+/// Creates the window, which reads the manual's pages, when it is first opened; it remembers what the user
+/// has read.
+ManualWindow& MainWindow::manual() {
+    auto* manual = findChild<ManualWindow*>();
+    return manual != nullptr ? *manual : *new ManualWindow(Manual(), this);
+}
+
+void MainWindow::openManual(const QString& page) {
+    manual().openAt(page);
+}
+
+void MainWindow::openManualAt(const QWidget* widget) {
+    manual().openFor(widget);
+}
+
+void MainWindow::openProblemReport() {
+    auto* dialog = findChild<ReportDialog*>();
+    if (dialog == nullptr) {
+        const QString report = problemReport(
+            {m_settings, m_session.link(), m_monitor->figures(), m_bar->ports(),
+             m_monitor->lastPackets(kReportedPackets),
+             QString::fromStdString(messageText({m_model->entries().begin(), m_model->entries().end()}))});
+        dialog = new ReportDialog(report, *m_requests, this);
+    }
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+}
+
+// ---- tuning report ----
+
+std::optional<TuningReport> MainWindow::tuningReport() {
+    const ModuleState* module = m_session.selected();
+    if (module == nullptr || !module->isServo())
+        return std::nullopt;
+    const LinkState& link = m_session.link();
+    const bus::ModuleInfo& info = module->info;
+    TuningReport report;
+    report.machine = QString::fromStdString(m_session.machine().name);
+    report.module = texts::moduleName(info.index);
+    report.chip =
+        tr("PIC-SERVO, version %1, address %2").arg(info.identity.version).arg(info.address.value());
+    report.port = tr("%1, %2 Bd").arg(QString::fromStdString(link.port)).arg(link.baud);
+    report.simulated = link.simulated;
+    report.made = QDateTime::currentDateTime();
+    report.gains = module->gains;
+    const std::vector<KeptResponse>& runs = m_response->page().runs();
+    for (const KeptResponse& run : runs)
+        if (run.run.module == info.index)
+            report.run = run;
+    report.motor = m_response->page().motorWords();
+    report.frequencies = m_loopTests->frequency().points();
+    return report;
+}
+
+void MainWindow::saveFrequencies(const QString& path, const QDateTime& measured) {
+    const ModuleState* module = m_session.selected();
+    if (module == nullptr)
+        return;
+    const LinkState& link = m_session.link();
+    emit m_requests->save(
+        path, [origin = recordingHeader({}, QString::fromStdString(link.port), link.simulated, {}, measured),
+               name = texts::moduleName(module->info.index).toStdString(),
+               points = m_loopTests->frequency().points(), speed = m_loopTests->frequency().speed()] {
+            return frequencyCsv(origin, name, points, speed);
+        });
+}
+
+void MainWindow::chooseReportFile() {
+    const auto report = tuningReport();
+    if (!report)
+        return;
+    askWhereToSave(this,
+                   {.objectName = u"reportFileDialog"_s,
+                    .title = tr("Save the tuning report"),
+                    .filters = {Common::tr("PDF (*.pdf)"), tr("HTML (*.html)")},
+                    .proposed = u"tuning-report"_s},
+                   [this, report = *report](const QString& path) {
+                       const bool html = path.endsWith(u".html"_s, Qt::CaseInsensitive);
+                       const QByteArray bytes = html ? reportHtml(report).toUtf8() : reportPdf(report);
+                       emit m_requests->save(path, [content = bytes.toStdString()] { return content; });
+                   });
 }
 
 }  // namespace nmc

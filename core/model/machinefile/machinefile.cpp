@@ -6,6 +6,7 @@
 #include <set>
 
 #include "model/machinefile/fieldreader.h"
+#include "model/machinefile/fieldwriter.h"
 #include "model/sequence/sequencecheck.h"
 
 namespace nmc {
@@ -160,6 +161,20 @@ tl::expected<ParsedMachine, FileProblem> parseMachine(std::string_view text) {
     if (problem)
         return tl::unexpected(*problem);
     return ParsedMachine{std::move(machine), {std::string(text)}};
+}
+
+// ---- writing ----
+
+std::string writeMachine(const Machine& machine, const UnknownKeys& unknown) {
+    using Json = layout::FieldWriter::Json;
+    Json file = Json::parse(unknown.text, nullptr, false);
+    if (!file.is_object())
+        file = Json::object();
+    file["format"] = layout::kFormat;
+    file["version"] = layout::kVersion;
+    layout::FieldWriter writer(file);
+    layout::fields(writer, machine);
+    return layout::fileText(file);
 }
 
 }  // namespace nmc
