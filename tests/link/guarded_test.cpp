@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -151,7 +152,9 @@ TEST(H02_GuardedMotions, AreStoppedWhileThePanelIsHaltedAndWhenItIsKilled) {
     each([](Panel& panel, NmcsimProcess& sim) {
         ASSERT_TRUE(panel.ends());
         EXPECT_TRUE(panel.motorsStop());
-        EXPECT_TRUE(sim.state(2)[QStringLiteral("servo_on")].toBool()) << "it holds";
+        const QJsonObject state = sim.state(2);
+        EXPECT_TRUE(state[QStringLiteral("servo_on")].toBool())
+            << "it holds; " << QJsonDocument(state).toJson(QJsonDocument::Compact).toStdString();
         EXPECT_TRUE(panel.isReported());
         ASSERT_TRUE(panel.letsGo());
     });

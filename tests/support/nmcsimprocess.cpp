@@ -33,7 +33,11 @@ NmcsimProcess::~NmcsimProcess() {
 
 QJsonObject NmcsimProcess::control(const QString& line) {
     m_process.write(line.toUtf8() + '\n');
-    return QJsonDocument::fromJson(readLine()).object();
+    const QByteArray answer = readLine();
+    // Otherwise, a motor of a simulator that has ended would seem to stand still.
+    if (answer.isEmpty())
+        qFatal("nmcsim does not answer: %s", qUtf8Printable(line));
+    return QJsonDocument::fromJson(answer).object();
 }
 
 std::string NmcsimProcess::violations() {
