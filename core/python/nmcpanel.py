@@ -63,9 +63,14 @@ class Sample(NamedTuple):
 
 
 def sockets() -> list[Path]:
-    """Where panels let programs in."""
+    """Where panels let programs in; what a panel left behind when it crashed is passed over."""
     runtime = os.environ.get("XDG_RUNTIME_DIR") or f"/tmp/runtime-{getpass.getuser()}"  # as Qt does
-    return sorted(Path(runtime, "nmcpanel").glob("*.sock"))
+    return [path for path in sorted(Path(runtime, "nmcpanel").glob("*.sock")) if _is_served(path)]
+
+
+def _is_served(path: Path) -> bool:
+    with socket.socket(socket.AF_UNIX) as probe:
+        return probe.connect_ex(os.fspath(path)) == 0
 
 
 class Panel:

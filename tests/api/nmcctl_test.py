@@ -224,6 +224,13 @@ class ThroughAServedLine(AServedLine):
             (("run-sequence", "none"), "no sequence"), (("set-output", "2", "1", "maybe"), "maybe"),
             (("watch", "--seconds", "x"), "seconds"))
 
+    def test_passes_over_the_socket_of_a_panel_that_crashed(self):
+        left = self.place.socket.with_name("crashed.sock")
+        with socket.socket(socket.AF_UNIX) as crashed:
+            crashed.bind(str(left))
+        self.addCleanup(left.unlink)
+        self.assertEqual(self.place.ctl("list")[0], DONE)
+
     def test_leaves_running_what_nobody_waits_for(self):
         begin = self.axis()["position"]
         code, out, problems = self.place.ctl("move-by", "1", "100000")

@@ -3,6 +3,7 @@
 """The Python client at a real panel on the built-in simulator. usage: python_test.py NMCPANEL"""
 import itertools
 import os
+import socket
 import subprocess
 import sys
 import tempfile
@@ -101,6 +102,16 @@ class Client(unittest.TestCase):
         source = Path(__file__).resolve().parents[2]
         return subprocess.run([sys.executable, source / "docs/examples" / name, *words], check=True, text=True,
                               stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(source / "core/python")}).stdout
+
+    def test_passes_over_the_socket_of_a_panel_that_crashed(self):
+        (served,) = sockets()
+        left = served.with_name("crashed.sock")
+        with socket.socket(socket.AF_UNIX) as crashed:
+            crashed.bind(str(left))
+        self.assertEqual(sockets(), [served])
+        with Panel() as panel:
+            self.assertEqual(panel.state()["phase"], "connected")
+        left.unlink()
 
     def test_says_where_there_is_no_panel(self):
         with self.assertRaises(PanelError):

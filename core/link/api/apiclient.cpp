@@ -24,7 +24,8 @@ QStringList ApiClient::sockets() {
     const QDir folder = QFileInfo(ApiServer::pathFor(QStringLiteral("any"))).dir();
     QStringList paths;
     for (const QString& name : folder.entryList({QStringLiteral("*.sock")}, QDir::System, QDir::Name))
-        paths << folder.filePath(name);
+        if (const QString path = folder.filePath(name); ApiServer::isServed(path))
+            paths << path;
     return paths;
 }
 

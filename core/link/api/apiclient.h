@@ -36,7 +36,8 @@ public:
     template <typename T>
     using Or = tl::expected<T, Error>;
 
-    /// The sockets at which programs are let in now or were until they crashed, by name.
+    /// The sockets at which programs are let in, by name; those that a panel left behind when it crashed are
+    /// passed over.
     [[nodiscard]] static QStringList sockets();
 
     /// Connects and says hello as `program`.

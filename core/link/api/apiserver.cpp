@@ -25,12 +25,6 @@ constexpr int kAnswersWithin = 200;  ///< ms, in which a panel that runs accepts
     return status.st_uid == geteuid() && (status.st_mode & (S_IRWXG | S_IRWXO)) == 0;
 }
 
-[[nodiscard]] bool answers(const QString& path) {
-    QLocalSocket socket;
-    socket.connectToServer(path);
-    return socket.waitForConnected(kAnswersWithin);
-}
-
 [[nodiscard]] QString systemReason() {
     return QString::fromLocal8Bit(std::strerror(errno));
 }
@@ -50,6 +44,12 @@ QString ApiServer::pathFor(const QString& port) {
            name + QStringLiteral(".sock");
 }
 
+bool ApiServer::isServed(const QString& path) {
+    QLocalSocket socket;
+    socket.connectToServer(path);
+    return socket.waitForConnected(kAnswersWithin);
+}
+
 tl::expected<void, ApiServerProblem> ApiServer::listen(const QString& path) {
     using Kind = ApiServerProblem::Kind;
     close();
@@ -63,7 +63,7 @@ tl::expected<void, ApiServerProblem> ApiServer::listen(const QString& path) {
     if (::lstat(socket.constData(), &status) == 0) {
         if (!S_ISSOCK(status.st_mode) || !isOurs(status))
             return tl::unexpected(ApiServerProblem{Kind::NotPrivate, path});
-        if (answers(path))
+        if (isServed(path))
             return tl::unexpected(ApiServerProblem{Kind::InUse, path});
         QLocalServer::removeServer(path);
     }

@@ -33,6 +33,8 @@ public:
     /// $XDG_RUNTIME_DIR/nmcpanel/NAME.sock, NAME being what comes last in the name of the port.
     [[nodiscard]] static QString pathFor(const QString& port);
 
+    /// True if a panel that runs accepts connections at this path.
+    [[nodiscard]] static bool isServed(const QString& path);
     /// Opens the socket, for this user only; one that was left behind by a program that ended is replaced.
     [[nodiscard]] tl::expected<void, ApiServerProblem> listen(const QString& path);
     /// Cuts all clients off.
