@@ -6207,6 +6207,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Reverses positions, directions and travel limits of this axis on the screen. Sends nothing.</source>
         <translation>Kehrt Positionen, Richtungen und Verfahrgrenzen dieser Achse in der Anzeige um. Sendet nichts.</translation>
     </message>
+    <message>
+        <source>Axis %1 has the same name, so programs can call neither by it.</source>
+        <translation>Achse %1 heißt genauso, deshalb können Programme keine der beiden so ansprechen.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxisRow</name>

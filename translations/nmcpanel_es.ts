@@ -6207,6 +6207,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>Reverses positions, directions and travel limits of this axis on the screen. Sends nothing.</source>
         <translation>Invierte en pantalla las posiciones, los sentidos y los límites de recorrido de este eje. No envía nada.</translation>
     </message>
+    <message>
+        <source>Axis %1 has the same name, so programs can call neither by it.</source>
+        <translation>El eje %1 tiene el mismo nombre, así que los programas no pueden llamar así a ninguno de los dos.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxisRow</name>

@@ -5440,11 +5440,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>An earlier stop was not confirmed, so it was sent now.</source>
-        <translation>Un arrêt demandé auparavant n’avait pas été confirmé ; il vient donc d’être envoyé.</translation>
+        <translation>Un arrêt demandé auparavant n’avait pas été confirmé&#xa0;; il vient donc d’être envoyé.</translation>
     </message>
     <message>
         <source>No stop can be sent now: use the hardware stop.</source>
-        <translation>Aucun arrêt ne peut être envoyé pour l’instant : utilisez l’arrêt câblé.</translation>
+        <translation>Aucun arrêt ne peut être envoyé pour l’instant&#xa0;: utilisez l’arrêt câblé.</translation>
     </message>
     <message>
         <source>It is sent as soon as you connect to the same modules again.</source>
@@ -6206,6 +6206,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Reverses positions, directions and travel limits of this axis on the screen. Sends nothing.</source>
         <translation>Inverse à l’écran les positions, les sens et les limites de course de cet axe. N’envoie rien.</translation>
+    </message>
+    <message>
+        <source>Axis %1 has the same name, so programs can call neither by it.</source>
+        <translation>L’axe %1 porte le même nom : les programmes ne peuvent désigner ainsi ni l’un ni l’autre.</translation>
     </message>
 </context>
 <context>

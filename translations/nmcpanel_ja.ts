@@ -6190,6 +6190,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>Reverses positions, directions and travel limits of this axis on the screen. Sends nothing.</source>
         <translation>この軸の位置、方向、移動範囲の表示を反転します。何も送信しません。</translation>
     </message>
+    <message>
+        <source>Axis %1 has the same name, so programs can call neither by it.</source>
+        <translation>軸%1が同じ名前なので、プログラムはどちらもこの名前では指定できません。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AxisRow</name>

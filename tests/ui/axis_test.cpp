@@ -49,6 +49,24 @@ TEST_F(Axis, ItsNameStandsEverywhere) {
     EXPECT_EQ(name->text(), u"Z axis"_s);
 }
 
+TEST_F(Axis, SaysThatAnotherAxisHasTheSameName) {
+    showServos({{}, {}});
+    machine.axes.resize(2);
+    machine.axes[1].name = "Z axis";
+    window->showMachine(machine);
+    showPage(u"Axis"_s);
+    auto* name = find<QLineEdit>(u"axisNameField"_s);
+    auto* hint = find<QLabel>(u"axisHint"_s);
+    QTest::keyClicks(name, u"Z"_s);
+    EXPECT_FALSE(hint->isVisible());
+    QTest::keyClicks(name, u" axis"_s);
+    EXPECT_TRUE(hint->isVisible());
+    EXPECT_EQ(hint->text(), u"Axis 2 has the same name, so programs can call neither by it."_s);
+    name->clear();
+    QTest::keyClicks(name, u"Y"_s);
+    EXPECT_FALSE(hint->isVisible());
+}
+
 TEST_F(Axis, U05_AnotherUnitKeepsEveryAmountAndSendsNothing) {
     type(u"goalField"_s, u"3000"_s);
     type(u"velocityField"_s, u"1"_s);

@@ -85,9 +85,20 @@ std::optional<double> Session::ageOf(const ModuleState& module) const {
 
 PanelView Session::viewOf(const ModuleState& module) const {
     const auto procedure = m_procedures.find(module.info.index);
-    return {module, m_machine.axis(module.info.index),
+    return {module,
+            m_machine.axis(module.info.index),
             procedure != m_procedures.end() ? &procedure->second : nullptr,
-            m_link.phase == LinkPhase::Connected || module.lookedFor, ageOf(module)};
+            m_link.phase == LinkPhase::Connected || module.lookedFor,
+            ageOf(module),
+            namesakeOf(module.info.index)};
+}
+
+std::optional<ModuleIndex> Session::namesakeOf(ModuleIndex module) const {
+    const std::string& name = m_machine.axis(module).name;
+    const auto found = std::ranges::find_if(m_link.modules, [&](const ModuleState& other) {
+        return other.info.index != module && m_machine.axis(other.info.index).name == name;
+    });
+    return name.empty() || found == m_link.modules.end() ? std::nullopt : std::optional(found->info.index);
 }
 
 std::vector<ScopeModule> Session::scopeModules() const {

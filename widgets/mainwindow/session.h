@@ -71,6 +71,7 @@ signals:
     void disconnectRequested();
 
 private:
+    [[nodiscard]] std::optional<ModuleIndex> namesakeOf(ModuleIndex module) const;
     [[nodiscard]] std::optional<double> ageOf(const ModuleState& module) const;
     [[nodiscard]] std::vector<bool> liveModules() const;
     [[nodiscard]] bool procedureMoves(ModuleIndex module) const;

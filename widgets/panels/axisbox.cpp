@@ -285,6 +285,9 @@ void AxisBox::refresh() {
             hint = field->problemText();
     if (hint.isEmpty())
         hint = m_holdCap->problemText();
+    if (hint.isEmpty() && m_context.namesake())
+        hint = tr("Axis %1 has the same name, so programs can call neither by it.")
+                   .arg(m_context.namesake()->value() + 1);
     look::setText(m_hint, hint);
     m_hint->setVisible(!hint.isEmpty());
 }

@@ -60,6 +60,7 @@ void ModuleContext::adopt(const PanelView& view) {
     m_settings = view.settings;
     m_connected = view.connected;
     m_age = view.age;
+    m_namesake = view.namesake;
     if (view.procedure == nullptr)
         m_procedures.clear();
     else

@@ -33,6 +33,8 @@ public:
     [[nodiscard]] QString named(const QString& objectName) const;
     /// Age in s of a state that is older than it should be.
     [[nodiscard]] std::optional<double> age() const { return m_age; }
+    /// Another module of the chain whose axis has the same name.
+    [[nodiscard]] std::optional<ModuleIndex> namesake() const { return m_namesake; }
     /// The last procedure of that kind on this module.
     [[nodiscard]] std::optional<ProcedureReport> procedure(ProcedureKind kind) const;
     [[nodiscard]] bool runs(ProcedureKind kind) const;
@@ -99,6 +101,7 @@ private:
     bool m_connected = false;
     bool m_showing = false;
     std::optional<double> m_age;
+    std::optional<ModuleIndex> m_namesake;
     std::optional<TimePoint> m_askedAt;  ///< time of the latest status at the last request
 };
 

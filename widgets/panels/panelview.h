@@ -22,7 +22,8 @@ struct PanelView {
     const AxisSettings& settings;
     const ProcedureReport* procedure = nullptr;  ///< the last one of this module
     bool connected = false;
-    std::optional<double> age{};  ///< s; age of a state that is older than it should be
+    std::optional<double> age{};            ///< s; age of a state that is older than it should be
+    std::optional<ModuleIndex> namesake{};  ///< another module of the chain with the same axis name
 
     [[nodiscard]] std::optional<Refusal> whyNot(IntentKind kind) const {
         return connected ? nmc::whyNot(kind, module) : std::optional(Refusal::NotConnected);
