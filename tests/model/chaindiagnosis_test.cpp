@@ -99,11 +99,13 @@ TEST(ChainDiagnosis, ALostChainIsNotFineWhateverItsModulesSaidLast) {
 }
 
 TEST(LinkState, AModuleThatIsNotAskedAnyMoreDoesNotAnswer) {
-    for (const LinkPhase phase : {LinkPhase::Connecting, LinkPhase::Lost}) {
+    for (const LinkPhase phase : {LinkPhase::Connecting, LinkPhase::Lost, LinkPhase::Disconnected}) {
         LinkState link = linkWith({kServo});
         link.phase = phase;
+        link.modules[0].repliesPerSecond = 5;
         EXPECT_FALSE(isLive(link, link.modules[0]));
         EXPECT_EQ(asShown(link).modules[0].activity(), Activity::Unresponsive);
+        EXPECT_EQ(asShown(link).modules[0].repliesPerSecond, 0);
     }
 }
 

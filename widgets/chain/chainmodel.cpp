@@ -63,7 +63,7 @@ bool ChainModel::show(Row& row, Facts facts, const LinkState& link, const Module
 }
 
 void ChainModel::showLink(const LinkState& state, const Machine& machine, const Procedures& procedures) {
-    const bool open = state.phase != LinkPhase::Disconnected || state.unplugged;
+    const bool open = state.hasChain();
     m_now = state.now;
     const std::size_t count = open ? state.modules.size() : 0;
     const bool others = open != m_open || count != m_rows.size();

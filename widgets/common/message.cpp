@@ -74,7 +74,7 @@ bool isLeft(MessageAction action, const OperatorRights& rights) {
 
 bool mayAct(const Message& message, MessageAction action, const LinkState& link) {
     const Needs needs = needsOf(action);
-    const bool own = link.phase != LinkPhase::Disconnected && message.connection == link.connection;
+    const bool own = link.isOpen() && message.connection == link.connection;
     return (!needs.ownChain || own) && (!needs.telling || (!link.readOnly && !link.lent));
 }
 

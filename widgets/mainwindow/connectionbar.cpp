@@ -212,7 +212,7 @@ void ConnectionBar::openPorts() {
 }
 
 void ConnectionBar::showLink(const LinkState& state) {
-    const bool open = state.phase != LinkPhase::Disconnected;
+    const bool open = state.isOpen();
     const QString busy = tr("Disconnect first.");
     const QString whyNot = open ? busy : QString();
     look::setPossible(m_connect, whyNot, Common::tr("Opens the port and looks for modules. Nothing moves."));
@@ -225,7 +225,7 @@ void ConnectionBar::showLink(const LinkState& state) {
     look::setPossible(m_port, whyNot, tr("The serial port of the modules, or the simulator."));
     look::setPossible(m_baud, whyNot,
                       tr("The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it."));
-    m_stop->setEnabled(open || state.unplugged);
+    m_stop->setEnabled(state.hasChain());
     const auto modules = static_cast<int>(state.modules.size());
     const auto reachable = static_cast<int>(
         std::count_if(state.modules.cbegin(), state.modules.cend(),
@@ -233,7 +233,7 @@ void ConnectionBar::showLink(const LinkState& state) {
     // While the chain is not polled, it is unknown which modules a stop reaches.
     const bool asked = modules > 0 && state.phase == LinkPhase::Connected;
     const QString reach = asked ? texts::stopReach(reachable, modules) : Common::tr("goes to all modules");
-    m_stop->showReach(open ? reach : state.unplugged ? Common::tr("waits for the port") : QString());
+    m_stop->showReach(open ? reach : state.hasChain() ? Common::tr("waits for the port") : QString());
     // The result of the last stop is out of date once something moves again or the port is closed.
     const bool moving = std::any_of(state.modules.cbegin(), state.modules.cend(),
                                     [](const ModuleState& m) { return m.moving(); });

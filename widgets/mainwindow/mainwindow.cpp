@@ -481,7 +481,7 @@ void MainWindow::showSelected() {
         // The menu may be open, with commands of a module that is gone.
         if (auto* menu = findChild<QMenu*>(u"moduleMenu"_s))
             menu->close();
-        if (m_session.link().phase == LinkPhase::Disconnected)
+        if (!m_session.isOpen())
             m_panel->showInstead(*m_start);
         else
             m_panel->showNothing(nothingText(), m_session.link().phase == LinkPhase::Connecting);
@@ -585,8 +585,7 @@ void MainWindow::showSafetyOnce() {
 }
 
 void MainWindow::requestStop() {
-    const LinkState& link = m_session.link();
-    if (!m_session.isOpen() && !link.unplugged)
+    if (!m_session.link().hasChain())
         return;
     endHold();
     emit stopAllRequested();

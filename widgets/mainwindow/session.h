@@ -36,7 +36,7 @@ public:
     [[nodiscard]] const Machine& machine() const { return m_machine; }
     [[nodiscard]] const Procedures& procedures() const { return m_procedures; }
 
-    [[nodiscard]] bool isOpen() const { return m_link.phase != LinkPhase::Disconnected; }
+    [[nodiscard]] bool isOpen() const { return m_link.isOpen(); }
     /// Null if there is none.
     [[nodiscard]] const ModuleState* module(std::optional<ModuleIndex> index) const;
     /// The user has selected a module: panel, scope and simulator show it, and it is polled most.

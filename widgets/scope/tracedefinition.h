@@ -37,9 +37,6 @@ struct TraceDefinition {
 };
 using TraceDefinitions = std::array<std::optional<TraceDefinition>, kCustomSignals>;
 
-[[nodiscard]] constexpr ScopeSignal customSignal(std::size_t index) {
-    return static_cast<ScopeSignal>(static_cast<std::size_t>(ScopeSignal::Custom1) + index);
-}
 /// The modules, which have no traces of the user's yet, with these.
 [[nodiscard]] std::vector<ScopeModule> withTraces(const std::vector<ScopeModule>& modules,
                                                   const TraceDefinitions& definitions);

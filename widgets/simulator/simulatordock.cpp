@@ -43,7 +43,7 @@ void SimulatorDock::appear() {
 }
 
 void SimulatorDock::showLink(const LinkState& link) {
-    const bool attached = link.simulated && link.phase != LinkPhase::Disconnected;
+    const bool attached = link.simulated && link.isOpen();
     if (attached && m_bench == nullptr)
         build();
     if (attached && !m_attached)

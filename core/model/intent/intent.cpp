@@ -316,7 +316,7 @@ std::optional<Refusal> whyInaccessible(IntentKind kind, const ModuleState& modul
 }
 
 std::optional<Refusal> whyInaccessible(const LinkState& link) {
-    return firstUnmet({{link.phase != LinkPhase::Disconnected, Refusal::NotConnected},
+    return firstUnmet({{link.isOpen(), Refusal::NotConnected},
                        {!link.lent, Refusal::Lent},
                        {!link.readOnly, Refusal::ReadOnly},
                        {!link.rights, Refusal::OperatorMode}});

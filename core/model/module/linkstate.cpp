@@ -23,7 +23,10 @@ LinkState asShown(LinkState link) {
     const bool looking = link.phase == LinkPhase::Connecting && link.looking;
     for (ModuleState& module : link.modules) {
         module.lookedFor = looking;
-        module.silent = module.silent || (link.phase != LinkPhase::Connected && !looking);
+        if (link.phase != LinkPhase::Connected && !looking) {
+            module.silent = true;
+            module.repliesPerSecond = 0;
+        }
     }
     return link;
 }

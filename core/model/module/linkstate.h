@@ -52,14 +52,18 @@ struct LinkState {
     /// The time of this view; empty: nothing is out of date.
     std::optional<TimePoint> now{};
 
+    [[nodiscard]] bool isOpen() const { return phase != LinkPhase::Disconnected; }
+    /// Modules are shown, and a stop of all of them may be requested: the port is open, or it was unplugged,
+    /// and a stop waits for it.
+    [[nodiscard]] bool hasChain() const { return isOpen() || unplugged; }
     /// Copies the machine's settings on how its axes may move into their modules, where every precondition
     /// finds them.
     void take(const Machine& machine);
 };
 
 /// The state as it may be displayed: a module that is no longer polled, because the link is lost or addresses
-/// are being assigned again, counts as not answering, whatever it reported last. While modules are only
-/// searched for, this does not apply. Everything that displays modules uses this.
+/// are being assigned again, counts as not answering, whatever it reported last, and sends no replies. While
+/// modules are only searched for, this does not apply. Everything that displays modules uses this.
 [[nodiscard]] LinkState asShown(LinkState link);
 /// True if the module's last report may be shown as current. Every display uses this rule.
 [[nodiscard]] bool isLive(const LinkState& link, const ModuleState& module);

@@ -117,6 +117,11 @@ static_assert([] {
     return static_cast<std::size_t>(signal) - static_cast<std::size_t>(ScopeSignal::Custom1);
 }
 
+/// The user's signal with this index.
+[[nodiscard]] constexpr ScopeSignal customSignal(std::size_t index) {
+    return static_cast<ScopeSignal>(static_cast<std::size_t>(ScopeSignal::Custom1) + index);
+}
+
 /// The value in counts, counts/s or A/D counts; nothing if it is unknown or derived. The sample's module must
 /// have this signal.
 [[nodiscard]] inline std::optional<double> valueOf(const ScopeSample& sample, ScopeSignal signal) {
