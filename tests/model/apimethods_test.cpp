@@ -68,7 +68,8 @@ TEST(ApiMethods, AreDescribedWithTheirParameters) {
 TEST(ApiMethods, AreOnTheirPage) {
     std::ifstream file(API_PAGE);
     const std::string page(std::istreambuf_iterator<char>(file), {});
-    for (const Json& method : api::describe()["methods"]) {
+    const Json all = api::describe();
+    for (const Json& method : all["methods"]) {
         std::string fields;
         for (const Json& field : method["parameters"])
             fields += (fields.empty() ? "`" : ", `") + field["name"].get<std::string>() + '`';
