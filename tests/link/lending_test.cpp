@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <mutex>
 #include <numeric>
 #include <random>
@@ -29,25 +30,26 @@ struct Raw {
 };
 class RawTransport : public SimulatorTransport {
 public:
-    explicit RawTransport(Raw* raw) : SimulatorTransport(servoChain(1)), m_raw(*raw) {}
+    explicit RawTransport(std::shared_ptr<Raw> raw)
+        : SimulatorTransport(servoChain(1)), m_raw(std::move(raw)) {}
     tl::expected<void, PortError> send(ByteSpan bytes) override {
-        if (!m_raw.on)
+        if (!m_raw->on)
             return SimulatorTransport::send(bytes);
-        const std::scoped_lock lock(m_raw.mutex);
-        m_raw.fromHost.insert(m_raw.fromHost.end(), bytes.begin(), bytes.end());
+        const std::scoped_lock lock(m_raw->mutex);
+        m_raw->fromHost.insert(m_raw->fromHost.end(), bytes.begin(), bytes.end());
         return {};
     }
     tl::expected<Bytes, PortError> receive(std::optional<TimePoint> until, int wakeFd) override {
-        if (m_raw.on) {
-            const std::scoped_lock lock(m_raw.mutex);
-            if (!m_raw.toHost.empty())
-                return std::exchange(m_raw.toHost, {});
+        if (m_raw->on) {
+            const std::scoped_lock lock(m_raw->mutex);
+            if (!m_raw->toHost.empty())
+                return std::exchange(m_raw->toHost, {});
         }
         return SimulatorTransport::receive(until, wakeFd);
     }
 
 private:
-    Raw& m_raw;
+    std::shared_ptr<Raw> m_raw;  ///< the loop runs until the fixture ends, after the test
 };
 
 class LineLentAt : public testing::Test, public LoopRig {
@@ -109,19 +111,19 @@ TEST_F(LineLentAt, OpeningAndClosingItWithoutAByteDoesNotEndIt) {
 }
 
 TEST_F(LineLentAt, EveryByteValuePassesBothWaysUnchanged) {
-    Raw raw;
-    openTransport<RawTransport>(simulatorConfig(), &raw);
+    const auto raw = std::make_shared<Raw>();
+    openTransport<RawTransport>(simulatorConfig(), raw);
     ASSERT_NO_FATAL_FAILURE(lend());
     Port port(path);
     ASSERT_EQ(exchange(port, {0xAA, 1, 0x13, 0x20, 0x34}, 4).size(), 4U);
-    raw.on = true;
+    raw->on = true;
     Bytes bytes(1'024);
     std::mt19937 random(1);
     std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<std::uint8_t>(random() & 0xFFU); });
     std::iota(bytes.begin(), bytes.begin() + 256, std::uint8_t{0});
     {
-        const std::scoped_lock lock(raw.mutex);
-        raw.toHost = bytes;
+        const std::scoped_lock lock(raw->mutex);
+        raw->toHost = bytes;
     }
     for (std::size_t at = 0; at < bytes.size(); at += 64)
         port.write({bytes.begin() + static_cast<std::ptrdiff_t>(at),
@@ -130,12 +132,12 @@ TEST_F(LineLentAt, EveryByteValuePassesBothWaysUnchanged) {
     EXPECT_TRUE(waitUntil([&] {
         const Bytes more = port.read(bytes.size(), 0);
         received.insert(received.end(), more.begin(), more.end());
-        const std::scoped_lock lock(raw.mutex);
-        return received.size() >= bytes.size() && raw.fromHost.size() >= bytes.size();
+        const std::scoped_lock lock(raw->mutex);
+        return received.size() >= bytes.size() && raw->fromHost.size() >= bytes.size();
     }));
     EXPECT_EQ(received, bytes) << received.size();
-    const std::scoped_lock lock(raw.mutex);
-    EXPECT_EQ(raw.fromHost, bytes) << raw.fromHost.size();
+    const std::scoped_lock lock(raw->mutex);
+    EXPECT_EQ(raw->fromHost, bytes) << raw->fromHost.size();
 }
 
 TEST_F(LineLentAt, TheRateOfTheProgramIsFollowed) {
