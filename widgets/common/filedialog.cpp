@@ -10,28 +10,26 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-QFileDialog* newFileDialog(QWidget* window, const QString& objectName, const QString& title,
-                           const QStringList& filters, const QString& folder) {
-    if (auto* open = window->findChild<QFileDialog*>(objectName)) {
+QFileDialog* newFileDialog(QWidget* window, const FileQuestion& question) {
+    if (auto* open = window->findChild<QFileDialog*>(question.objectName)) {
         open->activateWindow();
         return nullptr;
     }
-    auto* dialog = new QFileDialog(window, title);
-    look::name(dialog, objectName, title);
+    auto* dialog = new QFileDialog(window, question.title);
+    look::name(dialog, question.objectName, question.title);
     // The system's own dialog keeps Esc to itself, but Esc must stop the motors here, too.
     dialog->setOption(QFileDialog::DontUseNativeDialog);
-    dialog->setNameFilters(filters);
-    dialog->setDirectory(folder.isEmpty() ? QDir::homePath() : folder);
+    dialog->setNameFilters(question.filters);
+    dialog->setDirectory(question.folder.isEmpty() ? QDir::homePath() : question.folder);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setModal(false);
     return dialog;
 }
 
-void askWhereToSave(QWidget* window, const FileQuestion& question, const FileChosen& chosen) {
-    QFileDialog* dialog =
-        newFileDialog(window, question.objectName, question.title, question.filters, question.folder);
+QFileDialog* newSaveDialog(QWidget* window, const FileQuestion& question) {
+    QFileDialog* dialog = newFileDialog(window, question);
     if (dialog == nullptr)
-        return;
+        return nullptr;
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     const auto takeSuffix = [dialog](const QString& filter) {
         const qsizetype dot = filter.indexOf(u"(*."_s);
@@ -41,13 +39,19 @@ void askWhereToSave(QWidget* window, const FileQuestion& question, const FileCho
     takeSuffix(question.filters.front());
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, takeSuffix);
     dialog->selectFile(question.proposed);
+    return dialog;
+}
+
+void askWhereToSave(QWidget* window, const FileQuestion& question, const FileChosen& chosen) {
+    QFileDialog* dialog = newSaveDialog(window, question);
+    if (dialog == nullptr)
+        return;
     QObject::connect(dialog, &QFileDialog::fileSelected, window, chosen);
     dialog->show();
 }
 
 void askWhatToOpen(QWidget* window, const FileQuestion& question, const FileChosen& chosen) {
-    QFileDialog* dialog =
-        newFileDialog(window, question.objectName, question.title, question.filters, question.folder);
+    QFileDialog* dialog = newFileDialog(window, question);
     if (dialog == nullptr)
         return;
     dialog->setFileMode(QFileDialog::ExistingFile);

@@ -156,16 +156,15 @@ void ScopeExport::choose(Kind kind) {
                            : kind == Kind::Png ? u"png"_s
                            : kind == Kind::Svg ? u"svg"_s
                                                : u"pdf"_s;
-    QFileDialog* dialog = newFileDialog(
-        m_panel, u"scopeExport%1Dialog"_s.arg(suffix), tr("Export from the scope"),
-        {Common::tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix), Common::tr("All files (*)")}, m_folder);
+    const QStringList filters = kind == Kind::Csv
+                                    ? csvForms()
+                                    : QStringList{Common::tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix),
+                                                  Common::tr("All files (*)")};
+    QFileDialog* dialog = newSaveDialog(
+        m_panel,
+        {u"scopeExport%1Dialog"_s.arg(suffix), tr("Export from the scope"), filters, m_folder, tr("scope")});
     if (dialog == nullptr)
         return;
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(suffix);
-    dialog->selectFile(tr("scope"));
-    if (kind == Kind::Csv)
-        dialog->setNameFilters(csvForms());
     connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, kind](const QString& path) {
         m_folder = QFileInfo(path).absolutePath();
         want({kind, path, std::max(0, static_cast<int>(csvForms().indexOf(dialog->selectedNameFilter())))});

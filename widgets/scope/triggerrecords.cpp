@@ -52,8 +52,9 @@ TriggerRecords::TriggerRecords(Requests& requests, QWidget* parent)
 
 void TriggerRecords::chooseFolder() {
     m_wanted->setChecked(false);
-    QFileDialog* dialog =
-        newFileDialog(window(), u"triggerFolderDialog"_s, tr("Save each picture to a folder"), {}, m_folder);
+    QFileDialog* dialog = newFileDialog(window(), {.objectName = u"triggerFolderDialog"_s,
+                                                   .title = tr("Save each picture to a folder"),
+                                                   .folder = m_folder});
     if (dialog == nullptr)
         return;
     dialog->setFileMode(QFileDialog::Directory);
