@@ -307,7 +307,7 @@ TEST_F(Trigger, WaitsForWhatTheUserHasDefinedAndForItsNewDefinition) {
     setup.custom[0]->first.factor = -0.5;
     panel->setSetup(setup);
     run(2.7, ramp);
-    EXPECT_EQ(state(), u"waiting"_s) << "another definition, so it waits anew";
+    EXPECT_EQ(state(), u"waiting"_s) << "it waits again for the new definition";
     run(4.2, ramp);
     expectShown(3.0 - 0.2, 3.0 + 0.8);
 }

@@ -87,6 +87,7 @@ using namespace settingskeys;
 namespace {
 
 constexpr int kPrepareInterval = 100;  // ms
+constexpr int kReportedPackets = 500;
 
 // In lines of text.
 constexpr int kLowestScope = 12;
@@ -118,8 +119,6 @@ void addMenu(const QMenu& menu, std::vector<CommandPalette::Entry>& entries) {
                            }});
     }
 }
-
-constexpr int kReportedPackets = 500;
 
 }  // namespace
 
@@ -857,7 +856,7 @@ void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
         const auto act = [page = QPointer(page), command = QPointer(command)] {
             if (!page || !command)
                 return;
-            // With the present state, even if the command's box is not visible.
+            // It acts on the present state, even if the command's box is not visible.
             page->context().catchUp();
             command->act();
         };

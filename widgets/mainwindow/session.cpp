@@ -95,10 +95,12 @@ PanelView Session::viewOf(const ModuleState& module) const {
 
 std::optional<ModuleIndex> Session::namesakeOf(ModuleIndex module) const {
     const std::string& name = m_machine.axis(module).name;
+    if (name.empty())
+        return std::nullopt;
     const auto found = std::ranges::find_if(m_link.modules, [&](const ModuleState& other) {
         return other.info.index != module && m_machine.axis(other.info.index).name == name;
     });
-    return name.empty() || found == m_link.modules.end() ? std::nullopt : std::optional(found->info.index);
+    return found != m_link.modules.end() ? std::optional(found->info.index) : std::nullopt;
 }
 
 std::vector<ScopeModule> Session::scopeModules() const {

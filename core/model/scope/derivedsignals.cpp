@@ -9,13 +9,11 @@ class DerivedSignals::Track {
 public:
     using Maker = std::variant<SignalMaker, CustomSignalMaker>;
 
-    Track(Maker maker, std::size_t budget)
-        : m_maker(std::move(maker)), m_budget(budget), m_values(1, budget) {}
+    Track(Maker maker, std::size_t budget) : m_maker(std::move(maker)), m_values(1, budget) {}
 
     /// Forgets all values, and what was computed so far.
-    void startOver() {
-        *this =
-            Track(custom() != nullptr ? Maker(CustomSignalMaker(*custom())) : SignalMaker(of()), m_budget);
+    void startOver(std::size_t budget) {
+        *this = Track(custom() != nullptr ? Maker(CustomSignalMaker(*custom())) : SignalMaker(of()), budget);
     }
     /// Null unless it is the user's.
     [[nodiscard]] const CustomSignal* custom() const {
@@ -70,7 +68,6 @@ private:
     }
 
     Maker m_maker;
-    std::size_t m_budget;
     History m_values;
     std::uint64_t m_taken = 0;
 };
@@ -110,7 +107,7 @@ bool DerivedSignals::follow(const History& history) {
 
 void DerivedSignals::forget() {
     for (const auto& track : m_tracks)
-        track->startOver();
+        track->startOver(m_budget);
 }
 
 SignalSource DerivedSignals::source(const History& history, const ModuleSignal& of) const {
