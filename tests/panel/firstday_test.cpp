@@ -38,7 +38,7 @@ protected:
     VirtualChain nobody{std::vector<ModuleIdentity>{}};
     VirtualChain sim{u"servo,servo,step"_s};
     // Nobody can write to this place.
-    VirtualPanel panel{u"/proc/nmc/panel.ini"_s, {}, folder.path()};
+    VirtualPanel panel{u"/proc/nmc/panel.ini"_s, VirtualPanel::noAdapters(), folder.path()};
     Hand hand{panel};
 };
 

@@ -55,7 +55,7 @@ protected:
             panel->waitFor([&] { return table->findChild<QWidget*>(u"rowNumberField"_s) == nullptr; }));
     }
     void begin() {
-        panel.emplace(settings, PortController::Places{}, folder.path());
+        panel.emplace(settings, VirtualPanel::noAdapters(), folder.path());
         hand.emplace(*panel);
         panel->start();
         panel->window().resize(1'280, 800);

@@ -72,16 +72,15 @@ public:
             if (!m_on.m_plugged)
                 return tl::unexpected(error(PortProblem::Gone));
             std::vector<std::uint8_t> bytes = arrived();
-            pollfd wake{wakeFd, POLLIN, 0};
-            const bool woken = ::poll(&wake, 1, 0) > 0;
-            if (woken || !bytes.empty() || (until && virtualtime::now() >= *until))
+            if (woken(wakeFd) || !bytes.empty() || (until && virtualtime::now() >= *until))
                 return bytes;
             std::optional<TimePoint> next = until;
             if (const auto event = m_on.m_chain.nextEvent()) {
                 const TimePoint due = m_on.m_powerUp + event->time_since_epoch();
                 next = next ? std::min(*next, due) : due;
             }
-            m_on.waitUntil(next);
+            if (m_on.waitUntil(next))
+                m_quietFd.reset();
         }
     }
     std::optional<std::string> control(std::string_view line) override {
@@ -94,6 +93,17 @@ private:
         error.problem = problem;
         error.port = m_on.m_terminal.toStdString();
         return error;
+    }
+    /// Asks the kernel once for each turn of the GUI, which alone writes to it: a query for each byte would
+    /// be an eighth of what such a test costs.
+    bool woken(int wakeFd) {
+        if (m_quietFd == wakeFd)
+            return false;
+        pollfd wake{wakeFd, POLLIN, 0};
+        if (::poll(&wake, 1, 0) > 0)
+            return true;
+        m_quietFd = wakeFd;
+        return false;
     }
     std::vector<std::uint8_t> arrived() {
         m_on.m_chain.advanceTo(m_on.chainTime());
@@ -118,6 +128,7 @@ private:
     }
 
     VirtualChain& m_on;
+    std::optional<int> m_quietFd;  ///< not readable since the GUI had its last turn
 };
 
 VirtualChain::VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint64_t seed,
@@ -181,15 +192,16 @@ void VirtualChain::waitForTurn(std::unique_lock<std::mutex>& lock) {
     m_changed.wait(lock, [this] { return !m_guisTurn; });
 }
 
-void VirtualChain::waitUntil(std::optional<TimePoint> time) {
+bool VirtualChain::waitUntil(std::optional<TimePoint> time) {
     std::unique_lock lock(m_mutex);
     if (time && *time <= m_until) {
         virtualtime::set(std::max(virtualtime::now(), *time));
-        return;
+        return false;
     }
     m_guisTurn = true;
     m_changed.notify_all();
     waitForTurn(lock);
+    return true;
 }
 
 void VirtualChain::end() {

@@ -89,8 +89,8 @@ private:
     // Called in the bus thread.
     void end();
     void waitForTurn(std::unique_lock<std::mutex>& lock);
-    /// Returns when this time has come, or after the GUI has had its turn.
-    void waitUntil(std::optional<TimePoint> time);
+    /// Returns false when this time has come, and true after the GUI has had its turn.
+    bool waitUntil(std::optional<TimePoint> time);
 
     sim::Chain m_chain;
     QString m_terminal;

@@ -15,7 +15,7 @@ namespace nmc::testing_support {
 class VirtualPanel : public IntentPanel {
 public:
     /// The parameters are those of IntentPanel.
-    explicit VirtualPanel(const QString& settings = {}, PortController::Places places = {},
+    explicit VirtualPanel(const QString& settings = {}, PortController::Places places = noAdapters(),
                           const QString& data = {}, const FileWriter::Disk& disk = writeFile)
         : IntentPanel(settings, std::move(places), data, disk) {
         setBackground([](const std::function<void()>& work) { work(); });
@@ -32,6 +32,14 @@ public:
         composition().worker().close();
         for (VirtualChain* chain = VirtualChain::at(m_port); chain != nullptr && chain->open();)
             VirtualChain::runAll(kFrame);
+    }
+
+    /// The adapters of this machine are not part of the session, and looking for them would be a third of the
+    /// GUI thread's work.
+    static PortController::Places noAdapters() {
+        PortController::Places places;
+        places.list = [] { return QList<PortEntry>(); };
+        return places;
     }
 
     /// Performs a step by calling `start`, and expects a record without missing samples.
