@@ -94,9 +94,13 @@ void ApiFeed::publishSamples() {
     for (auto& [client, subscription] : m_subscriptions) {
         if (!subscription.samples)
             continue;
-        parameters["missed"] = subscription.missed;
-        const bool sent =
-            m_server.offer(client, subscription.missed == 0 ? line : notification("samples", parameters));
+        const auto withItsCount = [&] {
+            parameters["missed"] = subscription.missed;
+            return notification("samples", parameters);
+        };
+        // A program that does not read costs no line of its own.
+        const bool sent = m_server.hasRoom(client, line.size()) &&
+                          m_server.offer(client, subscription.missed == 0 ? line : withItsCount());
         subscription.missed = sent ? 0 : subscription.missed + count;
     }
 }

@@ -17,8 +17,10 @@
 #include <QLocalSocket>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <random>
 
 #include "link/api/apiserver.h"
@@ -445,6 +447,45 @@ TEST_F(OtherPrograms, AreToldWhatTheySubscribeTo) {
     other.hello("other.py");
     EXPECT_TRUE(client.notification("event")["params"]["text"].get<std::string>().find("other.py") !=
                 std::string::npos);
+}
+
+/// Of each sample, it either gets a row, or it is counted among those that it missed.
+TEST_F(OtherPrograms, ThatAreTooSlowAreToldHowManySamplesTheyMissed) {
+    OtherProgram client(panel, path());
+    client.hello();
+    EXPECT_TRUE(client.call("subscribe", {{"samples", true}}).contains("result"));
+    std::array<std::optional<double>, 2> first{};
+    std::array<double, 2> last{};
+    std::uint64_t accounted = 0;
+    const auto take = [&] {
+        const Json message = client.notification("samples")["params"];
+        for (const Json& module : message["modules"]) {
+            const std::size_t i = module["axis"].get<std::size_t>() - 1;
+            const Json& rows = module["rows"];
+            accounted += rows.size();
+            last[i] = rows.back()[0];
+            if (!first[i])
+                first[i] = rows.front()[0].get<double>();
+        }
+        accounted += message["missed"].get<std::uint64_t>();
+        return message["missed"].get<std::uint64_t>();
+    };
+    EXPECT_EQ(take(), 0U);
+    client.setReading(false);
+    ASSERT_TRUE(panel.answersFor(15.0));
+    client.setReading(true);
+    while (take() == 0)
+        ASSERT_FALSE(testing::Test::HasFailure());
+
+    const History& history = panel.composition().store().history();
+    const auto timeOf = [&](double seconds) { return *history.zero() + fromSeconds(seconds); };
+    constexpr Duration rounding = std::chrono::microseconds(1);
+    std::uint64_t samples = 0;
+    for (std::uint8_t i = 0; i < 2; ++i)
+        samples += history.module(ModuleIndex(i))
+                       ->samples(timeOf(*first[i]) - rounding, timeOf(last[i]) + rounding)
+                       .size();
+    EXPECT_EQ(accounted, samples);
 }
 
 /// Whatever arrives, it is answered or its sender is cut off, and nothing moves.

@@ -64,6 +64,8 @@ public:
         return m_panel.waitFor([&] { return m_socket.state() == QLocalSocket::UnconnectedState; });
     }
     void vanish() { m_socket.abort(); }
+    /// Whether it reads what arrives. What it does not read waits in the system, and then in the panel.
+    void setReading(bool reads) { m_socket.setReadBufferSize(reads ? 0 : 1); }
     /// Lines that have arrived and were not asked for yet.
     std::vector<Json>& arrived() {
         while (m_socket.canReadLine())

@@ -127,9 +127,13 @@ void ApiServer::send(Client client, const QByteArray& line) {
     found->second->write(line + '\n');
 }
 
-bool ApiServer::offer(Client client, const QByteArray& line) {
+bool ApiServer::hasRoom(Client client, qsizetype size) const {
     const auto found = m_clients.find(client);
-    if (found == m_clients.end() || found->second->bytesToWrite() + line.size() > kMostOffered)
+    return found != m_clients.end() && found->second->bytesToWrite() + size <= kMostOffered;
+}
+
+bool ApiServer::offer(Client client, const QByteArray& line) {
+    if (!hasRoom(client, line.size()))
         return false;
     send(client, line);
     return true;

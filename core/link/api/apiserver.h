@@ -45,7 +45,9 @@ public:
 
     /// `line` has no line feed. The client must read it.
     void send(Client client, const QByteArray& line);
-    /// The same, but dropped if the client is behind; returns whether it was sent.
+    /// False if so much is waiting for the client that an offer of this size would be dropped.
+    [[nodiscard]] bool hasRoom(Client client, qsizetype size) const;
+    /// The same as send(), but dropped if the client is behind; returns whether it was sent.
     bool offer(Client client, const QByteArray& line);
     /// After what was sent to it, as far as the system takes that at once.
     void cutOff(Client client);
