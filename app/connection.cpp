@@ -61,17 +61,22 @@ void Connection::reopenFully() {
 }
 
 void Connection::openOffered() {
-    if (!m_ports.offered())
+    if (const auto offer = m_ports.offered())
+        openAnyway(*offer);
+}
+
+/// If the adapter of the lost line is back at this port, its stops are owed there.
+void Connection::followLostAdapter(const QString& port) {
+    const bool isBack =
+        m_lost && m_lost->port != port && m_ports.offered() && m_ports.offered()->port == port;
+    if (!isBack)
         return;
-    const ConnectTarget offer = *m_ports.offered();
-    if (m_lost) {  // the same adapter under another name
-        m_unconfirmed[offer.port] = std::move(m_unconfirmed[m_lost->port]);
-        m_lost->port = offer.port;
-    }
-    openAnyway(offer);
+    m_unconfirmed[port] = std::move(m_unconfirmed[m_lost->port]);
+    m_lost->port = port;
 }
 
 void Connection::openAnyway(const ConnectTarget& target) {
+    followLostAdapter(target.port);
     m_openNext = target;
     if (m_worker.isOpen()) {
         m_commander.endRuns();

@@ -74,6 +74,7 @@ signals:
 
 private:
     void openAnyway(const ConnectTarget& target);
+    void followLostAdapter(const QString& port);
     void openNow(const ConnectTarget& target);
     void searchIfIdle();
     void on(const bus::ChainFound& found);

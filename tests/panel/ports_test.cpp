@@ -80,6 +80,60 @@ TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
     EXPECT_EQ(panel.composition().store().link().port, two.toStdString());
 }
 
+/// Whichever way it is connected: the message's button, or the new name in the port's box.
+class StopOfAnAdapterThatIsBack : public testing::TestWithParam<bool> {};
+
+TEST_P(StopOfAnAdapterThatIsBack, UnderAnotherNameIsSent) {
+    const bool typed = GetParam();
+    PortsMachine machine;
+    const QString one = machine.port("ttyUSB0");
+    const QString two = machine.port("ttyUSB1");
+    machine.set({adapter(one, "A1")});
+    VirtualChain before(QStringLiteral("servo"), one);
+    VirtualPanel panel({}, machine.places());
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(before));
+    before.unplug();
+    machine.set({});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
+    before.plugIn();
+    before.rename(two);
+    machine.set({adapter(two, "A1")});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(kBack) == 1; }));
+    ASSERT_TRUE(testing_support::moves(before));
+    if (typed)
+        panel.askFor(two);
+    else
+        ASSERT_TRUE(panel.press(kBack, QStringLiteral("Reconnect")));
+    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(before); }));
+    EXPECT_EQ(panel.composition().store().link().port, two.toStdString());
+}
+INSTANTIATE_TEST_SUITE_P(F29, StopOfAnAdapterThatIsBack, testing::Bool(),
+                         [](const auto& typed) { return typed.param ? "Typed" : "Offered"; });
+
+/// Another adapter took the place of a broken one after a stop that was not confirmed.
+TEST(F30_OldName, WithAnotherAdapterGetsTheStopThatWasNotConfirmed) {
+    PortsMachine machine;
+    const QString port = machine.port("ttyUSB0");
+    machine.set({adapter(port, "A1")});
+    VirtualChain sim(QStringLiteral("servo"), port);
+    VirtualPanel panel({}, machine.places());
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    sim.tell("fault bus drop cmd");
+    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
+    panel.freeze(std::chrono::milliseconds(20));
+    ASSERT_TRUE(testing_support::moves(sim));
+    sim.unplug();
+    sim.tell("fault clear");
+    machine.set({});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    sim.plugIn();
+    machine.set({adapter(port, "B2")});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(kDifferent) == 1; }));
+    ASSERT_TRUE(panel.press(kDifferent, QStringLiteral("Connect anyway")));
+    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
+}
+
 TEST(F29_BackUnderAnotherName, IsOnlyLookedAtWhereItWasOnlyLookedAt) {
     PortsMachine machine;
     const QString one = machine.port("ttyUSB0");

@@ -32,6 +32,13 @@ protected:
         ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
         GetParam().open(panel.window());
     }
+    /// The window has the focus again where a question went together with its connection.
+    void pressEsc() {
+        QWindow* focus = QGuiApplication::focusWindow();
+        if (const QWidget* popup = QApplication::activePopupWidget())
+            focus = popup->windowHandle();
+        QTest::keyPress(focus != nullptr ? focus : panel.window().windowHandle(), Qt::Key_Escape);
+    }
     bool stops() {
         return panel.waitFor([this] { return !moves(sim); });
     }
@@ -55,9 +62,17 @@ TEST_P(StopWhile, ItIsOpenAPressOnStopAllStopsTheMotor) {
 }
 
 TEST_P(StopWhile, ItIsOpenEscStopsTheMotor) {
-    QWidget* popup = QApplication::activePopupWidget();
-    QTest::keyPress(popup != nullptr ? popup->windowHandle() : QGuiApplication::focusWindow(),
-                    Qt::Key_Escape);
+    pressEsc();
+    EXPECT_TRUE(stops());
+}
+
+TEST_P(StopWhile, ItIsOpenEscStopsTheMotorOnceTheLineIsBack) {
+    sim.unplug();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    pressEsc();
+    ASSERT_TRUE(moves(sim));
+    sim.plugIn();
+    emit panel.window().connectRequested(sim.terminal(), 115'200, false);
     EXPECT_TRUE(stops());
 }
 
@@ -129,6 +144,22 @@ TEST(LostLine, StopsTheMotorAfterAnotherPortWasOpenMeanwhile) {
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(other.terminal()));
     EXPECT_EQ(panel.count(QStringLiteral("were commanded to stop")), 0) << "nobody stopped these";
     sim.plugIn();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+}
+
+TEST(LostLine, StopsTheMotorOnlyOnceCommandsAreAllowedAgain) {
+    VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    sim.unplug();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
+    sim.plugIn();
+    emit panel.window().connectRequested(sim.terminal(), 115'200, true);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
+    ASSERT_TRUE(panel.answersFor(1.0));
+    EXPECT_TRUE(moves(sim)) << "nothing is sent";
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
 }

@@ -65,6 +65,8 @@ public:
     void unplug() { m_plugged = false; }
     void plugIn() { m_plugged = true; }
     [[nodiscard]] bool plugged() const { return m_plugged; }
+    /// The adapter has another name from now on; no port may be open.
+    void rename(const QString& terminal) { m_terminal = terminal; }
     /// Sets whether another program has the port open.
     void setInUse(bool inUse) { m_inUse = inUse; }
     /// Notes that something on it has gone wrong since it was set up.
