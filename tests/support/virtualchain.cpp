@@ -141,8 +141,17 @@ VirtualChain::VirtualChain(const std::vector<ModuleIdentity>& modules, std::uint
                   return options;
               }()),
       m_terminal(terminal.isEmpty() ? QStringLiteral("/dev/ttyUSB%1").arg(chains().size()) : terminal),
-      m_powerUp(virtualtime::now()) {
+      m_powerUp(beginning()) {
     chains().push_back(this);
+}
+
+/// A session begins at a whole second, as the first one in a process does. Otherwise it would depend on the
+/// tests before it, because timers of the window and ticks of the modules would meet at other moments.
+TimePoint VirtualChain::beginning() {
+    if (chains().empty())
+        virtualtime::set(
+            TimePoint(std::chrono::ceil<std::chrono::seconds>(virtualtime::now().time_since_epoch())));
+    return virtualtime::now();
 }
 
 VirtualChain::VirtualChain(const QString& modules, const QString& terminal)

@@ -86,6 +86,7 @@ public:
 private:
     class Port;
 
+    [[nodiscard]] static TimePoint beginning();
     [[nodiscard]] TimePoint chainTime() const;
     [[nodiscard]] sim::ModuleSnapshot look(std::size_t place);
     // Called in the bus thread.
