@@ -98,7 +98,7 @@ void ApiFeed::publishSamples() {
             parameters["missed"] = subscription.missed;
             return notification("samples", parameters);
         };
-        // A program that does not read costs no line of its own.
+        // No line is written out for a program that is not reading.
         const bool sent = m_server.hasRoom(client, line.size()) &&
                           m_server.offer(client, subscription.missed == 0 ? line : withItsCount());
         subscription.missed = sent ? 0 : subscription.missed + count;

@@ -107,9 +107,9 @@ TEST(F29_PortWatcher, AsksForTheListOnlyAfterSomethingHasChanged) {
 // ---- F-32, F-33, F-34, F-36: who uses the port ----
 
 /// A simulated machine: lock files, and processes with their open files.
-class Machine {
+class FakeSystem {
 public:
-    Machine() {
+    FakeSystem() {
         places.lockFolders = QStringList{m_directory.filePath(QStringLiteral("lock"))};
         places.proc = m_directory.filePath(QStringLiteral("proc"));
         QDir(m_directory.path()).mkdir(QStringLiteral("lock"));
@@ -141,7 +141,7 @@ private:
 };
 
 TEST(F32_LockOfALiveProcess, NamesTheProgram) {
-    Machine machine;
+    FakeSystem machine;
     machine.process(4711, QStringLiteral("minicom"));
     machine.lock(QStringLiteral("LCK..ttyUSB0"), QStringLiteral("      4711 minicom anna\n"));
     const PortError error = whyBusy(kUsb0, machine.places);
@@ -152,14 +152,14 @@ TEST(F32_LockOfALiveProcess, NamesTheProgram) {
 }
 
 TEST(F32_LockOfALiveProcess, IsFoundUnderThePathOfALongName) {
-    Machine machine;
+    FakeSystem machine;
     machine.process(12, QStringLiteral("nmcpanel"));
     machine.lock(QStringLiteral("LCK..pts_4000"), QStringLiteral("12\nnmcpanel\nbench\n"));
     EXPECT_EQ(whyBusy(QStringLiteral("/dev/pts/4000"), machine.places).pid, 12);
 }
 
 TEST(F32_OpenFile, NamesAProgramThatMakesNoLockFile) {
-    Machine machine;
+    FakeSystem machine;
     machine.process(99, QStringLiteral("cat"), {QStringLiteral("/dev/zero")});
     machine.process(100, QStringLiteral("picocom"),
                     {QStringLiteral("/dev/zero"), QStringLiteral("/dev/null")});
@@ -170,14 +170,14 @@ TEST(F32_OpenFile, NamesAProgramThatMakesNoLockFile) {
 }
 
 TEST(F32_OpenFile, OfTheOtherEndOfATerminalIsNotAUser) {
-    Machine machine;
+    FakeSystem machine;
     machine.process(100, QStringLiteral("nmcsim"),
                     {QStringLiteral("/dev/ptmx"), QStringLiteral("/dev/null")});
     EXPECT_EQ(whyBusy(QStringLiteral("/dev/null"), machine.places).pid, 0);
 }
 
 TEST(F33_StaleLock, IsToldWithItsOwnerAndTheFileToRemove) {
-    Machine machine;
+    FakeSystem machine;
     const QString file = machine.lock(QStringLiteral("LCK..ttyUSB0"), QStringLiteral("4711\nminicom\n"));
     const PortError error = whyBusy(kUsb0, machine.places);
     EXPECT_EQ(error.problem, PortProblem::StaleLock);
@@ -186,13 +186,13 @@ TEST(F33_StaleLock, IsToldWithItsOwnerAndTheFileToRemove) {
 }
 
 TEST(F33_StaleLock, WithoutANumberInItIsStaleAsWell) {
-    Machine machine;
+    FakeSystem machine;
     machine.lock(QStringLiteral("LCK..ttyUSB0"), QStringLiteral("\x04\x03 garbage"));
     EXPECT_EQ(whyBusy(kUsb0, machine.places).problem, PortProblem::StaleLock);
 }
 
 TEST(F34_NoLockFolder, IsToldAsSuch) {
-    Machine machine;
+    FakeSystem machine;
     machine.removeLockFolder();
     const PortError error = whyBusy(kUsb0, machine.places);
     EXPECT_EQ(error.problem, PortProblem::NoLockFolder);
@@ -200,13 +200,13 @@ TEST(F34_NoLockFolder, IsToldAsSuch) {
 }
 
 TEST(F36_ModemManager, IsNamed) {
-    Machine machine;
+    FakeSystem machine;
     machine.process(800, QStringLiteral("ModemManager"), {QStringLiteral("/dev/null")});
     EXPECT_EQ(whyBusy(QStringLiteral("/dev/null"), machine.places).program, "ModemManager");
 }
 
 TEST(F32_NobodyKnown, IsInUseWithoutAName) {
-    Machine machine;
+    FakeSystem machine;
     const PortError error = whyBusy(kUsb0, machine.places);
     EXPECT_EQ(error.problem, PortProblem::InUse);
     EXPECT_EQ(error.pid, 0);

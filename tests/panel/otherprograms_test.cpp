@@ -3,22 +3,12 @@
 // motors.
 #include <gtest/gtest.h>
 
-#include <sys/socket.h>
-#include <sys/stat.h>
-#include <sys/un.h>
-#include <unistd.h>
-
 #include <QAbstractButton>
 #include <QAction>
 #include <QFile>
-#include <QFileInfo>
 #include <QLabel>
-#include <QLocalServer>
-#include <QLocalSocket>
-#include <QTemporaryDir>
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
@@ -343,8 +333,7 @@ TEST_F(OtherPrograms, StopWithoutHelloAndWithoutControl) {
 TEST_F(OtherPrograms, AreNotToldThatAStopWasSentWhichIsOnlySentLater) {
     OtherProgram client(panel, path());
     ASSERT_NO_FATAL_FAILURE(setGoing(client));
-    sim.unplug();
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"was unplugged"_s) == 1; }));
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
     EXPECT_EQ(client.call("stop")["error"]["data"]["reason"], "NotConnected");
     ASSERT_TRUE(moves(sim));
     sim.plugIn();
@@ -449,7 +438,7 @@ TEST_F(OtherPrograms, AreToldWhatTheySubscribeTo) {
                 std::string::npos);
 }
 
-/// Of each sample, it either gets a row, or it is counted among those that it missed.
+/// Every sample is either in a row that it gets, or counted as missed.
 TEST_F(OtherPrograms, ThatAreTooSlowAreToldHowManySamplesTheyMissed) {
     OtherProgram client(panel, path());
     client.hello();
@@ -553,49 +542,6 @@ TEST_F(OtherPrograms, AreKeptOutOnceWhereAnotherPanelLetsThemIn) {
     });
     ASSERT_NE(entry, entries.end());
     EXPECT_EQ(entry->count, 1);
-}
-
-TEST(ApiSocket, IsForThisUserOnlyAndReplacesOneThatWasLeftBehind) {
-    const RuntimeFolder runtime;
-    const QString path = ApiServer::pathFor(u"/dev/ttyUSB0"_s);
-    {
-        ApiServer server;
-        ASSERT_TRUE(server.listen(path));
-        struct stat status {};
-        ASSERT_EQ(::stat(path.toUtf8().constData(), &status), 0);
-        EXPECT_EQ(status.st_mode & 0777U, 0600U);
-        ApiServer second;
-        const auto refused = second.listen(path);
-        ASSERT_FALSE(refused);
-        EXPECT_EQ(refused.error().kind, ApiServerProblem::Kind::InUse);
-    }
-    // As a killed panel leaves it: the socket is there, and nobody answers.
-    const int left = ::socket(AF_UNIX, SOCK_STREAM, 0);
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    std::strncpy(address.sun_path, path.toUtf8().constData(), sizeof address.sun_path - 1);
-    ASSERT_EQ(::bind(left, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-    ::close(left);
-    ASSERT_EQ(::chmod(path.toUtf8().constData(), 0600), 0);
-    ApiServer server;
-    EXPECT_TRUE(server.listen(path));
-}
-
-TEST(ApiSocket, TrustsNeitherLinksNorOpenFolders) {
-    const RuntimeFolder runtime;
-    const QString path = ApiServer::pathFor(u"/dev/ttyUSB0"_s);
-    ApiServer server;
-    ASSERT_TRUE(server.listen(path));
-    server.close();
-    ASSERT_TRUE(QFile::link(u"/tmp/elsewhere"_s, path));
-    auto refused = server.listen(path);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().kind, ApiServerProblem::Kind::NotPrivate);
-    ASSERT_TRUE(QFile::remove(path));
-    ASSERT_EQ(::chmod(QFileInfo(path).absolutePath().toUtf8().constData(), 0777), 0);
-    refused = server.listen(path);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().kind, ApiServerProblem::Kind::NotPrivate);
 }
 
 }  // namespace

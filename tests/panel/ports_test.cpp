@@ -14,6 +14,7 @@
 namespace nmc {
 namespace {
 
+using testing_support::moves;
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
 
@@ -66,9 +67,8 @@ TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
     VirtualPanel panel({}, machine.places());
     panel.start();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(one));
-    before.unplug();
     machine.set({});
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(before));
     machine.set({adapter(two, "A1")});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(kBack) == 1; }));
     EXPECT_TRUE(panel.headlines().first().contains(two));
@@ -89,23 +89,22 @@ TEST_P(StopOfAnAdapterThatIsBack, UnderAnotherNameIsSent) {
     const QString one = machine.port("ttyUSB0");
     const QString two = machine.port("ttyUSB1");
     machine.set({adapter(one, "A1")});
-    VirtualChain before(QStringLiteral("servo"), one);
+    VirtualChain sim(QStringLiteral("servo"), one);
     VirtualPanel panel({}, machine.places());
-    ASSERT_NO_FATAL_FAILURE(panel.startMoving(before));
-    before.unplug();
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     machine.set({});
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
-    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
-    before.plugIn();
-    before.rename(two);
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    panel.pressEsc();
+    sim.plugIn();
+    sim.rename(two);
     machine.set({adapter(two, "A1")});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(kBack) == 1; }));
-    ASSERT_TRUE(testing_support::moves(before));
+    ASSERT_TRUE(moves(sim));
     if (typed)
         panel.askFor(two);
     else
         ASSERT_TRUE(panel.press(kBack, QStringLiteral("Reconnect")));
-    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(before); }));
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     EXPECT_EQ(panel.composition().store().link().port, two.toStdString());
 }
 INSTANTIATE_TEST_SUITE_P(F29, StopOfAnAdapterThatIsBack, testing::Bool(),
@@ -120,18 +119,17 @@ TEST(F30_OldName, WithAnotherAdapterGetsTheStopThatWasNotConfirmed) {
     VirtualPanel panel({}, machine.places());
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     sim.tell("fault bus drop cmd");
-    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
+    panel.pressEsc();
     panel.freeze(std::chrono::milliseconds(20));
-    ASSERT_TRUE(testing_support::moves(sim));
-    sim.unplug();
+    ASSERT_TRUE(moves(sim));
     sim.tell("fault clear");
     machine.set({});
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
     sim.plugIn();
     machine.set({adapter(port, "B2")});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(kDifferent) == 1; }));
     ASSERT_TRUE(panel.press(kDifferent, QStringLiteral("Connect anyway")));
-    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
 }
 
 TEST(F29_BackUnderAnotherName, IsOnlyLookedAtWhereItWasOnlyLookedAt) {
@@ -148,9 +146,8 @@ TEST(F29_BackUnderAnotherName, IsOnlyLookedAtWhereItWasOnlyLookedAt) {
     // It does not matter here whether the chain has modules with addresses.
     ASSERT_TRUE(
         panel.waitFor([&] { return link.phase == LinkPhase::Connected || link.phase == LinkPhase::Lost; }));
-    before.unplug();
     machine.set({});
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(before));
     machine.set({adapter(two, "A1")});
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(kBack) != nullptr; }));
     ASSERT_TRUE(panel.press(kBack, QStringLiteral("Reconnect")));
@@ -167,9 +164,8 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     panel.start();
     sim.emplace(QStringLiteral("servo"), port);
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(port));
-    sim->unplug();
     machine.set({});
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(*sim));
     sim.emplace(QStringLiteral("servo"), port);
     machine.set({adapter(port, "B2")});
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(kDifferent) == 1; }));

@@ -67,8 +67,7 @@ TEST_P(StopWhile, ItIsOpenEscStopsTheMotor) {
 }
 
 TEST_P(StopWhile, ItIsOpenEscStopsTheMotorOnceTheLineIsBack) {
-    sim.unplug();
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
     pressEsc();
     ASSERT_TRUE(moves(sim));
     sim.plugIn();
@@ -104,12 +103,11 @@ TEST_P(StopOnALostLine, StopsTheMotorOnceTheLineIsBack) {
     VirtualChain sim{QStringLiteral("servo,servo")};
     VirtualPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    const auto press = [&] { QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape); };
     if (when == Pressed::BeforeThePortGoes)
-        press();
+        panel.pressEsc();
     sim.unplug();
     if (when == Pressed::BeforeThePanelKnows)
-        press();
+        panel.pressEsc();
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
     ASSERT_TRUE(moves(sim));
     const QString waits = QStringLiteral("No stop can be sent now");
@@ -118,7 +116,7 @@ TEST_P(StopOnALostLine, StopsTheMotorOnceTheLineIsBack) {
         ASSERT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));
     }
     if (when == Pressed::OnceThePanelKnows || when == Pressed::AfterAFailedRetry) {
-        press();
+        panel.pressEsc();
         EXPECT_NE(panel.standing(waits), nullptr);
     }
     sim.plugIn();
@@ -138,9 +136,8 @@ TEST(LostLine, StopsTheMotorAfterAnotherPortWasOpenMeanwhile) {
     VirtualChain other{QStringLiteral("servo")};
     VirtualPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    sim.unplug();
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
-    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    panel.pressEsc();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(other.terminal()));
     EXPECT_EQ(panel.count(QStringLiteral("were commanded to stop")), 0) << "nobody stopped these";
     sim.plugIn();
@@ -152,9 +149,8 @@ TEST(LostLine, StopsTheMotorOnlyOnceCommandsAreAllowedAgain) {
     VirtualChain sim{QStringLiteral("servo,servo")};
     VirtualPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    sim.unplug();
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
-    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    panel.pressEsc();
     sim.plugIn();
     emit panel.window().connectRequested(sim.terminal(), 115'200, true);
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
@@ -174,7 +170,7 @@ TEST(LostLine, StopsAModuleAtItsPresentAddress) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().info.address == BusAddress(9); }));
     ASSERT_NO_FATAL_FAILURE(panel.setGoing());
     sim.unplug();
-    QTest::keyPress(panel.window().windowHandle(), Qt::Key_Escape);
+    panel.pressEsc();
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
     sim.plugIn();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
@@ -185,8 +181,7 @@ TEST(LostLine, LeavesAMotorRunningThatNobodyStopped) {
     VirtualChain sim{QStringLiteral("servo,servo")};
     VirtualPanel panel;
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
-    sim.unplug();
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("was unplugged")) == 1; }));
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
     sim.plugIn();
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     ASSERT_TRUE(panel.answersFor(1.0));

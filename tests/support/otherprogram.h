@@ -4,29 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <QLocalSocket>
-#include <QTemporaryDir>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "tests/support/runtimefolder.h"
 #include "tests/support/virtualpanel.h"
 
 namespace nmc::testing_support {
-
-/// A folder for sockets that belongs to the test alone.
-class RuntimeFolder {
-public:
-    RuntimeFolder() : m_before(qgetenv("XDG_RUNTIME_DIR")) {
-        qputenv("XDG_RUNTIME_DIR", m_folder.path().toUtf8());
-    }
-    ~RuntimeFolder() { qputenv("XDG_RUNTIME_DIR", m_before); }
-    RuntimeFolder(const RuntimeFolder&) = delete;
-    RuntimeFolder& operator=(const RuntimeFolder&) = delete;
-
-private:
-    QByteArray m_before;
-    QTemporaryDir m_folder;
-};
 
 /// Another program, as simple as one can be.
 class OtherProgram {

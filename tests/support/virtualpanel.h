@@ -53,6 +53,12 @@ public:
         const auto* results = window().findChild<QTableWidget*>(QStringLiteral("responseResults"));
         EXPECT_TRUE(results->findItems(QStringLiteral("samples missing, repeat"), Qt::MatchExactly).empty());
     }
+    /// The adapter of a chain is unplugged, and the window says so.
+    void unplug(VirtualChain& chain) {
+        chain.unplug();
+        ASSERT_TRUE(waitFor([this] { return count(QStringLiteral("was unplugged")) == 1; }));
+    }
+    void pressEsc() { QTest::keyPress(window().windowHandle(), Qt::Key_Escape); }
     /// Lets time pass on the bus only, as if the window were busy.
     void freeze(Duration time) { VirtualChain::runAll(time); }
 

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The socket at which programs are let in: who may open it, and what stands in its place.
+#include "link/api/apiserver.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <QFile>
+#include <QFileInfo>
+#include <cstring>
+
+#include "tests/support/runtimefolder.h"
+
+namespace nmc {
+namespace {
+
+using namespace Qt::StringLiterals;
+using testing_support::RuntimeFolder;
+
+TEST(ApiSocket, IsForThisUserOnlyAndReplacesOneThatWasLeftBehind) {
+    const RuntimeFolder runtime;
+    const QString path = ApiServer::pathFor(u"/dev/ttyUSB0"_s);
+    {
+        ApiServer server;
+        ASSERT_TRUE(server.listen(path));
+        struct stat status {};
+        ASSERT_EQ(::stat(path.toUtf8().constData(), &status), 0);
+        EXPECT_EQ(status.st_mode & 0777U, 0600U);
+        ApiServer second;
+        const auto refused = second.listen(path);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().kind, ApiServerProblem::Kind::InUse);
+    }
+    // As a killed panel leaves it: the socket is there, and nobody answers.
+    const int left = ::socket(AF_UNIX, SOCK_STREAM, 0);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::strncpy(address.sun_path, path.toUtf8().constData(), sizeof address.sun_path - 1);
+    ASSERT_EQ(::bind(left, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    ::close(left);
+    ASSERT_EQ(::chmod(path.toUtf8().constData(), 0600), 0);
+    ApiServer server;
+    EXPECT_TRUE(server.listen(path));
+}
+
+TEST(ApiSocket, TrustsNeitherLinksNorOpenFolders) {
+    const RuntimeFolder runtime;
+    const QString path = ApiServer::pathFor(u"/dev/ttyUSB0"_s);
+    ApiServer server;
+    ASSERT_TRUE(server.listen(path));
+    server.close();
+    ASSERT_TRUE(QFile::link(u"/tmp/elsewhere"_s, path));
+    auto refused = server.listen(path);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ApiServerProblem::Kind::NotPrivate);
+    ASSERT_TRUE(QFile::remove(path));
+    ASSERT_EQ(::chmod(QFileInfo(path).absolutePath().toUtf8().constData(), 0777), 0);
+    refused = server.listen(path);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ApiServerProblem::Kind::NotPrivate);
+}
+
+}  // namespace
+}  // namespace nmc
