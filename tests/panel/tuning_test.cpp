@@ -37,6 +37,11 @@ protected:
     [[nodiscard]] QString text(const char* name) {
         return panel.window().findChild<QLabel*>(QLatin1String(name))->text();
     }
+    /// Changes the simulated motor, of which the program knows nothing.
+    void setMotor(const std::vector<const char*>& settings) {
+        for (const char* setting : settings)
+            ASSERT_TRUE(sim.control(u"set 1 "_s + QLatin1String(setting))[u"ok"_s].toBool()) << setting;
+    }
     /// Enables the servo with the starting values, at a known position.
     void hold() {
         ASSERT_NO_FATAL_FAILURE(click("fillGainsButton"));
@@ -127,8 +132,7 @@ TEST_F(Tuning, FindsTheMotorAndSettlesItInEightClicks) {
 class TuningMoves : public Tuning, public testing::WithParamInterface<std::vector<const char*>> {};
 
 TEST_P(TuningMoves, SettleInsideTheirWindowAfterTenClicks) {
-    for (const char* of : GetParam())
-        ASSERT_TRUE(sim.control(u"set 1 "_s + QLatin1String(of))[u"ok"_s].toBool()) << of;
+    ASSERT_NO_FATAL_FAILURE(setMotor(GetParam()));
     ++clicks;  // View, Tune
     ASSERT_NO_FATAL_FAILURE(hold());
     ASSERT_NO_FATAL_FAILURE(click("stepAndFindButton"));
@@ -159,11 +163,10 @@ INSTANTIATE_TEST_SUITE_P(Motors, TuningMoves,
                                          std::vector{"inertia 1e-4", "friction 0.01"},
                                          std::vector{"inertia 4e-5", "load 0.003", "gain 10000"}));
 
-/// One PWM count more turns this motor 20 000 counts/s faster, so that with any quiet Kp the filter does
-/// nothing within some 20 counts of the goal: whether a move settles within 10 is a matter of chance.
+/// One PWM count more turns this motor 20 000 counts/s faster, so that with any quiet Kp an error of less
+/// than some 20 counts alone gives no output: whether a move settles within 10 is a matter of chance.
 TEST_F(Tuning, SaysThatAMotorIsTooStrongForItsPwm) {
-    for (const char* of : {"inertia 4e-5", "load 0.003", "gain 20000"})
-        ASSERT_TRUE(sim.control(u"set 1 "_s + QLatin1String(of))[u"ok"_s].toBool()) << of;
+    ASSERT_NO_FATAL_FAILURE(setMotor({"inertia 4e-5", "load 0.003", "gain 20000"}));
     ASSERT_NO_FATAL_FAILURE(hold());
     ASSERT_NO_FATAL_FAILURE(click("stepAndFindButton"));
     ASSERT_TRUE(panel.waitFor([&] { return !text("suggestedGains").isEmpty(); }));
