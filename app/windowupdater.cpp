@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kFrameIntervalMs = 16;
 constexpr int kFiguresIntervalMs = 1'000;
-constexpr int kReadableMs = 40;
+constexpr int kReadableMs = 64;
 
 }  // namespace
 
@@ -97,7 +97,9 @@ void WindowUpdater::showFrame() {
     const History& history = m_store.history();
     const TimePoint now = m_worker.isOpen() ? monotonicNow() : history.end().value_or(TimePoint{});
     m_flight.keep(now);
-    m_window.showHistory(history, now);
+    // A newer frame would only be computed twice for the strips that still wait to be painted.
+    if (!m_frameTimer.isActive() || !m_window.isPaintingScope())
+        m_window.showHistory(history, now);
 }
 
 void WindowUpdater::showFrameSoon() {

@@ -118,7 +118,11 @@ TEST_F(FirstShift, IsWorkedWhole) {
     for (const auto& [point, millimetres] : {std::pair{u"Load"_s, 5}, {u"Dip"_s, 15}, {u"Dry"_s, 25}}) {
         ASSERT_NO_FATAL_FAILURE(hand->type(u"Goal position"_s, QString::number(millimetres)));
         ASSERT_NO_FATAL_FAILURE(hand->click(u"Go to the position"_s));
-        ASSERT_TRUE(panel->waitFor([&, at = 400 * millimetres] { return standsAt(at); })) << millimetres;
+        // What is taught is the position on display, which follows the motor a few frames later.
+        ASSERT_TRUE(panel->waitFor([&, at = 400 * millimetres, frames = 0]() mutable {
+            frames = standsAt(at) ? frames + 1 : 0;
+            return frames > 10;
+        })) << millimetres;
         ASSERT_NO_FATAL_FAILURE(hand->type(u"Name of the point to teach"_s, point));
         ASSERT_NO_FATAL_FAILURE(hand->click(u"Teach a point"_s));
     }

@@ -147,19 +147,20 @@ void ChainDelegate::paintStill(QPainter& painter, const QStyleOptionViewItem& op
 
 const ChainDelegate::Still& ChainDelegate::stillOf(const QStyleOptionViewItem& option,
                                                    const QModelIndex& index, double devicePixelRatio) const {
-    QStringList key{option.font.key(),
-                    QString::number(option.palette.cacheKey()),
-                    QString::number(option.state.toInt()),
-                    QString::number(option.rect.width()),
-                    QString::number(option.rect.height()),
-                    QString::number(devicePixelRatio),
-                    widthOf(positionOf(index))};
-    for (const int role : {ChainModel::Name, ChainModel::Title, ChainModel::Address, ChainModel::TypeText,
-                           ChainModel::ActivityValue, ChainModel::ActivityText})
-        key << index.data(role).toString();
+    Look look{option.font,
+              option.palette.cacheKey(),
+              option.state,
+              option.rect.size(),
+              devicePixelRatio,
+              index.data(ChainModel::ActivityValue).toInt(),
+              index.data(ChainModel::Address).toInt(),
+              {widthOf(positionOf(index))}};
+    for (const int role :
+         {ChainModel::Name, ChainModel::Title, ChainModel::TypeText, ChainModel::ActivityText})
+        look.texts << index.data(role).toString();
     Still& still = m_still[index.row()];
-    if (const QString whole = key.join(u'\n'); still.key != whole) {
-        still.key = whole;
+    if (still.look != look) {
+        still.look = std::move(look);
         still.digits = look::tabular(option.font);
         still.picture = QPixmap(option.rect.size() * devicePixelRatio);
         still.picture.setDevicePixelRatio(devicePixelRatio);

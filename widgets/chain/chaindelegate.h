@@ -20,8 +20,21 @@ public:
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
 private:
+    /// Everything that the picture of a row depends on.
+    struct Look {
+        QFont font;
+        qint64 palette = 0;
+        QStyle::State state;
+        QSize size;
+        double devicePixelRatio = 0;
+        int activity = 0;
+        int address = 0;
+        QStringList texts;
+
+        bool operator==(const Look&) const = default;
+    };
     struct Still {
-        QString key;  ///< everything that the picture depends on
+        Look look;
         QPixmap picture;
         QFont digits;
     };

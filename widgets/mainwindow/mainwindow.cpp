@@ -784,6 +784,10 @@ void MainWindow::showHistory(const History& history, TimePoint now) {
         showTime(now);
 }
 
+bool MainWindow::isPaintingScope() const {
+    return m_scope->isPainting();
+}
+
 void MainWindow::showTime(TimePoint now) {
     m_session.setNow(now);
 }

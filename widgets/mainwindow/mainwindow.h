@@ -82,6 +82,7 @@ public:
     /// Shows what the modules have reported so far. Call at most 60 times a second, and after
     /// scopeFrameWanted().
     void showHistory(const History& history, TimePoint now);
+    [[nodiscard]] bool isPaintingScope() const;
     /// Updates the age of the last reports; showHistory() does so, too, while a port is open.
     void showTime(TimePoint now);
     /// Shows a record in the scope instead of the live samples, until the user goes back; opens the scope if

@@ -371,6 +371,10 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
         drawLive(history, now);
 }
 
+bool ScopePanel::isPainting() const {
+    return m_strips != nullptr && m_strips->isPainting();
+}
+
 void ScopePanel::drawLive(const History& history, TimePoint now) {
     m_strips->showUnder(m_under.get());
     const bool whole = !m_under || m_under->follow(history, m_selected, now, m_strips->shownSignals(),

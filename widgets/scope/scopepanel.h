@@ -42,6 +42,8 @@ public:
     [[nodiscard]] const std::vector<ScopeModule>& modules() const { return m_modules; }
     /// Call at most 60 times a second. Nothing of `history` is kept except what this frame shows.
     void showHistory(const History& history, TimePoint now);
+    /// True while strips of the last frame are still to be painted.
+    [[nodiscard]] bool isPainting() const;
     /// Shows a record instead of the live samples, until backToLive().
     void showRecord(std::shared_ptr<const ScopeRecord> record);
     void backToLive();

@@ -62,6 +62,8 @@ public:
     [[nodiscard]] const DerivedSignals& derived() const { return m_derived; }
     /// True if derived signals are not complete yet: another frame is needed.
     [[nodiscard]] bool isBehind() const { return m_behind; }
+    /// True while strips of the last frame are still to be painted.
+    [[nodiscard]] bool isPainting() const { return !m_waiting.empty(); }
     void renderTo(QPainter& painter);
 
 signals:
