@@ -163,7 +163,7 @@ Holding atFixture() {
 
 TEST(WorkOffsetInUse, CountsFromHomeAndMovesWithIt) {
     Holding servo = atFixture();
-    EXPECT_EQ(servo.module.home.workZero(), (WorkZero{"fixture A", 1'200.0}));
+    EXPECT_EQ(servo.module.home.workZero(), (WorkZero{kFixture, 1'200.0}));
     EXPECT_EQ(countedFrom(servo.module.home.workZero(), 500), -700.0);
     servo.does(ResetPosition{}, 0);
     EXPECT_EQ(servo.home(), -300);
@@ -200,7 +200,7 @@ TEST(WorkOffsetInUse, IsNotKnownAfterAnythingThatMakesHomeAnotherOne) {
         servo.module.home.keepWork({kFixture});
         ASSERT_TRUE(servo.module.home.workZero()->counts) << what;
         lose(servo);
-        EXPECT_EQ(servo.module.home.workZero(), (WorkZero{"fixture A", std::nullopt})) << what;
+        EXPECT_EQ(servo.module.home.workZero(), (WorkZero{kFixture, std::nullopt})) << what;
         EXPECT_EQ(countedFrom(servo.module.home.workZero(), 500), std::nullopt) << what;
         servo.foundAt(200);
         EXPECT_EQ(servo.module.home.workZero()->counts, std::nullopt) << what << ": never by itself";
@@ -227,7 +227,7 @@ TEST(WorkOffsetInUse, CountsByTheCounterUntilThatIsSetWhileHomeIsUnknown) {
     servo.module.home.keepWork({});
     EXPECT_TRUE(servo.module.home.workZero()->counts) << "it is not one of the machine's";
     servo.does(ResetPosition{}, 0);
-    EXPECT_EQ(servo.module.home.workZero(), (WorkZero{"fixture A", std::nullopt}));
+    EXPECT_EQ(servo.module.home.workZero(), (WorkZero{kFixture, std::nullopt}));
 }
 
 TEST(WorkOffsetInUse, WasChosenForTheHomeThatIsThere) {

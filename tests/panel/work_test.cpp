@@ -69,6 +69,16 @@ TEST_F(WorkOffsetSession, SendsNothingAndTypedPositionsCountFromIt) {
     // 2 mm farther than what is called 10 mm, at counter 0.
     EXPECT_TRUE(panel.waitFor([&] { return std::abs(position() - 800) < 20 && !moves(sim); })) << position();
     EXPECT_TRUE(reads(12)) << head().toStdString();
+
+    // A typed goal stays the same place when the counter is set to 0 here: it is 3 mm away.
+    ASSERT_NO_FATAL_FAILURE(hand.type(u"Goal position"_s, u"15"_s));
+    ASSERT_NO_FATAL_FAILURE(hand.click(u"Zero here: set the present position to 0"_s));
+    ASSERT_TRUE(panel.waitFor([&] { return std::abs(position()) < 20; })) << position();
+    EXPECT_TRUE(reads(12)) << head().toStdString();
+    ASSERT_NO_FATAL_FAILURE(hand.click(u"Go to the position"_s));
+    EXPECT_TRUE(panel.waitFor([&] { return std::abs(position() - 1'200) < 20 && !moves(sim); }))
+        << position();
+    EXPECT_TRUE(reads(15)) << head().toStdString();
     EXPECT_EQ(sim.violations(), "");
 }
 
@@ -93,7 +103,8 @@ TEST_F(WorkOffsetSession, IsInTheMachineFileAndNotKnownAfterAPowerFailure) {
     (void)sim.control(u"power-cycle all"_s);
     EXPECT_TRUE(panel.waitFor([&] { return head() == u"–"_s; })) << head().toStdString();
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().hasRestarted; }));
-    EXPECT_EQ(panel.module().home.workZero(), (WorkZero{"B", std::nullopt}));
+    EXPECT_EQ(panel.module().home.workZero(),
+              (WorkZero{panel.composition().machine().axis(ModuleIndex(0)).workOffsets.at(1), {}}));
 }
 
 TEST_F(WorkOffsetSession, OfAFileIsNotInUseByItself) {

@@ -109,7 +109,7 @@ TEST_F(Quantities, APositionCountsFromItsZeroAndStaysTheSamePlace) {
         shown(QuantityField::Kind::Position, AxisScale::servo({UnitKind::Millimetres, 100}, 1));
     field.setName(u"goalField"_s, u"Goal"_s);
     field.setNativeRange(-5'000, 5'000);
-    const WorkZero fixture{"A", 1'000};
+    const WorkZero fixture{{"A", 400}, 1'000};
     field.showNative(2'500);
     field.setZero(fixture);
     EXPECT_EQ(field.text(), u"15"_s);
@@ -129,18 +129,26 @@ TEST_F(Quantities, APositionCountsFromItsZeroAndStaysTheSamePlace) {
     field.setZero(fixture, true);
     EXPECT_EQ(field.text(), u"8"_s) << "the number stays";
     EXPECT_EQ(field.native(), 1'800);
+    // The counter was set 700 lower: 8 mm from A is where it was.
+    field.setZero(WorkZero{{"A", 400}, 300});
+    EXPECT_EQ(field.text(), u"8"_s);
+    EXPECT_EQ(field.native(), 1'100);
+    // What is called A is 2 mm farther now: the place stays.
+    field.setZero(WorkZero{{"A", 600}, 500});
+    EXPECT_EQ(field.text(), u"6"_s);
+    EXPECT_EQ(field.native(), 1'100);
 }
 
 TEST_F(Quantities, WithoutAKnownZeroThereIsNoPosition) {
     QuantityField& field = shown(QuantityField::Kind::Position, AxisScale::servo({}, 1));
     field.setNativeRange(-5'000, 5'000);
     field.showNative(2'500);
-    field.setZero(WorkZero{"A", std::nullopt});
+    field.setZero(WorkZero{{"A", 0}, std::nullopt});
     QTest::keyClicks(&field, u"7"_s);
     EXPECT_EQ(field.text(), QString());
     EXPECT_FALSE(field.native());
     EXPECT_TRUE(field.problemText().startsWith(u"It is not known any more where \"A\" is."_s));
-    field.setZero(WorkZero{"A", 1'000});
+    field.setZero(WorkZero{{"A", 0}, 1'000});
     EXPECT_EQ(field.text(), QString()) << "it is not the place of before";
     QTest::keyClicks(&field, u"7"_s);
     EXPECT_EQ(field.native(), 1'007);

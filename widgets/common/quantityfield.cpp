@@ -78,6 +78,8 @@ void QuantityField::setZero(const std::optional<WorkZero>& zero, bool keepsNumbe
     if (zero == m_zero)
         return;
     const std::optional<double> before = countsOfZero();
+    // The same offset is at other counts only after the counter was set, and is still the same place.
+    keepsNumber = keepsNumber || (zero && m_zero && zero->offset == m_zero->offset);
     m_zero = zero;
     const std::optional<double> after = countsOfZero();
     if (!before || !after)

@@ -31,8 +31,9 @@ public:
     void setScale(const AxisScale& scale);
     [[nodiscard]] const AxisScale& scale() const { return m_scale; }
     /// The work offset from which a position counts. Emits nothing. The position that was typed stays the
-    /// same place and is shown as another number, or, with `keepsNumber`, the number stays. Any other text is
-    /// cleared, and so is all text if the old or the new zero is not known: the same text would be another
+    /// same place and is shown as another number, or, with `keepsNumber`, the number stays. The number also
+    /// stays if the chip's counter was set, because it is the same place by the new counter. Any other text
+    /// is cleared, and so is all text if the old or the new zero is not known: the same text would be another
     /// place. While it is not known, the field cannot be edited.
     void setZero(const std::optional<WorkZero>& zero, bool keepsNumber = false);
 

@@ -19,7 +19,7 @@ class WorkTexts {
 }  // namespace
 
 QString from(const WorkZero& zero) {
-    return WorkTexts::tr("from \"%1\"").arg(QString::fromStdString(zero.name));
+    return WorkTexts::tr("from \"%1\"").arg(QString::fromStdString(zero.offset.name));
 }
 
 QString place(const Zero& zero, const AxisScale& scale, double counts) {
@@ -44,7 +44,7 @@ QString zeroInUse(const Zero& zero) {
                 ? WorkTexts::tr("Positions count from \"%1\".")
                 : WorkTexts::tr(
                       "It is not known any more where \"%1\" is. Choose the work offset again, or clear it (Axis page)."))
-        .arg(QString::fromStdString(zero->name));
+        .arg(QString::fromStdString(zero->offset.name));
 }
 
 }  // namespace nmc::texts

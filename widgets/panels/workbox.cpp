@@ -104,7 +104,7 @@ void WorkBox::remove() {
     if (!zero)
         return;
     m_context.useWorkOffset(std::nullopt);
-    m_context.edit([name = zero->name](AxisSettings& axis) {
+    m_context.edit([name = zero->offset.name](AxisSettings& axis) {
         std::erase_if(axis.workOffsets, [&name](const WorkOffset& offset) { return offset.name == name; });
     });
 }
@@ -166,8 +166,8 @@ void WorkBox::showChoice() {
     QStringList names{tr("the counter")};
     for (const WorkOffset& offset : m_context.settings().workOffsets)
         names << QString::fromStdString(offset.name);
-    const QString used = zero ? QString::fromStdString(zero->name) : QString();
-    if (zero && zero->counts && kept(zero->name) == nullptr)
+    const QString used = zero ? QString::fromStdString(zero->offset.name) : QString();
+    if (zero && zero->counts && kept(zero->offset.name) == nullptr)
         names << used;  // for this session only
     if (std::exchange(m_names, names) != names) {
         m_choice->clear();
@@ -187,8 +187,9 @@ void WorkBox::refresh() {
         tr("Where the positions on the screen count from. Nothing moves, and nothing is sent."));
     m_clear->setPossible(zero ? locked : tr("No work offset is in use."),
                          tr("Positions count by the counter again. Nothing moves."));
-    m_delete->setPossible(zero && kept(zero->name) != nullptr ? locked : tr("Choose the work offset first."),
-                          tr("Deletes the work offset from the machine. Nothing moves."));
+    m_delete->setPossible(
+        zero && kept(zero->offset.name) != nullptr ? locked : tr("Choose the work offset first."),
+        tr("Deletes the work offset from the machine. Nothing moves."));
     const QString reason = whyNotCalled();
     m_call->setPossible(reason, tr("Positions then count from there. Nothing moves; counter and home stay."));
     const bool toSay = !reason.isEmpty() && !m_name->text().isEmpty();

@@ -52,7 +52,7 @@ std::optional<WorkZero> HomeFact::workZero() const {
     if (!m_work)
         return std::nullopt;
     const double zero = counts().value_or(0) + static_cast<double>(m_work->offset.counts);
-    return WorkZero{m_work->offset.name, m_work->known ? std::optional(zero) : std::nullopt};
+    return WorkZero{m_work->offset, m_work->known ? std::optional(zero) : std::nullopt};
 }
 
 std::optional<WorkOffset> HomeFact::workOffset(const std::string& name, std::int32_t position,

@@ -13,7 +13,7 @@ namespace nmc {
 
 /// The work offset that positions of an axis are counted from where a user reads and types them.
 struct WorkZero {
-    std::string name;
+    WorkOffset offset;
     std::optional<double> counts;  ///< in terms of the chip's present counter; empty: not known any more
     bool operator==(const WorkZero&) const = default;
 };
