@@ -53,7 +53,7 @@ void PathController::end() {
     if (!reading->table)
         return m_page->showProblems(name, reading->table.error(), reading->axes);
     std::vector<PathColumn> axes = columnsOf(*reading->table, reading->axes);
-    m_page->showPath({name, std::move(*reading->table), std::move(axes)});
+    m_page->showPath({name, std::move(*reading->table), std::move(axes), {}});
 }
 
 }  // namespace nmc

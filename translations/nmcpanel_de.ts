@@ -10437,6 +10437,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die Einheit einer Achse hat sich geändert. Die Bahn erneut öffnen oder zeichnen.</translation>
     </message>
     <message>
+        <source>The counter or the home of an axis has changed. Draw the path again.</source>
+        <translation>Der Zähler oder die Referenz einer Achse hat sich geändert. Die Bahn erneut zeichnen.</translation>
+    </message>
+    <message>
         <source>%1 is not a path for this chain:</source>
         <translation>%1 ist keine Bahn für diese Kette:</translation>
     </message>

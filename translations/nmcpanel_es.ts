@@ -10437,6 +10437,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>La unidad de un eje ha cambiado. Abra o trace de nuevo la trayectoria.</translation>
     </message>
     <message>
+        <source>The counter or the home of an axis has changed. Draw the path again.</source>
+        <translation>El contador o la referencia de un eje ha cambiado. Trace de nuevo la trayectoria.</translation>
+    </message>
+    <message>
         <source>%1 is not a path for this chain:</source>
         <translation>%1 no es una trayectoria para esta cadena:</translation>
     </message>

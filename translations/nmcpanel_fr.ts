@@ -10437,6 +10437,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>L’unité d’un axe a changé. Rouvrez la trajectoire, ou générez-la de nouveau.</translation>
     </message>
     <message>
+        <source>The counter or the home of an axis has changed. Draw the path again.</source>
+        <translation>Le compteur ou l’origine d’un axe a changé. Générez de nouveau la trajectoire.</translation>
+    </message>
+    <message>
         <source>%1 is not a path for this chain:</source>
         <translation>%1 n’est pas une trajectoire pour cette chaîne&#xa0;:</translation>
     </message>

@@ -10418,6 +10418,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>軸の単位が変わりました。パスをもう一度開くか、作成し直してください。</translation>
     </message>
     <message>
+        <source>The counter or the home of an axis has changed. Draw the path again.</source>
+        <translation>軸のカウンターまたは原点が変わりました。パスを作成し直してください。</translation>
+    </message>
+    <message>
         <source>%1 is not a path for this chain:</source>
         <translation>%1は、このチェーンのパスとして使用できません：</translation>
     </message>

@@ -211,6 +211,21 @@ TEST_F(Paths, OneIsDrawnFromTheMovesOfASequence) {
     const int taught = panel.composition().machine().program.points.at(0).axes.at(0).counts;
     EXPECT_NEAR(taught, 3'000, 5);
     EXPECT_EQ(commanded(1), taught);
+
+    // The taught point follows the counter, because it counts from home, but a drawn path does not.
+    panel.ask(intent::SaveAsHome{});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().home.place().has_value(); }));
+    Program program = panel.composition().machine().program;
+    const std::int32_t home = panel.module().home.place()->counts;
+    program.points.at(0).axes.at(0) = {ModuleIndex(0), taught - home, true};
+    emit panel.window().requests().programEdited(program);
+    ASSERT_NO_FATAL_FAILURE(panel.click("drawPathButton"));
+    const auto* toStart = panel.window().findChild<QAbstractButton*>(u"pathToStartButton"_s);
+    EXPECT_TRUE(toStart->isEnabled()) << toStart->toolTip().toStdString();
+    panel.ask(intent::ResetPosition{});
+    ASSERT_TRUE(panel.waitFor([&] { return commanded(1) == 0; }));
+    EXPECT_TRUE(panel.waitFor([&] { return !toStart->isEnabled(); }));
+    EXPECT_EQ(toStart->toolTip(), u"The counter or the home of an axis has changed. Draw the path again."_s);
     EXPECT_EQ(sim.violations(), "");
 }
 

@@ -143,13 +143,17 @@ std::vector<PathColumn> PathsPage::axesNow() const {
     return axes;
 }
 
-/// True if all axes still have their units: in another unit, the same counts would be other positions.
-bool PathsPage::unchanged() const {
-    return std::ranges::all_of(m_path->axes, [this](const PathColumn& axis) {
-        const std::size_t place = axis.module.value();
-        return place < m_link.modules.size() && hasPathBuffer(m_link.modules[place].info.identity) &&
-               scaleOf(axis.module) == axis.scale;
-    });
+/// In another unit, or from another home, the same counts would be other positions.
+QString PathsPage::whyOutdated() const {
+    for (std::size_t i = 0; i < m_path->axes.size(); ++i) {
+        const PathColumn& axis = m_path->axes[i];
+        const ModuleState* module = moduleAt(axis.module, m_link.modules);
+        if (module == nullptr || !hasPathBuffer(module->info.identity) || scaleOf(axis.module) != axis.scale)
+            return tr("The unit of an axis has changed. Open or draw the path again.");
+        if (!m_path->homes.empty() && module->home.counts() != m_path->homes[i])
+            return tr("The counter or the home of an axis has changed. Draw the path again.");
+    }
+    return {};
 }
 
 const ProcedureReport* PathsPage::report() const {
@@ -194,7 +198,7 @@ QString PathsPage::whyNotMoved() const {
         return tr("Open or draw a path first.");
     if (m_sequenceRuns)
         return tr("A sequence or a move to a point is running.");
-    return unchanged() ? QString() : tr("The unit of an axis has changed. Open or draw the path again.");
+    return whyOutdated();
 }
 
 QString PathsPage::whyNotRun() const {
@@ -362,7 +366,10 @@ void PathsPage::draw() {
         return refresh();
     }
     std::vector<PathColumn> axes = columnsOf(*table, axesNow());
-    showPath({m_sequence->currentText(), std::move(*table), std::move(axes)});
+    std::vector<std::optional<std::int32_t>> homes;
+    for (const PathColumn& axis : axes)
+        homes.push_back(m_link.modules[axis.module.value()].home.counts());
+    showPath({m_sequence->currentText(), std::move(*table), std::move(axes), std::move(homes)});
 }
 
 /// Moves as to a taught point: all rules for moves apply, and a stop ends it.

@@ -30,6 +30,8 @@ struct LoadedPath {
     QString name;
     PathTable table;
     std::vector<PathColumn> axes;  ///< of the table's columns, when it was read or drawn
+    /// Of the axes, when it was drawn: its points count from there. Empty if it was read.
+    std::vector<std::optional<std::int32_t>> homes;
 };
 
 /// Opens or draws a path for PIC-SERVO CMC and SC, shows it, and runs it (docs/paths.md). GUI thread.
@@ -67,7 +69,7 @@ private:
     [[nodiscard]] QString obstacleText() const;
     /// Why the axes cannot move to the start, as far as that does not depend on what the modules are doing.
     [[nodiscard]] QString whyNotMoved() const;
-    [[nodiscard]] bool unchanged() const;
+    [[nodiscard]] QString whyOutdated() const;
     [[nodiscard]] AxisScale scaleOf(ModuleIndex module) const;
     [[nodiscard]] QString question() const;
     void lookForObstacles();
