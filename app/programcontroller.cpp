@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/programcontroller.h"
 
+#include "widgets/axes/axesdock.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/sequencetexts.h"
 #include "widgets/paths/pathsdock.h"
@@ -52,6 +53,7 @@ ProgramController::ProgramController(MainWindow& window, const BusStore& store, 
 void ProgramController::showRun(const SequenceReport& report) {
     m_window.sequences().showRun(report);
     m_window.paths().showSequence(!report.over());
+    m_window.axes().showSequence(!report.over());
     if (const auto message = texts::sequenceOver(report))
         m_messages.report(*message);
 }

@@ -937,6 +937,10 @@
         <source>waits for the port</source>
         <translation>wartet auf die Schnittstelle</translation>
     </message>
+    <message>
+        <source>A sequence is already running.</source>
+        <translation>Ein Ablauf läuft schon.</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -12186,10 +12190,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Redo: %1</source>
         <translation>Stellt wieder her: %1</translation>
-    </message>
-    <message>
-        <source>A sequence is already running.</source>
-        <translation>Ein Ablauf läuft schon.</translation>
     </message>
     <message>
         <source>Runs &quot;%1&quot; from its first row.</source>

@@ -937,6 +937,10 @@
         <source>waits for the port</source>
         <translation>espera al puerto</translation>
     </message>
+    <message>
+        <source>A sequence is already running.</source>
+        <translation>Ya hay una secuencia en ejecución.</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -12186,10 +12190,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Redo: %1</source>
         <translation>Rehacer: %1</translation>
-    </message>
-    <message>
-        <source>A sequence is already running.</source>
-        <translation>Ya hay una secuencia en ejecución.</translation>
     </message>
     <message>
         <source>Runs &quot;%1&quot; from its first row.</source>

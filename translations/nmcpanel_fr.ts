@@ -937,6 +937,10 @@
         <source>waits for the port</source>
         <translation>attend le port</translation>
     </message>
+    <message>
+        <source>A sequence is already running.</source>
+        <translation>Une séquence est déjà en cours.</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -12186,10 +12190,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Redo: %1</source>
         <translation>Rétablir&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>A sequence is already running.</source>
-        <translation>Une séquence est déjà en cours.</translation>
     </message>
     <message>
         <source>Runs &quot;%1&quot; from its first row.</source>

@@ -937,6 +937,10 @@
         <source>waits for the port</source>
         <translation>ポート待ち</translation>
     </message>
+    <message>
+        <source>A sequence is already running.</source>
+        <translation>シーケンスはすでに運転中です。</translation>
+    </message>
 </context>
 <context>
     <name>FirstSteps</name>
@@ -12166,10 +12170,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Redo: %1</source>
         <translation>やり直し：%1</translation>
-    </message>
-    <message>
-        <source>A sequence is already running.</source>
-        <translation>シーケンスはすでに運転中です。</translation>
     </message>
     <message>
         <source>Runs &quot;%1&quot; from its first row.</source>

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAction>
+#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTabWidget>
@@ -10,6 +12,7 @@
 
 #include "model/intent/homingplan.h"
 #include "tests/support/virtualpanel.h"
+#include "widgets/axes/axesdock.h"
 
 namespace nmc {
 namespace {
@@ -120,6 +123,32 @@ TEST_F(HomingPage, GoHomeAfterAZeroGoesWhereHomeIs) {
     })) << text("homeState").toStdString();
     click("goHomeButton");
     ASSERT_TRUE(panel.waitFor([&] { return std::abs(shaft() - home) <= 3; }));
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(HomingPage, AnOperatorWhoMayHomeAndNothingElseHomesAllAxes) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    type("homingVelocityField", u"1,5"_s);
+    ASSERT_TRUE(panel.waitFor([&] {
+        const auto& homing = panel.composition().machine().axis(ModuleIndex(0)).homing;
+        return homing && homing->velocity > 0;
+    }));
+    panel.window().findChild<QAction*>(u"operatorAction"_s)->trigger();
+    for (const char* name : {"operatorEnableBox", "operatorJogBox", "operatorPointsBox"})
+        panel.window().findChild<QCheckBox*>(QLatin1String(name))->setChecked(false);
+    panel.window().findChild<QCheckBox*>(u"operatorHomingBox"_s)->setChecked(true);
+    for (const char* name : {"operatorPinField", "operatorPinAgainField"})
+        QTest::keyClicks(panel.window().findChild<QLineEdit*>(QLatin1String(name)), u"4711"_s);
+    ASSERT_NO_FATAL_FAILURE(panel.click("operatorBeginButton"));
+    panel.window().axes().show();
+    panel.window().axes().raise();
+    click("homeAllButton");
+    ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
+    EXPECT_EQ(button("homeAllButton")->toolTip(), u"A sequence is already running."_s);
+    EXPECT_FALSE(button("homeAllButton")->isEnabled());
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().home.place().has_value(); }));
+    EXPECT_TRUE(panel.waitFor([&] { return button("homeAllButton")->isEnabled(); }))
+        << button("homeAllButton")->toolTip().toStdString();
     EXPECT_EQ(sim.violations(), "");
 }
 

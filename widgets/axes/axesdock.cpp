@@ -16,6 +16,7 @@ AxesPage& AxesDock::page() {
     if (m_page == nullptr) {
         m_page = new AxesPage(m_requests, this);
         m_page->setHoldInterval(m_holdInterval);
+        m_page->showSequence(m_sequenceRuns);
         setWidget(scrolled(m_page));
     }
     return *m_page;
@@ -40,6 +41,12 @@ void AxesDock::setHoldInterval(int milliseconds) {
     m_holdInterval = milliseconds;
     if (m_page != nullptr)
         m_page->setHoldInterval(milliseconds);
+}
+
+void AxesDock::showSequence(bool running) {
+    m_sequenceRuns = running;
+    if (m_page != nullptr)
+        m_page->showSequence(running);
 }
 
 }  // namespace nmc

@@ -20,6 +20,7 @@ public:
     void forgetModules();
     void endHold();
     void setHoldInterval(int milliseconds);
+    void showSequence(bool running);
 
 private:
     void build() override { page(); }
@@ -28,6 +29,7 @@ private:
     Requests& m_requests;
     AxesPage* m_page = nullptr;
     int m_holdInterval = 100;
+    bool m_sequenceRuns = false;
 };
 
 }  // namespace nmc

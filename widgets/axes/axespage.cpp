@@ -144,6 +144,8 @@ std::vector<ModuleIndex> AxesPage::possibleToEnable() const {
 }
 
 QString AxesPage::whyNotHomed() const {
+    if (m_sequenceRuns)
+        return Common::tr("A sequence is already running.");
     const std::vector<ModuleIndex> homing = order();
     if (homing.empty())
         return tr("Homing is not set up for any axis. Set it up on each Homing page.");
@@ -153,6 +155,11 @@ QString AxesPage::whyNotHomed() const {
             return Common::tr("%1: %2").arg(texts::moduleName(module), reason);
     }
     return {};
+}
+
+void AxesPage::showSequence(bool running) {
+    m_sequenceRuns = running;
+    refresh();
 }
 
 void AxesPage::refresh() {

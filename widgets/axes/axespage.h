@@ -28,6 +28,7 @@ public:
     void forgetModules();
     void endHold();
     void setHoldInterval(int milliseconds);
+    void showSequence(bool running);
 
 private:
     void showJog();
@@ -48,6 +49,7 @@ private:
     Command* m_enableAll;
     Command* m_homeAll;
     int m_holdInterval = 100;
+    bool m_sequenceRuns = false;
 };
 
 }  // namespace nmc

@@ -524,7 +524,7 @@ void SequencesPage::refreshRows() {
 QString SequencesPage::whyNotStarted(const std::string& sequence, std::size_t row,
                                      const Machine& machine) const {
     if (running())
-        return tr("A sequence is already running.");
+        return Common::tr("A sequence is already running.");
     if (const auto refusal = whyNoChain(m_link))
         return texts::refusal(*refusal);
     if (sequence.empty())

@@ -12,6 +12,13 @@ namespace nmc {
 
 namespace {
 constexpr int kSequenceIntervalMs = 50;
+
+/// The modules as the run of that sequence sees them: homing has an operator right of its own.
+template <typename Modules>
+[[nodiscard]] Modules asOfRun(const std::string& sequence, Modules modules) {
+    return sequence == kHomeAll ? modules : asOfSequence(std::move(modules));
+}
+
 }  // namespace
 
 SequenceController::SequenceController(BusStore& store, ProcedureController& procedures, Submit submit,
@@ -46,9 +53,7 @@ void SequenceController::begin(SequenceRun run) {
         return;
     const LinkState& link = m_store.link();
     const auto& [sequence, row, rounds] = run.report().places.front();
-    // Homing has an operator right of its own.
-    auto problems = whyNotRun(sequence, row, run.machine(),
-                              sequence == kHomeAll ? link.modules : asOfSequence(link.modules));
+    auto problems = whyNotRun(sequence, row, run.machine(), asOfRun(sequence, link.modules));
     if (link.phase != LinkPhase::Connected)
         problems = {{.kind = SequenceProblem::Kind::Refused,
                      .sequence = sequence,
@@ -81,7 +86,7 @@ void SequenceController::look() {
 void SequenceController::advance() {
     if (!running())
         return;
-    SequenceRun::Next next = m_run->next(asOfSequence(m_store.link().modules), monotonicNow());
+    SequenceRun::Next next = m_run->next(asOfRun(name(), m_store.link().modules), monotonicNow());
     if (auto* send = std::get_if<SequenceRun::Send>(&next))
         for (std::vector<bus::Order>& orders : send->operations)
             m_operations.push_back(m_submit(std::move(orders)));
@@ -96,9 +101,9 @@ void SequenceController::obey(const SequenceRun::Ask& ask) {
     if (std::holds_alternative<intent::CancelProcedure>(ask.intent))
         return m_procedures.cancel(ask.module);
     const ModuleState* module = m_store.module(ask.module);
-    const auto refusal =
-        module != nullptr ? plan(ask.intent, asOfSequence(*module)) : tl::unexpected(Refusal::Unresponsive);
-    auto procedure = refusal ? procedureFor(ask.intent, asOfSequence(*module)) : nullptr;
+    const auto refusal = module != nullptr ? plan(ask.intent, asOfRun(name(), *module))
+                                           : tl::unexpected(Refusal::Unresponsive);
+    auto procedure = refusal ? procedureFor(ask.intent, asOfRun(name(), *module)) : nullptr;
     if (!procedure || !m_procedures.begin(std::move(procedure)))
         m_run->onNotBegun(ask.module, refusal ? Refusal::Moving : refusal.error());
 }

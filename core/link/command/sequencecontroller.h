@@ -61,6 +61,7 @@ signals:
     void foreseen(const nmc::DryRun& dryRun);
 
 private:
+    [[nodiscard]] const std::string& name() const { return m_run->report().places.front().sequence; }
     void begin(SequenceRun run);
     template <typename... Of>
     void tell(void (SequenceRun::*what)(Of...), Of... of) {

@@ -178,7 +178,8 @@ private:
         const ModuleState* module = moduleAt(index, m_modules);
         if (module == nullptr)
             report(SequenceProblem::Kind::NoSuchModule, index);
-        else if (const auto refusal = whyInaccessible(IntentKind::Move, *module)) {
+        // Of everything a run does, only homing has an operator right of its own.
+        else if (const auto refusal = whyInaccessible(IntentKind::Home, *module)) {
             refuse(index, *refusal);
             return nullptr;
         }
