@@ -7,6 +7,7 @@
 #include "model/intent/backlash.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/jog.h"
+#include "model/intent/rights.h"
 #include "tests/model/servofixture.h"
 
 namespace nmc {
@@ -272,6 +273,13 @@ TEST(Backlash, TheWayRoundRespectsTheLimitsToo) {
     EXPECT_EQ(problem->turn, 799);
     EXPECT_EQ(travelProblem(to(700), module)->nearest, 850);
     EXPECT_FALSE(travelProblem(to(700), module)->turn) << "the goal itself is beyond it";
+}
+
+TEST(Backlash, PointsAndSequencesDoNotTurnRoundSoTheLimitIsTheirGoalsOnly) {
+    ModuleState module = limited(1'200);
+    module.backlash.distance = 50;
+    EXPECT_TRUE(plan(to(801), asOfSequence(module)).has_value());
+    EXPECT_EQ(plan(to(799), asOfSequence(module)).error(), Refusal::BeyondTravel);
 }
 
 }  // namespace

@@ -111,6 +111,25 @@ TEST_F(DryRuns, TakeHomeWhereItIsKnown) {
 }
 
 /// IO3 is the only output of the PIC-I/O.
+/// The travel limits are in force from the search on.
+TEST_F(DryRuns, KeepTheTravelLimitsOfAnAxisThatIsHomedFirst) {
+    HomingRecipe recipe;
+    recipe.onHomeSwitch = true;
+    recipe.velocity = 100;
+    recipe.acceleration = 1'000;
+    recipe.travelLimit = recipe.timeLimit = 100;
+    bench.machine.axes[2].homing = recipe;
+    bench.modules[2].home.forget();
+    bench.modules[2].travel.highest = 150;
+    bench.machine.program.points = {{"A", {{kTable, 200}}}};
+    bench.machine.program.sequences = {{"Main", {action::Home{kTable}, action::MoveTo{"A"}}}};
+    const DryRun foreseen = dry("Main");
+    ASSERT_TRUE(foreseen.problems.empty());
+    EXPECT_EQ(foreseen.report.end, SequenceEnd::Refused);
+    EXPECT_EQ(foreseen.report.refusal, Refusal::BeyondTravel);
+    EXPECT_EQ(foreseen.report.places.at(0).row, 1U);
+}
+
 TEST_F(DryRuns, DoWhatTheRowsAskOfAPicIo) {
     constexpr ModuleIndex kBox{3};
     ModuleState box;

@@ -174,6 +174,7 @@ private:
         if (real.home.place())
             m_modules[index.value()].home.found(countsBetween(origin(index), real.home.place()->counts),
                                                 m_modules[index.value()].latestTime);
+        m_modules[index.value()].travel = real.travel;  // last, so that nothing of the above is refused
     }
     void setPins(const ModuleState& real) {
         const ModuleIndex index = real.info.index;

@@ -53,6 +53,7 @@ ModuleState asOfSequence(ModuleState module) {
         module.rights.reset();
     else if (module.rights)
         module.rights = kNothing;
+    module.backlash = {};
     return module;
 }
 

@@ -17,7 +17,8 @@ namespace nmc {
 [[nodiscard]] std::optional<Refusal> whyNotEdited(const std::optional<OperatorRights>& rights);
 
 /// The module as points and sequences see it: if these are left to an operator, so is everything they consist
-/// of; if not, none of it is.
+/// of; if not, none of it is. Several axes that move together cannot each turn round first, so all of them go
+/// straight to their goals, whatever their backlash.
 [[nodiscard]] ModuleState asOfSequence(ModuleState module);
 [[nodiscard]] std::vector<ModuleState> asOfSequence(std::vector<ModuleState> modules);
 
