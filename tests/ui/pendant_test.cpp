@@ -478,6 +478,17 @@ TEST_F(GamepadMode, AKeyOfTheKeyboardEndsWhatThePadHoldsAndTheOtherWayRound) {
     QTest::keyRelease(focused(), Qt::Key_Right, Qt::ShiftModifier);
 }
 
+/// Otherwise, the button of the first hand would stay down with nobody to release it.
+TEST_F(GamepadMode, AnArrowWhileThePadHoldsEndsTheMotionAlthoughShiftWasDownBefore) {
+    beginWithPad();
+    QTest::keyPress(focused(), Qt::Key_Shift);
+    ASSERT_NO_FATAL_FAILURE(hold());
+    // QTest would press Shift once more, which ends the motion by itself.
+    QKeyEvent left(QEvent::KeyPress, Qt::Key_Left, Qt::ShiftModifier);
+    QApplication::sendEvent(focused(), &left);
+    expectEnded();
+}
+
 class PendantEnds : public PendantMode, public testing::WithParamInterface<PendantEnding> {};
 class GamepadEnds : public GamepadMode, public testing::WithParamInterface<PendantEnding> {};
 

@@ -151,6 +151,8 @@ bool Pendant::takeKey(const QKeyEvent& key, bool pressed) {
 }
 
 void Pendant::press(bool reverse, double share) {
+    if (m_held && m_held->isHeld())
+        return release();  // by another hand: one motion has one hand
     ModulePage* page = m_panel.page();
     m_held = page != nullptr ? page->holdButton(reverse) : nullptr;
     if (m_held)
