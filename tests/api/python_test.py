@@ -15,6 +15,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "core" / "python"))
 from nmcpanel import ControlLost, NotCarriedOut, Panel, PanelError, Refused, sockets  # noqa: E402
 
 PROGRAM = sys.argv.pop()
+# Counts by which a servo that holds a position moves to and fro within its friction (core/bus/standstill.h).
+STILL = 4
 GAINS = {"kp": 200, "kd": 2000, "ki": 20, "il": 200, "ol": 255, "cl": 0, "el": 8000, "sr": 1}
 
 
@@ -47,9 +49,9 @@ class Client(unittest.TestCase):
             axis.set_gains(**GAINS)
             axis.enable()
             axis.move(400)
-            self.assertAlmostEqual(axis.position, 400, delta=2)
+            self.assertAlmostEqual(axis.position, 400, delta=STILL)
             axis.move_by(-150, velocity=2)
-            self.assertAlmostEqual(axis.position, 250, delta=2)
+            self.assertAlmostEqual(axis.position, 250, delta=STILL)
             axis.jog(-0.5, 0.3)
             self.assertLess(axis.position, 250)
             for sample in itertools.islice(panel.samples(), 50):
@@ -92,8 +94,8 @@ class Client(unittest.TestCase):
         rows = [[float(cell) for cell in row.split(",")] for row in record.read_text().splitlines()[1:]]
         self.assertEqual([row[:2] for row in rows], [[0, 0], [40, 0], [40, 40], [0, 40]])
         for x, y, x_measured, y_measured in rows:
-            self.assertAlmostEqual(x_measured, x, delta=3)
-            self.assertAlmostEqual(y_measured, y, delta=3)
+            self.assertAlmostEqual(x_measured, x, delta=STILL)
+            self.assertAlmostEqual(y_measured, y, delta=STILL)
         said = self.example("repeatability.py", "1", "100", "50", "2")
         self.assertEqual(len(said.splitlines()), 3, said)
         self.assertIn("turns", self.example("centrifuge.py", "1", "60", "0.3"))

@@ -155,7 +155,9 @@ TEST(H16_NoDescriptorLeft, IsSaidInsteadOfAborting) {
     connection.forgetNews();
     connection.openSerial(sim.terminal());
     EXPECT_TRUE(connection.waitFor<bus::ChainFound>())
-        << "it works as soon as descriptors are available again";
+        << "it works as soon as descriptors are available again; phase "
+        << static_cast<int>(connection.store().link().phase)
+        << (connection.news<PortClosed>() != nullptr ? ", port closed" : "");
 }
 
 }  // namespace
