@@ -40,13 +40,14 @@ std::optional<Order> HoldLane::start() const {
     if (!m_wanted || m_wanted == m_sent)
         return std::nullopt;
     const HoldToMove& hold = *m_wanted;
+    const auto goal = m_sent ? std::nullopt : hold.goal;
     if (hold.pace) {
-        auto load = profiledLoad(hold.pace->speed, hold.pace->accelerationTime, hold.goal, hold.reverse);
-        load.startNow = !hold.goal;
+        auto load = profiledLoad(hold.pace->speed, hold.pace->accelerationTime, goal, hold.reverse);
+        load.startNow = !goal;
         return Order{hold.module, StepperCommand(load)};
     }
-    auto load = profiledLoad(hold.velocity, hold.acceleration, hold.goal, hold.reverse);
-    load.startNow = !hold.goal;
+    auto load = profiledLoad(hold.velocity, hold.acceleration, goal, hold.reverse);
+    load.startNow = !goal;
     return Order{hold.module, ServoCommand(load)};
 }
 

@@ -28,8 +28,11 @@ public:
 
     [[nodiscard]] std::optional<TimePoint> deadline() const;
     [[nodiscard]] const std::optional<HoldToMove>& wanted() const { return m_wanted; }
-    /// The command to be sent, if the module was not sent what is wanted: the start, or, with a goal, its
-    /// load, which startLoaded() must follow.
+    /// Keeps the motion that was sent instead of the one that is wanted.
+    void keepSent() { m_wanted = m_sent; }
+    /// The command to be sent, if the module was not sent what is wanted: the start, or, for the first motion
+    /// with a goal, its load, which startLoaded() must follow. A PIC-SERVO cannot change the velocity of a
+    /// move to a goal (DS-V 4.4), so from then on it is a run.
     [[nodiscard]] std::optional<Order> start() const;
     [[nodiscard]] Order startLoaded() const;
 

@@ -86,8 +86,13 @@ Next HoldTask::next(TimePoint /*now*/) {
         giveUp();
         return Again{};
     }
-    if (const auto& goal = m_lane.wanted()->goal)
-        return nextTowards(*goal, start);
+    const HoldToMove& wanted = *m_lane.wanted();
+    if (wanted.goal && !m_lane.sent())
+        return nextTowards(*wanted.goal, start);
+    if (wanted.goal && !mayRunOn(wanted)) {
+        m_lane.keepSent();
+        return Again{};
+    }
     return sendOrder(start);
 }
 
@@ -105,6 +110,15 @@ Next HoldTask::nextTowards(std::int32_t goal, const Order& load) {
         return Again{};
     }
     return sendOrder(hasLoaded(module, load.command) ? m_lane.startLoaded() : load);
+}
+
+/// From a trapezoid, a PIC-STEP takes up another speed only at once, without a ramp (DS-S 5.1, Table 4).
+bool HoldTask::mayRunOn(const HoldToMove& wanted) const {
+    const Belief& module = m_chain.belief(wanted.module);
+    // While SR is unknown, the shortest tick is assumed.
+    const double ticks = ticksPerSecond(module.servoRegisters().servoRate.value_or(1));
+    return !wanted.pace && m_chain.at(wanted.module)
+                               .travel.mayRunOn(wanted.reverse, toCounts(wanted.velocity) * ticks, module);
 }
 
 bool HoldTask::leadsTo(std::int32_t goal, const Belief& module) const {

@@ -13,7 +13,8 @@ namespace nmc::bus {
 
 /// Held motion: starts and changes it while the evidence comes, and owes its module a stop as soon as it does
 /// not. A hold with a goal starts from standstill: a moving motor is stopped first, and a change of goal ends
-/// the hold.
+/// the hold. At a change of its velocity, a PIC-SERVO's becomes a run, which TravelWatch ends; where the goal
+/// is too near for that, and with a PIC-STEP, it keeps the velocity that it has.
 class HoldTask : public Task {
 public:
     HoldTask(const Shared& shared, const EngineConfig& config) : Task(shared), m_lane(config.holdTimeout) {}
@@ -47,6 +48,8 @@ private:
     void giveUp();
     /// True if a motion to `goal` goes in the direction held, and is not negligible.
     [[nodiscard]] bool leadsTo(std::int32_t goal, const Belief& module) const;
+    /// True if that motion may go on as a run instead of a move to its goal.
+    [[nodiscard]] bool mayRunOn(const HoldToMove& wanted) const;
     /// For a hold with a goal: its load, then its start.
     [[nodiscard]] Next nextTowards(std::int32_t goal, const Order& load);
     [[nodiscard]] Next sendOrder(const Order& order);

@@ -45,7 +45,15 @@ constexpr Duration kCommand = std::chrono::milliseconds(30);
     return acceleration && !belief.pwmMayRun() ? toCounts(*acceleration) * ticks * ticks : 0.0;
 }
 
+[[nodiscard]] double wayToStop(double speed, double ramp) {
+    return ramp > 0.0 ? speed * speed / (2.0 * ramp) : 0.0;
+}
+
 }  // namespace
+
+Duration TravelWatch::latency() const {
+    return std::max(kLatency, m_between + kCommand);
+}
 
 void TravelWatch::measure(std::int32_t position, TimePoint latched) {
     m_between = m_reported ? latched - *m_reported : Duration{};
@@ -73,11 +81,20 @@ std::optional<StopManner> TravelWatch::onReport(const StatusReport& report, Time
     const double wanted = belief.velocityGoal() && told.velocity ? toCounts(*told.velocity) * ticks : 0.0;
     const double fast = std::max(std::abs(m_speed), wanted);
     const double ramp = rampOf(belief, ticks);
-    const double needs = fast * toSeconds(std::max(kLatency, m_between + kCommand)) +
-                         (ramp > 0.0 ? fast * fast / (2.0 * ramp) : 0.0);
+    const double needs = fast * toSeconds(latency()) + wayToStop(fast, ramp);
     if ((static_cast<double>(*limit) - *report.position) * direction > needs)
         return std::nullopt;
     return belief.pwmMayRun() ? StopManner::Off : ramp > 0.0 ? StopManner::Smoothly : StopManner::Abruptly;
+}
+
+bool TravelWatch::mayRunOn(bool reverse, double velocity, const Belief& belief) const {
+    const auto& limit = reverse ? m_limits.lowest : m_limits.highest;
+    if (!limit || !belief.position())
+        return false;
+    const double room = (static_cast<double>(*limit) - *belief.position()) * (reverse ? -1 : 1);
+    const double fast = std::max(std::abs(m_speed), velocity);
+    const double ramp = rampOf(belief, ticksPerSecond(belief.servoRegisters().servoRate.value_or(1)));
+    return room > fast * toSeconds(2 * latency()) + wayToStop(fast, ramp);
 }
 
 }  // namespace nmc::bus

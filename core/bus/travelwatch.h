@@ -29,6 +29,9 @@ public:
     /// empty: it may continue.
     [[nodiscard]] std::optional<StopManner> onReport(const StatusReport& report, TimePoint latched,
                                                      const Belief& belief);
+    /// True if a motor that moves towards that limit may run on at `velocity` counts (steps) per second until
+    /// onReport() stops it: there is room for the stop even if it is a report late.
+    [[nodiscard]] bool mayRunOn(bool reverse, double velocity, const Belief& belief) const;
 
 private:
     struct Place {
@@ -36,6 +39,8 @@ private:
         std::int32_t counts = 0;
     };
     void measure(std::int32_t position, TimePoint latched);
+    /// Time from a report to the stop that follows from it.
+    [[nodiscard]] Duration latency() const;
 
     TravelLimits m_limits;
     std::optional<Place> m_from;  ///< starting point of the speed measurement

@@ -164,8 +164,8 @@ struct HoldToMove {
     bool reverse = false;
     std::optional<StepperPace> pace{};  ///< PIC-STEP, instead of velocity and acceleration
     std::uint32_t press = 0;            ///< number of the button press; increases with each press
-    /// A limit that it moves towards: the motion is a move to it, from standstill, which the chip ends by
-    /// itself. Empty: it continues for as long as it is held.
+    /// A travel limit that it moves towards: the motion is a move to it, from standstill, which the chip ends
+    /// by itself. Empty: it continues for as long as it is held.
     std::optional<std::int32_t> goal{};
     bool operator==(const HoldToMove&) const = default;
 };

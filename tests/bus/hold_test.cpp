@@ -84,6 +84,50 @@ TEST_F(Hold, ChangesTheVelocityOnTheFly) {
     bus.expectNoViolations();
 }
 
+/// At two counts a tick, which are 3906 counts/s, the motor takes 200 counts to come to rest (v^2 / 2a; a is
+/// 655/65536 counts/tick^2), and moves 391 counts in the 0.1 s that the stop may need.
+TEST_F(Hold, ChangesTheVelocityOnTheWayToATravelLimitToo) {
+    enableFirst();
+    bus.engine.setTravelLimits({{-8'000, 8'000}});
+    HoldToMove hold = forward(0);
+    hold.goal = 8'000;
+    holdFor(500ms, hold);
+    EXPECT_NEAR(bus.servo(0).commandVelocity, 1.0, 1e-3);
+    hold.velocity = CountsPerTick(2 * kOnePerTick);
+    holdFor(500ms, hold);
+    EXPECT_NEAR(bus.servo(0).commandVelocity, 2.0, 1e-3);
+    holdFor(4s, hold);
+    EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 1U);
+    EXPECT_EQ(bus.count<HoldExpired>(), 0U);
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+    EXPECT_LE(bus.servo(0).position, 8'000);
+    EXPECT_GT(bus.servo(0).position, 8'000 - 391 - 100);
+
+    // Another press takes it to the limit itself.
+    HoldToMove again = forward(0);
+    again.goal = 8'000;
+    holdFor(1s, again);
+    EXPECT_NEAR(bus.servo(0).position, 8'000, 2);
+    bus.expectNoViolations();
+}
+
+/// Ten counts a tick are 19531 counts/s: a stop that is a report late would take 3906 counts and its ramp.
+TEST_F(Hold, KeepsItsVelocityWhereARunCouldNotBeStoppedBeforeTheLimit) {
+    enableFirst();
+    bus.engine.setTravelLimits({{-3'000, 3'000}});
+    HoldToMove hold = forward(0);
+    hold.goal = 3'000;
+    holdFor(500ms, hold);
+    hold.velocity = CountsPerTick(10 * kOnePerTick);
+    holdFor(500ms, hold);
+    EXPECT_NEAR(bus.servo(0).commandVelocity, 1.0, 1e-3);
+    holdFor(1s, hold);
+    EXPECT_NEAR(bus.servo(0).position, 3'000, 2);
+    EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 0U);
+    EXPECT_EQ(bus.count<HoldExpired>(), 0U);
+    bus.expectNoViolations();
+}
+
 TEST_F(Hold, NeverSwitchesAServoOn) {
     ASSERT_TRUE(bus.connect());
     holdFor(500ms, forward(0));

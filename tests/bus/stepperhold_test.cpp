@@ -112,6 +112,36 @@ TEST_F(StepperHold, ChangesTheSpeedOnTheFly) {
     bus.expectNoViolations();
 }
 
+TEST_F(StepperHold, KeepsItsSpeedOnTheWayToATravelLimit) {
+    for (const bool reverse : {false, true}) {
+        SCOPED_TRACE(reverse);
+        VirtualBus chain(std::vector<ModuleIdentity>{{ModuleType::Stepper, 1}});
+        ASSERT_TRUE(chain.connect());
+        stepper::SetParameters parameters;
+        parameters.speedMode = stepper::SpeedMode::X1;
+        ASSERT_EQ(
+            chain.perform({to(parameters), to(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly})}),
+            Outcome::Done);
+        chain.engine.setTravelLimits({{-5'000, 5'000}});
+        chain.runFor(100ms);
+        HoldToMove hold = pace(reverse);
+        hold.goal = reverse ? -5'000 : 5'000;
+        hold.press = 1;
+        const auto holdOn = [&](Duration time) {
+            for (const TimePoint end = chain.now + time; chain.now < end; chain.runFor(100ms))
+                chain.engine.hold(hold, chain.now);
+            return chain.chain.snapshot(ModuleIndex(0), chain.now).stepper.value();
+        };
+        const double sign = reverse ? -1 : 1;
+        EXPECT_NEAR(holdOn(500ms).stepRate, sign * 1'000, 1e-6);
+        hold.pace->speed = 60;
+        EXPECT_NEAR(holdOn(500ms).stepRate, sign * 1'000, 1e-6);
+        EXPECT_EQ(holdOn(5s).position, sign * 5'000);
+        EXPECT_EQ(chain.count<HoldExpired>(), 0U);
+        chain.expectNoViolations();
+    }
+}
+
 TEST_F(StepperHold, StopsInsteadOfReversing) {
     prepare();
     holdFor(500ms, pace(false));
