@@ -196,8 +196,12 @@ void Composition::wireConnection() {
     });
     connect(&m_connection, &Connection::accepted, this,
             [this](const std::vector<ModuleIdentity>& present, const std::vector<ModuleIndex>& missing) {
-                m_machine.acceptChain(present);
+                m_machine.acceptChain(present, missing);
                 m_messages.end(texts::key::port());
+                if (missing.empty())
+                    return;
+                m_positions.leaveOut(missing);
+                m_runs.leaveOut(missing);
                 for (const ModuleIndex module : missing)
                     m_messages.end(texts::key::silent(module));
             });
@@ -205,6 +209,9 @@ void Composition::wireConnection() {
             [this](const LendingProblem& problem) { m_messages.report(texts::notLent(problem)); });
     connect(&m_connection, &Connection::notAccepted, this,
             [this] { m_messages.report(texts::chainNotAccepted()); });
+    connect(&m_connection, &Connection::stillUsed, this, [this](const RowPlace& row, ModuleIndex module) {
+        m_messages.reportOfChain(texts::moduleStillUsed(row, module));
+    });
     connect(&m_connection, &Connection::ended, this, &Composition::quit);
 }
 

@@ -7,7 +7,9 @@
 #include "link/connection/networktransport.h"
 #include "link/connection/serialtransport.h"
 #include "link/connection/simulatortransport.h"
+#include "model/intent/rights.h"
 #include "model/module/chaindiagnosis.h"
+#include "model/sequence/sequenceedit.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
 
@@ -166,29 +168,41 @@ void Connection::lend(const QString& path) {
 
 void Connection::acceptChain() {
     const LinkState& link = m_store.link();
-    std::vector<bus::ModuleInfo> present;
-    std::vector<ModuleIdentity> identities;
-    std::vector<ModuleIndex> missing;
-    for (const ModuleState& module : link.modules) {
-        if (isMissing(module)) {
-            missing.push_back(module.info.index);
-        } else {
-            present.push_back(module.info);
-            identities.push_back(module.info.identity);
-        }
+    if (whyNotEdited(link.rights))
+        return;  // the button shows why
+    // Where no chain is remembered, none is forgotten either: a missing module keeps its place.
+    const bool remembered = link.phase == LinkPhase::Connected && !link.simulated;
+    Accepted chain;
+    for (const ModuleState& module : link.modules)
+        if (remembered && isMissing(module))
+            chain.missing.push_back(module.info.index);
+        else
+            chain.present.push_back(module.info);
+    if (chain.missing.empty()) {
+        accept(chain);
+        if (remembered)
+            rememberChain(m_settings, m_target->port, chain.present);
+        return;
     }
-    const bool forgets = !missing.empty() && !link.simulated;
     // The known chain is dropped only by reconnecting, and closing the connection stops motors.
-    if (forgets && !link.readOnly && m_store.movingMotors() > 0) {
+    if (!link.readOnly && m_store.movingMotors() > 0) {
         emit notAccepted();
         return;
     }
-    emit accepted(identities, missing);
-    if (link.phase != LinkPhase::Connected || link.simulated)
+    const Program& program = m_store.machine().program;
+    if (const auto user = userOfModules(program, chain.missing)) {
+        emit stillUsed(*user, *moduleOf(*rowAt(program, *user)));
         return;
-    rememberChain(m_settings, m_target->port, present);
-    if (forgets)
-        reopen();
+    }
+    m_accepted = std::move(chain);
+    openAnyway(*m_target);
+}
+
+void Connection::accept(const Accepted& chain) {
+    std::vector<ModuleIdentity> identities;
+    for (const bus::ModuleInfo& module : chain.present)
+        identities.push_back(module.identity);
+    emit accepted(identities, chain.missing);
 }
 
 void Connection::take(const StoreEvent& event) {
@@ -230,6 +244,11 @@ void Connection::on(const PortClosed& closed) {
         if (closed.error->problem == PortProblem::Gone)
             m_lost = {m_target->port, m_chain};
         m_ports.closed(*closed.error);
+    }
+    // Only now: while the modules have their former numbers, none must get the settings of another.
+    if (const auto chain = std::exchange(m_accepted, std::nullopt)) {
+        rememberChain(m_settings, m_target->port, chain->present);
+        accept(*chain);
     }
     if (m_endWhenClosed)
         emit ended();

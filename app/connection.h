@@ -12,6 +12,7 @@
 #include "link/command/commander.h"
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
+#include "model/sequence/sequencewalk.h"
 
 namespace nmc {
 
@@ -50,7 +51,8 @@ public:
     void dropSearch() { m_searchWhenIdle = false; }
     /// Lends the line to the program that opens this path, if no procedure and no sequence is running.
     void lend(const QString& path);
-    /// Makes the modules that are present the expected ones; those that are missing are forgotten.
+    /// Makes the modules that are present the expected ones. Those that are missing are forgotten, and the
+    /// modules after them move up, unless a sequence uses one.
     void acceptChain();
 
     /// Call for every event, after everything that must be over before the next connection is opened.
@@ -63,19 +65,28 @@ signals:
     void fewerFound(int modules, int expected);
     /// The port that was lost is connected again.
     void recovered();
-    /// These are present; the modules in `missing` are not.
+    /// These are present; the modules in `missing` are forgotten. If there are any, no chain is connected
+    /// until this returns.
     void accepted(const std::vector<nmc::ModuleIdentity>& present,
                   const std::vector<nmc::ModuleIndex>& missing);
     /// The line was not lent, because motors are in use.
     void notLent(const nmc::LendingProblem& problem);
     /// Forgetting a module would close the connection, which would stop motors.
     void notAccepted();
+    /// The row uses a module that would be forgotten.
+    void stillUsed(const nmc::RowPlace& row, nmc::ModuleIndex module);
     void ended();
 
 private:
     void openAnyway(const ConnectTarget& target);
     void followLostAdapter(const QString& port);
     void openNow(const ConnectTarget& target);
+    /// The chain as it is from now on.
+    struct Accepted {
+        std::vector<bus::ModuleInfo> present{};
+        std::vector<ModuleIndex> missing{};
+    };
+    void accept(const Accepted& chain);
     void searchIfIdle();
     void on(const bus::ChainFound& found);
     void on(const PortClosed& closed);
@@ -97,6 +108,7 @@ private:
         std::vector<bus::ModuleInfo> chain;
     };
     std::optional<LostLine> m_lost;
+    std::optional<Accepted> m_accepted;  ///< with missing modules; takes effect when the port has closed
     bool m_endWhenClosed = false;
     bool m_searchWhenIdle = false;  ///< as soon as no procedure and no sequence is running
     bool m_enableFaults = false;

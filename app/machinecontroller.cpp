@@ -8,9 +8,11 @@
 
 #include "link/files/machineio.h"
 #include "model/intent/rights.h"
+#include "model/machinefile/axisremoval.h"
 #include "model/machinefile/machinegroups.h"
 #include "widgets/common/texts.h"
 #include "widgets/machine/machinemenu.h"
+#include "widgets/sequences/sequencesdock.h"
 
 namespace nmc {
 
@@ -139,9 +141,16 @@ void MachineController::setOperatorRights(const OperatorRights& rights) {
     changed();
 }
 
-void MachineController::acceptChain(const std::vector<ModuleIdentity>& there) {
+void MachineController::acceptChain(const std::vector<ModuleIdentity>& there,
+                                    const std::vector<ModuleIndex>& gone) {
     if (locked())
         return;
+    if (!gone.empty()) {
+        ParsedMachine left = withoutAxes(gone, {std::move(m_machine), std::move(m_unknown)});
+        m_machine = std::move(left.machine);
+        m_unknown = std::move(left.unknown);
+        m_window.sequences().forgetEdits();
+    }
     if (m_machine.axes.size() < there.size())
         m_machine.axes.resize(there.size());
     for (std::size_t i = 0; i < m_machine.axes.size(); ++i)

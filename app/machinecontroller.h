@@ -42,8 +42,9 @@ public:
     void noteGroup(const bus::GroupChange& change);
     void nameGroup(quint8 group, const QString& name);
     void setOperatorRights(const OperatorRights& rights);
-    /// Makes these modules the expected ones.
-    void acceptChain(const std::vector<ModuleIdentity>& there);
+    /// Makes these modules the expected ones; those in `gone`, which no row of a sequence uses, are out of
+    /// the chain.
+    void acceptChain(const std::vector<ModuleIdentity>& there, const std::vector<ModuleIndex>& gone = {});
     /// Restores the unsaved work of an earlier session.
     void restoreWork();
     void discardWork() { m_unsaved.dropLeft(); }

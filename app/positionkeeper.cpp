@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/makingfolders.h"
+#include "model/machinefile/axisremoval.h"
 
 namespace nmc {
 
@@ -81,6 +82,27 @@ void PositionKeeper::setMachine(const std::string& name) {
     const std::vector<ModuleIndex> offered = m_offered;
     for (const ModuleIndex module : offered)
         m_store.dropHome(module);
+}
+
+void PositionKeeper::leaveOut(const std::vector<ModuleIndex>& modules) {
+    const auto left = [modules](const RememberedPositions& all) {
+        RememberedPositions kept;
+        for (const auto& [module, position] : all)
+            if (const auto index = indexWithout(modules, module))
+                kept[*index] = position;
+        return kept;
+    };
+    if (m_loaded) {
+        m_memory.begin(left(m_memory.remembered()));
+        return keep();
+    }
+    // What this session does not track, because it only looks on, is in the file alone.
+    const QString file = fileOf(m_folder, QString::fromStdString(m_store.link().port));
+    m_files.write(file, [file, left] {
+        RememberedChain chain = readRemembered(readFile(file, kMaxPositionBytes).value_or(std::string()));
+        chain.positions = left(chain.positions);
+        return writeRemembered(chain);
+    });
 }
 
 void PositionKeeper::loaded() {

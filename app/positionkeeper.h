@@ -26,10 +26,14 @@ public:
     /// Stores the final rest position: a program that stops its motors and ends does so within a moment.
     ~PositionKeeper() override { keep(); }
 
-    /// A port is being opened. `owns`: this session is responsible for its axes; otherwise nothing is stored.
+    /// A port is being opened. `owns`: this session is responsible for its axes; otherwise their positions
+    /// are not stored.
     void begin(const QString& port, bool owns);
     /// The name of the panel's machine; empty: none. Offers from another machine are withdrawn.
     void setMachine(const std::string& name);
+    /// These modules are out of the chain at the port that was open last, so that those after them have other
+    /// numbers from now on.
+    void leaveOut(const std::vector<ModuleIndex>& modules);
     /// Call for every event.
     void take(const StoreEvent& event);
 

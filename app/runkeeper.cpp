@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/machinefile/axisremoval.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 #include "widgets/response/responsedock.h"
@@ -111,6 +112,19 @@ void RunKeeper::follow(const QString& file) {
     if (before == pathFor({}))
         m_files.write(
             before, [before, gone = m_known] { return writeResponses(together({}, runsIn(before), gone)); });
+}
+
+void RunKeeper::leaveOut(const std::vector<ModuleIndex>& modules) {
+    std::vector<KeptResponse> left;
+    for (KeptResponse& run : m_window.stepResponses().runs())
+        if (const auto index = indexWithout(modules, run.run.module)) {
+            run.run.module = *index;
+            left.push_back(std::move(run));
+        } else {
+            m_known.erase(idOf(run));
+        }
+    m_window.stepResponses().clearRuns();
+    m_window.stepResponses().showKept(std::move(left));
 }
 
 void RunKeeper::keep() {

@@ -31,6 +31,9 @@ public:
     void open(const QString& file, const Machine& machine);
     /// The present machine now has this file, and its runs move along.
     void follow(const QString& file);
+    /// These modules are out of the chain, so that those after them have other numbers from now on. Their
+    /// runs stay in the file.
+    void leaveOut(const std::vector<ModuleIndex>& modules);
 
 private:
     struct Reading {

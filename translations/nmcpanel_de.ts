@@ -3982,8 +3982,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 dieser Kette antwortet nicht. Motorzustand unbekannt.</translation>
     </message>
     <message>
-        <source>Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it.</source>
-        <translation>Versorgung des Moduls und den Stecker neben ihm prüfen; das Programm versucht es weiter. Wurde es absichtlich entfernt, mit den anderen arbeiten: Das Programm vergisst es dann.</translation>
+        <source>Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it and its settings.</source>
+        <translation>Versorgung des Moduls und den Stecker neben ihm prüfen; das Programm versucht es weiter. Wurde es absichtlich entfernt, mit den anderen arbeiten: Das Programm vergisst es dann mitsamt seinen Einstellungen.</translation>
     </message>
     <message>
         <source>A motor is moving, so the chain was not changed.</source>
@@ -3992,6 +3992,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Forgetting a module rescans the chain. Stop all motors, then try again.</source>
         <translation>Um ein Modul zu vergessen, wird die Kette neu gesucht. Alle Motoren stoppen, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>Row %1 of &quot;%2&quot; uses module %3, so the chain was not changed.</source>
+        <translation>Zeile %1 von „%2“ benutzt Modul %3, die Kette wurde daher nicht geändert.</translation>
+    </message>
+    <message>
+        <source>Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.</source>
+        <translation>Mit dem Modul wird auch seine Achse aus der Maschine entfernt. Zuerst diese Zeile ändern oder entfernen, dann erneut versuchen.</translation>
     </message>
     <message>
         <source>Connected to %1 read-only: %2 at %3 Bd, left running.</source>

@@ -3982,8 +3982,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El módulo %1 de esta cadena no responde. Estado del motor desconocido.</translation>
     </message>
     <message>
-        <source>Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it.</source>
-        <translation>Compruebe su alimentación y el conector contiguo; el panel sigue intentándolo. Si lo retiró a propósito, trabaje con los demás: el panel lo olvida entonces.</translation>
+        <source>Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it and its settings.</source>
+        <translation>Compruebe su alimentación y el conector contiguo; el panel sigue intentándolo. Si lo retiró a propósito, trabaje con los demás: el panel lo olvida entonces, junto con sus ajustes.</translation>
     </message>
     <message>
         <source>A motor is moving, so the chain was not changed.</source>
@@ -3992,6 +3992,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Forgetting a module rescans the chain. Stop all motors, then try again.</source>
         <translation>Para olvidar un módulo se vuelven a buscar los módulos de la cadena. Pare todos los motores e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Row %1 of &quot;%2&quot; uses module %3, so the chain was not changed.</source>
+        <translation>La fila %1 de “%2” usa el módulo %3, por lo que la cadena no se cambió.</translation>
+    </message>
+    <message>
+        <source>Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.</source>
+        <translation>Al olvidar un módulo se quita su eje de la máquina. Cambie o quite primero esa fila e inténtelo de nuevo.</translation>
     </message>
     <message>
         <source>Connected to %1 read-only: %2 at %3 Bd, left running.</source>

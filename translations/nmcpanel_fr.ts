@@ -3982,8 +3982,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le module %1 de cette chaîne ne répond pas. État du moteur inconnu.</translation>
     </message>
     <message>
-        <source>Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it.</source>
-        <translation>Vérifiez son alimentation et le connecteur voisin&#x202f;; le programme continue d’essayer. Si vous l’avez retiré volontairement, travaillez avec les autres&#xa0;: le programme l’oublie alors.</translation>
+        <source>Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it and its settings.</source>
+        <translation>Vérifiez son alimentation et le connecteur voisin&#x202f;; le programme continue d’essayer. Si vous l’avez retiré volontairement, travaillez avec les autres&#xa0;: le programme l’oublie alors, avec ses réglages.</translation>
     </message>
     <message>
         <source>A motor is moving, so the chain was not changed.</source>
@@ -3992,6 +3992,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Forgetting a module rescans the chain. Stop all motors, then try again.</source>
         <translation>Oublier un module relance la recherche dans la chaîne. Arrêtez tous les moteurs, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>Row %1 of &quot;%2&quot; uses module %3, so the chain was not changed.</source>
+        <translation>La ligne %1 de «&#xa0;%2&#xa0;» utilise le module %3&#xa0;: la chaîne n’a pas été modifiée.</translation>
+    </message>
+    <message>
+        <source>Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.</source>
+        <translation>Oublier un module retire son axe de la machine. Modifiez ou supprimez d’abord cette ligne, puis réessayez.</translation>
     </message>
     <message>
         <source>Connected to %1 read-only: %2 at %3 Bd, left running.</source>

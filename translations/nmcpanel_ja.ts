@@ -3972,8 +3972,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>このチェーンのモジュール%1が応答しません。モーターの状態は不明です。</translation>
     </message>
     <message>
-        <source>Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it.</source>
-        <translation>モジュールの電源と隣のプラグを確認してください。パネルは試行を続けます。意図して取り外した場合は、ほかのモジュールで作業してください。パネルはこのモジュールの登録を削除します。</translation>
+        <source>Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it and its settings.</source>
+        <translation>モジュールの電源と隣のプラグを確認してください。パネルは試行を続けます。意図して取り外した場合は、ほかのモジュールで作業してください。パネルはこのモジュールの登録と設定を削除します。</translation>
     </message>
     <message>
         <source>A motor is moving, so the chain was not changed.</source>
@@ -3982,6 +3982,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Forgetting a module rescans the chain. Stop all motors, then try again.</source>
         <translation>モジュールの登録を削除すると、チェーンを再スキャンします。すべてのモーターを停止してから、もう一度試してください。</translation>
+    </message>
+    <message>
+        <source>Row %1 of &quot;%2&quot; uses module %3, so the chain was not changed.</source>
+        <translation>「%2」の%1行目がモジュール%3を使用しているため、チェーンは変更しませんでした。</translation>
+    </message>
+    <message>
+        <source>Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.</source>
+        <translation>モジュールの登録を削除すると、その軸もマシンから削除されます。先にその行を変更または削除してから、もう一度試してください。</translation>
     </message>
     <message>
         <source>Connected to %1 read-only: %2 at %3 Bd, left running.</source>

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/virtualpanel.h"
+#include "widgets/response/responsedock.h"
+#include "widgets/sequences/sequencesdock.h"
 
 namespace nmc {
 namespace {
@@ -72,6 +74,130 @@ TEST_F(KnownChain, AModuleThatWasTakenOutOnPurposeIsForgotten) {
         end();
     }
     EXPECT_EQ(sim.violations(), "");
+}
+
+/// X, Y and Z are of the same type. In the second run, Y does not answer any more.
+class WithoutY : public KnownChain {
+protected:
+    void TearDown() override { end(); }
+    void lookAgain() {
+        end();
+        (void)xyz.control(QStringLiteral("fault module 2 silent"));
+        ASSERT_NO_FATAL_FAILURE(run(xyz.terminal()));
+        ASSERT_TRUE(comes(missing)) << told();
+    }
+    void workWithTheOthers() {
+        ASSERT_TRUE(panel->press(missing, QStringLiteral("Work with 2")));
+        ASSERT_TRUE(panel->waitFor([&] { return panel->connected() && modules().size() == 2; })) << told();
+    }
+    [[nodiscard]] static AxisSettings axisCalled(const char* name, std::int32_t highest) {
+        AxisSettings settings;
+        settings.name = name;
+        settings.travel.highest = highest;
+        return settings;
+    }
+    /// Shows a step response of this module.
+    void showRun(ModuleIndex module) {
+        KeptResponse kept;
+        kept.run.module = module;
+        kept.run.taken = {TimePoint{}, 0, 100, 0.1, ResponseMethod::Profile, servo::SetGain{}};
+        for (int ms = 1; ms < 100; ++ms)
+            kept.run.points.push_back({ms / 1e3, ms < 10 ? 10.0 * ms : 100.0});
+        kept.startedAt = "2026-11-21T21:21:0" + std::to_string(module.value()) + "+01:00";
+        panel->window().showResponse(kept);
+    }
+    /// Saves home where the module stands, at counter 0.
+    void saveHomeOf(ModuleIndex module) {
+        ASSERT_NO_FATAL_FAILURE(run(xyz.terminal()));
+        const auto state = [&]() -> const ModuleState& { return modules()[module.value()]; };
+        ASSERT_TRUE(panel->waitFor([&] { return state().latest.has_value(); }));
+        emit panel->window().requests().intent(module, intent::SaveAsHome{});
+        ASSERT_TRUE(panel->waitFor([&] { return state().home.place().has_value(); })) << told();
+    }
+
+    const QString missing = QStringLiteral("Module 2 of this chain does not answer");
+    const ModuleIndex x{0}, y{1}, z{2};
+    VirtualChain xyz{QStringLiteral("servo,servo,servo")};
+};
+
+TEST_F(WithoutY, ZKeepsItsSettings) {
+    ASSERT_NO_FATAL_FAILURE(run(xyz.terminal()));
+    ASSERT_NO_FATAL_FAILURE(lookAgain());
+    Requests& requests = panel->window().requests();
+    emit requests.axisEdited(x, axisCalled("X", 1'000));
+    emit requests.axisEdited(y, axisCalled("Y", 2'000));
+    emit requests.axisEdited(z, axisCalled("Z", 3'000));
+    Program program;
+    program.points = {{"P", {{x, 1, true}, {y, 2, true}, {z, 3, true}}}};
+    program.sequences = {{"Main", {action::MoveTo{"P"}, action::Home{z}}}};
+    emit requests.programEdited(program);
+    emit requests.homeOrderEdited({z, y, x});
+    showRun(y);
+    showRun(z);
+    ASSERT_NO_FATAL_FAILURE(workWithTheOthers());
+
+    const Machine& machine = panel->composition().machine();
+    ASSERT_EQ(machine.axes.size(), 2U);
+    EXPECT_EQ(machine.axes[0].name, "X");
+    EXPECT_EQ(machine.axes[1].name, "Z");
+    const ModuleIndex second{1};
+    EXPECT_EQ(machine.program.points[0].axes, (std::vector<PointAxis>{{x, 1, true}, {second, 3, true}}));
+    EXPECT_EQ(machine.program.sequences[0].rows[1], Action(action::Home{second}));
+    EXPECT_EQ(machine.homeOrder, (std::vector{second, x}));
+    EXPECT_EQ(modules()[1].info.address, BusAddress(3)) << "the second module is Z";
+    EXPECT_EQ(modules()[1].travel.highest, 3'000) << "so it is bound by Z's limits";
+    const std::vector<KeptResponse> runs = panel->window().stepResponses().runs();
+    ASSERT_EQ(runs.size(), 1U) << "no model of Z is made of what Y did";
+    EXPECT_EQ(runs[0].run.module, second);
+    EXPECT_EQ(runs[0].startedAt, "2026-11-21T21:21:02+01:00");
+    EXPECT_EQ(xyz.violations(), "");
+}
+
+TEST_F(WithoutY, ASequenceThatNeedsYPreventsItAndIsNamed) {
+    ASSERT_NO_FATAL_FAILURE(run(xyz.terminal()));
+    ASSERT_NO_FATAL_FAILURE(lookAgain());
+    Program program;
+    program.sequences = {{"Main", {action::Home{x}, action::Home{y}}}};
+    emit panel->window().requests().programEdited(program);
+    const Machine before = panel->composition().machine();
+    ASSERT_TRUE(panel->press(missing, QStringLiteral("Work with 2")));
+    ASSERT_TRUE(comes(QStringLiteral("Row 2 of \"Main\" uses module 2, so the chain was not changed.")))
+        << told();
+    ASSERT_TRUE(panel->answersFor(0.3));
+    EXPECT_EQ(modules().size(), 3U);
+    EXPECT_EQ(panel->composition().machine(), before);
+    EXPECT_EQ(knownChain(panel->settings(), xyz.terminal()).size(), 3U);
+
+    // The row is removed in the window, where this could be undone.
+    panel->window().resize(1'500, 1'100);
+    panel->window().sequences().open();
+    QAbstractItemView* rows = nullptr;
+    ASSERT_TRUE(panel->waitFor([&] {
+        rows = panel->window().findChild<QAbstractItemView*>(QStringLiteral("rowTable"));
+        return rows != nullptr && rows->isVisible() && rows->model()->rowCount() == 2;
+    }));
+    rows->setCurrentIndex(rows->model()->index(1, 0));
+    ASSERT_NO_FATAL_FAILURE(panel->click("removeRowButton"));
+    ASSERT_NO_FATAL_FAILURE(workWithTheOthers());
+    auto* undo = panel->window().findChild<QAbstractButton*>(QStringLiteral("undoEditButton"));
+    ASSERT_NE(undo, nullptr);
+    EXPECT_FALSE(undo->isEnabled()) << "module 2 is Z now, and would be homed instead";
+}
+
+TEST_F(WithoutY, TheHomeOfZIsOfferedToZ) {
+    ASSERT_NO_FATAL_FAILURE(saveHomeOf(z));
+    ASSERT_NO_FATAL_FAILURE(lookAgain());
+    ASSERT_NO_FATAL_FAILURE(workWithTheOthers());
+    EXPECT_TRUE(panel->waitFor([&] { return modules()[1].home.offered() == 0; })) << told();
+}
+
+TEST_F(WithoutY, TheHomeOfYIsNotOfferedToZ) {
+    ASSERT_NO_FATAL_FAILURE(saveHomeOf(y));
+    ASSERT_NO_FATAL_FAILURE(lookAgain());
+    ASSERT_NO_FATAL_FAILURE(workWithTheOthers());
+    ASSERT_TRUE(panel->waitFor([&] { return modules()[1].latest.has_value(); }));
+    ASSERT_TRUE(panel->answersFor(0.3));
+    EXPECT_EQ(modules()[1].home.offered(), std::nullopt);
 }
 
 TEST_F(KnownChain, OneThatIsLongerThanBeforeIsTakenAsItIs) {

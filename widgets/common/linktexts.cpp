@@ -2,6 +2,7 @@
 // The link's and the chain's part of the table of texts.
 #include <cmath>
 
+#include "model/sequence/sequencewalk.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
@@ -92,7 +93,7 @@ Message moduleMissing(ModuleIndex module, int answering) {
         .headline = Texts::tr("Module %1 of this chain does not answer. Motor state unknown.")
                         .arg(moduleNumber(module)),
         .body = Texts::tr(
-            "Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it."),
+            "Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it and its settings."),
         .actions = {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(answering)}}};
 }
 
@@ -101,6 +102,17 @@ Message chainNotAccepted() {
             .severity = Severity::Attention,
             .headline = Texts::tr("A motor is moving, so the chain was not changed."),
             .body = Texts::tr("Forgetting a module rescans the chain. Stop all motors, then try again.")};
+}
+
+Message moduleStillUsed(const RowPlace& row, ModuleIndex module) {
+    return {
+        .key = u"chainNotAccepted"_s,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Row %1 of \"%2\" uses module %3, so the chain was not changed.")
+                        .arg(QString::number(row.row + 1), QString::fromStdString(row.sequence),
+                             moduleNumber(module)),
+        .body = Texts::tr(
+            "Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.")};
 }
 
 Message connected(const bus::ChainFound& found, const QString& port) {

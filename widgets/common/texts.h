@@ -27,6 +27,7 @@ namespace nmc {
 struct PacketSession;
 struct RecordingFailure;
 struct RecordingProblem;
+struct RowPlace;
 
 /// The only table of sentences about events; window, log and command line all use it.
 namespace texts {
@@ -40,6 +41,8 @@ namespace texts {
 [[nodiscard]] Message moduleMissing(ModuleIndex module, int answering);
 /// A missing module cannot be forgotten while motors move, because the chain would be searched for again.
 [[nodiscard]] Message chainNotAccepted();
+/// A missing module cannot be forgotten while the row sets, homes or waits for it.
+[[nodiscard]] Message moduleStillUsed(const RowPlace& row, ModuleIndex module);
 [[nodiscard]] Message connected(const bus::ChainFound& found, const QString& port);
 [[nodiscard]] Message echoNoticed(const QString& port);
 [[nodiscard]] Message repliesInPieces(const QString& port, int gapMs);

@@ -19,6 +19,10 @@ public:
     void showSession(const LinkState& link, const Machine& machine);
     void showRun(const SequenceReport& report);
     void showForesight(const DryRun& dryRun) { page().showForesight(dryRun); }
+    void forgetEdits() {
+        if (m_page != nullptr)
+            m_page->forgetEdits();
+    }
 
     /// The content; built if necessary.
     SequencesPage& page();

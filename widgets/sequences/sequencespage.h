@@ -36,6 +36,8 @@ public:
     void showSession(const LinkState& link, const Machine& machine);
     void showRun(const SequenceReport& report);
     void showForesight(const DryRun& dryRun);
+    /// The modules have other numbers now: what undoing brings back would mean others.
+    void forgetEdits() { m_edits.clear(); }
 
 private:
     class Edit;

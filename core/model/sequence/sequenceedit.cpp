@@ -23,14 +23,21 @@ void rename(Program& program, const std::string& from, const std::string& to) {
                 user->*Name = to;
 }
 
-template <typename Kind, std::string Kind::*Name>
-std::optional<RowPlace> userOf(const Program& program, const std::string& name) {
+template <typename Uses>
+std::optional<RowPlace> firstRow(const Program& program, Uses uses) {
     for (const Sequence& sequence : program.sequences)
         for (std::size_t row = 0; row < sequence.rows.size(); ++row)
-            if (const auto* user = std::get_if<Kind>(&sequence.rows[row]);
-                user != nullptr && user->*Name == name)
+            if (uses(sequence.rows[row]))
                 return RowPlace{sequence.name, row};
     return std::nullopt;
+}
+
+template <typename Kind, std::string Kind::*Name>
+std::optional<RowPlace> userOf(const Program& program, const std::string& name) {
+    return firstRow(program, [&name](const Action& row) {
+        const auto* user = std::get_if<Kind>(&row);
+        return user != nullptr && user->*Name == name;
+    });
 }
 
 /// The first repeat that goes back to itself or to a row below.
@@ -99,6 +106,13 @@ std::optional<RowPlace> userOfPoint(const Program& program, const std::string& n
 
 std::optional<RowPlace> userOfSequence(const Program& program, const std::string& name) {
     return userOf<action::Call, &action::Call::sequence>(program, name);
+}
+
+std::optional<RowPlace> userOfModules(const Program& program, const std::vector<ModuleIndex>& modules) {
+    return firstRow(program, [&modules](const Action& row) {
+        const auto module = moduleOf(row);
+        return module && std::ranges::find(modules, *module) != modules.end();
+    });
 }
 
 }  // namespace nmc

@@ -27,6 +27,10 @@ void renameSequence(Program& program, const std::string& from, const std::string
 [[nodiscard]] std::optional<RowPlace> userOfPoint(const Program& program, const std::string& name);
 /// The first row that calls the sequence; empty if the sequence can be removed.
 [[nodiscard]] std::optional<RowPlace> userOfSequence(const Program& program, const std::string& name);
+/// The first row that sets, homes or waits for one of the modules; empty if they can be removed from the
+/// machine.
+[[nodiscard]] std::optional<RowPlace> userOfModules(const Program& program,
+                                                    const std::vector<ModuleIndex>& modules);
 /// Returns `base`, or `base` followed by the first number from 2 that yields a name not used in `all`.
 template <typename Named>
 [[nodiscard]] std::string freeName(const std::vector<Named>& all, const std::string& base) {

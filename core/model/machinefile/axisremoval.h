@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/machinefile/machinefile.h"
+
+/// Settings and positions belong to places in the chain. When modules are taken out, those behind them move
+/// up, and what belongs to them has to move along: otherwise one motor gets the limits of another. Pure.
+namespace nmc {
+
+/// The index of a module once those in `gone` are out of the chain; empty: it is one of them.
+[[nodiscard]] std::optional<ModuleIndex> indexWithout(const std::vector<ModuleIndex>& gone,
+                                                      ModuleIndex module);
+
+/// The machine without the axes of these modules, and with the new index wherever another module is named.
+/// They leave groups, points and the order of homing; no row of a sequence may use them (userOfModules()).
+[[nodiscard]] ParsedMachine withoutAxes(const std::vector<ModuleIndex>& gone, ParsedMachine from);
+
+}  // namespace nmc

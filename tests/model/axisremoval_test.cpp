@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Modules that are out of the chain: the settings of those behind them move up along with them.
+#include "model/machinefile/axisremoval.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "model/sequence/sequenceedit.h"
+#include "tests/support/modules.h"
+
+namespace nmc {
+namespace {
+
+using testing_support::kFirst;
+using testing_support::kSecond;
+
+constexpr ModuleIndex kThird{2};
+
+std::vector<AxisSettings> axesCalled(std::initializer_list<const char*> names) {
+    std::vector<AxisSettings> axes;
+    for (const char* name : names)
+        axes.emplace_back().name = name;
+    return axes;
+}
+
+/// X, Y and Z. No row uses Y, and each kind of row that names a module uses Z.
+Machine xyz() {
+    Machine machine;
+    machine.axes = axesCalled({"X", "Y", "Z"});
+    machine.groups = {{0x81, "Table", {kFirst, kSecond, kThird}, kThird}};
+    machine.program.points = {{"All", {{kFirst, 1, true}, {kSecond, 2, true}, {kThird, 3, false}}}};
+    machine.program.sequences = {
+        {"Main",
+         {action::Home{kThird}, action::MoveTo{"All"}, action::WaitForInput{kThird, InputPin::In1},
+          action::SetOutput{kThird, 2}, action::WaitForAnalog{kThird}, action::Home{kFirst},
+          action::Repeat{1, 2}}}};
+    machine.homeOrder = {kThird, kSecond, kFirst};
+    return machine;
+}
+
+TEST(AxisRemoval, WhateverNamesTheModulesBehindFollowsThem) {
+    Machine xz;
+    xz.axes = axesCalled({"X", "Z"});
+    xz.groups = {{0x81, "Table", {kFirst, kSecond}, kSecond}};
+    xz.program.points = {{"All", {{kFirst, 1, true}, {kSecond, 3, false}}}};
+    xz.program.sequences = {{"Main",
+                             {action::Home{kSecond}, action::MoveTo{"All"},
+                              action::WaitForInput{kSecond, InputPin::In1}, action::SetOutput{kSecond, 2},
+                              action::WaitForAnalog{kSecond}, action::Home{kFirst}, action::Repeat{1, 2}}}};
+    xz.homeOrder = {kSecond, kFirst};
+    EXPECT_EQ(withoutAxes({kSecond}, {xyz(), {}}).machine, xz);
+}
+
+TEST(AxisRemoval, AGroupLosesItsLeaderAndIsGoneWithItsOnlyModule) {
+    Machine machine;
+    machine.groups = {{0x81, "Table", {kFirst, kSecond}, kSecond}, {0x82, "", {kThird}, kThird}};
+    const auto groups = withoutAxes({kSecond, kThird}, {machine, {}}).machine.groups;
+    EXPECT_EQ(groups, (std::vector<GroupSettings>{{0x81, "Table", {kFirst}, std::nullopt}}));
+}
+
+TEST(AxisRemoval, SeveralGoAtOnceAndNeedNotHaveSettings) {
+    Machine machine;
+    machine.axes = axesCalled({"X", "Y"});
+    EXPECT_EQ(withoutAxes({kFirst, kThird}, {machine, {}}).machine.axes, axesCalled({"Y"}));
+    EXPECT_EQ(withoutAxes({kThird}, {Machine{}, {}}).machine, Machine{});
+    EXPECT_EQ(indexWithout({kFirst, kThird}, kSecond), kFirst);
+    EXPECT_EQ(indexWithout({kFirst, kThird}, ModuleIndex(3)), kSecond);
+    EXPECT_EQ(indexWithout({kFirst, kThird}, kThird), std::nullopt);
+}
+
+TEST(AxisRemoval, AKeyThatThisProgramDoesNotKnowStaysWithItsAxis) {
+    auto file = nlohmann::json::parse(writeMachine(xyz()));
+    for (std::size_t i = 0; i < 3; ++i)
+        file["axes"][i]["serial"] = i + 1;
+    const auto parsed = parseMachine(file.dump());
+    ASSERT_TRUE(parsed);
+    const auto [machine, unknown] = withoutAxes({kSecond}, *parsed);
+    const auto axes = nlohmann::json::parse(writeMachine(machine, unknown))["axes"];
+    ASSERT_EQ(axes.size(), 2U);
+    EXPECT_EQ(axes[0]["serial"], 1);
+    EXPECT_EQ(axes[1]["name"], "Z");
+    EXPECT_EQ(axes[1]["serial"], 3);
+}
+
+/// A point keeps its other axes, but a row about the module alone would have nothing left to do.
+TEST(AxisRemoval, OnlyARowThatNamesTheModuleUsesIt) {
+    EXPECT_EQ(userOfModules(xyz().program, {kSecond}), std::nullopt);
+    EXPECT_EQ(userOfModules(xyz().program, {kSecond, kThird}), (RowPlace{"Main", 0}));
+    EXPECT_EQ(userOfModules(xyz().program, {kFirst}), (RowPlace{"Main", 5}));
+}
+
+}  // namespace
+}  // namespace nmc
