@@ -79,7 +79,7 @@ void Composition::show(const Start& start) {
     m_machine.start();
     m_runs.open({}, m_machine.machine());
     if (start.machine)
-        m_machine.open(QFileInfo(*start.machine).absoluteFilePath());
+        m_machine.openAtStart(QFileInfo(*start.machine).absoluteFilePath());
     m_window.showPorts(m_ports.ports());
     if (start.programs != Start::Programs::KeptOut)
         m_api.letIn(true);

@@ -170,20 +170,37 @@ void MachineController::beginNew() {
     emit taken(m_path);
 }
 
-void MachineController::open(const QString& path) {
+std::optional<MachineController::Pending> MachineController::read(const QString& path) {
     const auto text = readFile(path, kMaxMachineFile);
     if (!text) {
         m_window.showMessage(texts::machineNotOpened(text.error()));
-        return;
+        return std::nullopt;
     }
     auto content = parseMachine(*text);
     if (!content) {
         m_window.showMessage(texts::machineNotOpened(path, content.error()));
-        return;
+        return std::nullopt;
     }
     m_window.endMessage(texts::key::machineFile());
-    m_pending = Pending{path, std::move(*content), false, {}};
-    showPending();
+    return Pending{path, std::move(*content), false, {}};
+}
+
+void MachineController::open(const QString& path) {
+    if (locked())
+        return;  // the file dialog was open when operator mode began
+    if (auto file = read(path)) {
+        m_pending = std::move(file);
+        showPending();
+    }
+}
+
+/// An operator may not choose what to apply, and works with the whole machine or with none. Nothing is
+/// connected yet, so nothing is sent.
+void MachineController::openAtStart(const QString& path) {
+    if (!locked())
+        return open(path);
+    if (const auto file = read(path))
+        take(*file, file->content.machine, true);
 }
 
 void MachineController::restoreWork() {
@@ -231,7 +248,7 @@ void MachineController::showPending() {
 }
 
 void MachineController::apply(const std::vector<PartId>& chosen) {
-    if (!m_pending)
+    if (!m_pending || locked())
         return;
     const std::vector<ModuleState> present = modules();
     const Machine file = pendingMachine();

@@ -49,7 +49,10 @@ public:
     void restoreWork();
     void discardWork() { m_unsaved.dropLeft(); }
 
+    /// Shows what the file would change.
     void open(const QString& path);
+    /// The same for the file of the command line; in operator mode, it is loaded whole.
+    void openAtStart(const QString& path);
     /// Shows what the copy would change.
     void copy(const AxisCopy& copy);
 
@@ -75,6 +78,8 @@ private:
     };
 
     void wire();
+    /// Empty if the file cannot be read, which the window then shows.
+    [[nodiscard]] std::optional<Pending> read(const QString& path);
     void beginNew();
     void save(const QString& path);
     /// `asked`: the machine at the time of the request; `written`: the content of the file on success.

@@ -19,6 +19,7 @@
 #include "model/machinefile/machinefile.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/machine/machinemenu.h"
+#include "widgets/mainwindow/operatorlock.h"
 
 namespace nmc {
 namespace {
@@ -129,6 +130,15 @@ protected:
         emit dialog->fileSelected(path);
         dialog->close();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    /// Begins operator mode.
+    static void lock(VirtualPanel& panel) {
+        panel.window().findChild<QAction*>(QStringLiteral("operatorAction"))->trigger();
+        for (const char* field : {"operatorPinField", "operatorPinAgainField"})
+            QTest::keyClicks(panel.window().findChild<QLineEdit*>(QLatin1String(field)),
+                             QStringLiteral("4711"));
+        ASSERT_NO_FATAL_FAILURE(click(panel, "operatorBeginButton"));
+        ASSERT_TRUE(panel.window().operatorLock().isLocked());
     }
     static void rename(VirtualPanel& panel, const char* name) {
         AxisSettings axis;
@@ -365,6 +375,58 @@ TEST_F(MachineFiles, TheLastEightFilesAreRemembered) {
     for (const QString& path : menu(panel).file().recent)
         names << QFileInfo(path).completeBaseName();
     EXPECT_EQ(names.join(QLatin1Char(' ')), QStringLiteral("m5 m9 m8 m7 m6 m4 m3 m2"));
+}
+
+// ---- operator mode ----
+
+TEST_F(MachineFiles, AFileThatAwaitsAChoiceIsDroppedByOperatorMode) {
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
+    panel.start();
+    open(panel, file);
+    ASSERT_NE(table(panel), nullptr);
+    ASSERT_NO_FATAL_FAILURE(lock(panel));
+    // A different chain would be compared with the file, if there still were one.
+    panel.connectTo(sim.terminal());
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_EQ(table(panel), nullptr);
+    emit menu(panel).applyRequested({{ModuleIndex(0), MachinePart::Gains}});
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_EQ(executed(sim, 1, "set_gain"), 0);
+    EXPECT_EQ(panel.composition().machine(), Machine{});
+}
+
+TEST_F(MachineFiles, AFileDialogThatIsLeftOpenOpensNothingInOperatorMode) {
+    VirtualPanel panel;
+    panel.start();
+    strike(panel, Qt::CTRL | Qt::Key_O);
+    ASSERT_NO_FATAL_FAILURE(lock(panel));
+    choose(panel, "openMachineDialog", file);
+    EXPECT_EQ(table(panel), nullptr);
+    EXPECT_EQ(panel.composition().machine(), Machine{});
+}
+
+TEST_F(MachineFiles, InOperatorModeThatOfTheCommandLineIsLoadedWholeAndSendsNothing) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    {
+        VirtualPanel panel(settings);
+        panel.start();
+        ASSERT_NO_FATAL_FAILURE(lock(panel));
+    }
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel(settings);
+    Start start;
+    start.machine = file;
+    panel.composition().show(start);
+    EXPECT_EQ(table(panel), nullptr) << "there is nothing to choose for an operator";
+    EXPECT_EQ(panel.composition().machine(), twoServos());
+    EXPECT_TRUE(panel.window().windowTitle().endsWith(QStringLiteral(" - mill[*]")));
+    panel.connectTo(sim.terminal());
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_EQ(table(panel), nullptr);
+    EXPECT_EQ(executed(sim, 1, "set_gain") + executed(sim, 1, "io_control"), 0);
 }
 
 // ---- unsaved work ----

@@ -83,8 +83,8 @@ void MachineMenu::showFile(const MachineFile& file) {
 
 void MachineMenu::setLocked(bool locked) {
     m_locked = locked;
-    if (locked)
-        closeDifferences();
+    if (locked && m_differences != nullptr)
+        m_differences->reject();  // the choice is dropped, not only out of sight
     refresh();
 }
 
