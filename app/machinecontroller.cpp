@@ -137,6 +137,8 @@ void MachineController::nameGroup(quint8 group, const QString& name) {
 }
 
 void MachineController::setOperatorRights(const OperatorRights& rights) {
+    if (rights == m_machine.operatorRights.value_or(OperatorRights{}))
+        return;
     m_machine.operatorRights = rights;
     changed();
 }

@@ -50,6 +50,17 @@ protected:
         ASSERT_TRUE(window->operatorLock().isLocked());
         settle();
     }
+    /// Takes jogging away from what is left by default, and adds homing.
+    void beginWithHomingInsteadOfJog() {
+        open();
+        for (const QString& name : {u"operatorHomingBox"_s, u"operatorJogBox"_s}) {
+            auto* box = button(name);
+            QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
+        }
+        typePin(u"operatorPinField"_s, kPin);
+        typePin(u"operatorPinAgainField"_s, kPin);
+        click(u"operatorBeginButton"_s);
+    }
     [[nodiscard]] static ModuleState stepper() {
         ModuleState module;
         module.info.identity = {ModuleType::Stepper, 1};
@@ -128,19 +139,25 @@ TEST_F(OperatorMode, OutlivesTheSessionAndThePinIsNotInTheSettings) {
 
 TEST_F(OperatorMode, TheUserChoosesWhatIsLeftForTheMachine) {
     QSignalSpy edited(&window->operatorLock(), &OperatorLock::rightsEdited);
-    open();
-    auto* homing = button(u"operatorHomingBox"_s);
-    auto* jog = button(u"operatorJogBox"_s);
-    for (auto* box : {homing, jog})
-        QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
-    typePin(u"operatorPinField"_s, kPin);
-    typePin(u"operatorPinAgainField"_s, kPin);
-    click(u"operatorBeginButton"_s);
+    beginWithHomingInsteadOfJog();
     ASSERT_EQ(edited.size(), 1);
     const auto rights = edited.at(0).at(0).value<OperatorRights>();
     EXPECT_TRUE(rights.homing);
     EXPECT_FALSE(rights.jog);
     EXPECT_FALSE(enabled("holdForwardButton"));
+}
+
+TEST_F(OperatorMode, WhatWasChosenOutlivesTheSessionUntilAMachineSaysOtherwise) {
+    beginWithHomingInsteadOfJog();
+    window = std::make_unique<MainWindow>(settings);
+    const OperatorLock& lock = window->operatorLock();
+    const OperatorRights chosen{.jog = false, .homing = true};
+    EXPECT_EQ(lock.rights(), chosen);
+    window->showMachine({});  // as at the start, when none is loaded
+    EXPECT_EQ(lock.rights(), chosen);
+    machine.operatorRights = OperatorRights{.outputs = true};
+    window->showMachine(machine);
+    EXPECT_EQ(lock.rights(), machine.operatorRights);
 }
 
 TEST_F(OperatorMode, AMachineThatSaysOtherwiseIsFollowedAtOnce) {

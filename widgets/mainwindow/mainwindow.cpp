@@ -513,7 +513,7 @@ void MainWindow::showPackets(std::vector<bus::ExchangeRecord> records) {
 
 void MainWindow::showMachine(const Machine& machine) {
     m_session.setMachine(machine);
-    m_operator->showRights(machine.operatorRights.value_or(OperatorRights{}));
+    m_operator->showRights(machine.operatorRights);
 }
 
 void MainWindow::showProcedure(const ProcedureReport& report) {

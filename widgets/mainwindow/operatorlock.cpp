@@ -5,6 +5,8 @@
 #include <QCryptographicHash>
 #include <QRandomGenerator>
 #include <QSettings>
+#include <QStringList>
+#include <iterator>
 
 #include "widgets/common/sharedwords.h"
 #include "widgets/mainwindow/operatordialog.h"
@@ -21,6 +23,32 @@ QByteArray hashOf(const QByteArray& salt, const QString& pin) {
     return QCryptographicHash::hash(salt + pin.toUtf8(), QCryptographicHash::Sha256).toHex();
 }
 
+const struct {
+    QString word;
+    bool OperatorRights::*right;
+} kRights[] = {{u"enable"_s, &OperatorRights::enable}, {u"jog"_s, &OperatorRights::jog},
+               {u"points"_s, &OperatorRights::points}, {u"moves"_s, &OperatorRights::moves},
+               {u"homing"_s, &OperatorRights::homing}, {u"outputs"_s, &OperatorRights::outputs}};
+static_assert(std::size(kRights) == sizeof(OperatorRights), "each right is stored");
+
+void store(QSettings& settings, const OperatorRights& rights) {
+    QStringList words;
+    for (const auto& [word, right] : kRights)
+        if (rights.*right)
+            words << word;
+    settings.setValue(kOperatorRights, words);
+}
+
+OperatorRights rightsIn(const QSettings& settings) {
+    OperatorRights rights;
+    if (!settings.contains(kOperatorRights))
+        return rights;
+    const QStringList words = settings.value(kOperatorRights).toStringList();
+    for (const auto& [word, right] : kRights)
+        rights.*right = words.contains(word);
+    return rights;
+}
+
 QByteArray newSalt() {
     QByteArray salt(16, Qt::Uninitialized);
     QRandomGenerator::system()->generate(salt.begin(), salt.end());
@@ -35,6 +63,8 @@ OperatorLock::OperatorLock(QSettings& settings, QWidget* window)
       m_window(window),
       m_action(new QAction(window)),
       m_locked(settings.value(kOperatorMode, false).toBool() && settings.contains(kOperatorPin)) {
+    if (m_locked)
+        m_rights = rightsIn(settings);
     m_action->setObjectName(u"operatorAction"_s);
     connect(m_action, &QAction::triggered, this, &OperatorLock::open);
     present();
@@ -46,7 +76,8 @@ std::optional<OperatorRights> OperatorLock::rights() const {
     return m_rights;
 }
 
-void OperatorLock::showRights(const OperatorRights& rights) {
+void OperatorLock::showRights(const std::optional<OperatorRights>& ofMachine) {
+    const OperatorRights rights = ofMachine.value_or(m_locked ? rightsIn(m_settings) : OperatorRights{});
     if (m_rights == rights)
         return;
     m_rights = rights;
@@ -77,10 +108,10 @@ void OperatorLock::begin(const OperatorRights& rights, const QString& pin) {
     m_settings.setValue(kOperatorSalt, salt);
     m_settings.setValue(kOperatorPin, hashOf(salt, pin));
     m_settings.setValue(kOperatorMode, true);
+    store(m_settings, rights);
     m_locked = true;
-    if (m_rights != rights)
-        emit rightsEdited(rights);  // before editing is locked
     m_rights = rights;
+    emit rightsEdited(rights);  // before editing is locked
     present();
     emit changed();
 }

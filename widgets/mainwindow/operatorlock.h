@@ -15,8 +15,9 @@ namespace nmc {
 
 class OperatorDialog;
 
-/// Operator mode, which only the PIN ends. It outlives the session: it is stored in the settings, with the
-/// PIN as a salted hash. It knows nothing about commands: the model decides what rights() permit.
+/// Operator mode, which only the PIN ends. It outlives the session: it is stored in the settings, with what
+/// the user has chosen, and the PIN as a salted hash. It knows nothing about commands: the model decides what
+/// rights() permit.
 class OperatorLock : public QObject {
     Q_OBJECT
 
@@ -28,8 +29,9 @@ public:
     [[nodiscard]] bool isLocked() const { return m_locked; }
     /// Empty if everything is permitted.
     [[nodiscard]] std::optional<OperatorRights> rights() const;
-    /// Takes the rights that are stored with the machine.
-    void showRights(const OperatorRights& rights);
+    /// Takes the rights that are stored with the machine. If there are none, those that the user has chosen
+    /// apply while the mode lasts, otherwise the defaults.
+    void showRights(const std::optional<OperatorRights>& ofMachine);
     void open();
 
 signals:

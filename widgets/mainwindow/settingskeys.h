@@ -21,5 +21,6 @@ inline const QString kSounds = QStringLiteral("sounds");
 inline const QString kOperatorMode = QStringLiteral("operator/locked");
 inline const QString kOperatorSalt = QStringLiteral("operator/salt");
 inline const QString kOperatorPin = QStringLiteral("operator/pin");  ///< hash of the PIN
+inline const QString kOperatorRights = QStringLiteral("operator/rights");
 
 }  // namespace nmc::settingskeys
