@@ -223,46 +223,63 @@ void MachineController::restoreWork() {
 void MachineController::copy(const AxisCopy& copy) {
     if (locked())
         return;
-    const std::vector<Difference> differences = copyDifferences(copy, m_machine, modules());
-    if (differences.empty())
+    if (copyDifferences(copy, m_machine, modules()).empty())
         return m_window.showMessage(texts::axisCopied(copy.from, 0, 0));
-    m_pending = Pending{{}, {}, false, chain(), copy};
-    m_window.machineMenu().showCopy(copy.from, differences);
-    followLink();
+    m_pending = Pending{{}, {}, false, {}, copy};
+    showPending();
 }
 
 Machine MachineController::pendingMachine() const {
     return m_pending->copy ? withCopy(*m_pending->copy, m_machine, modules()) : m_pending->content.machine;
 }
 
+std::vector<Difference> MachineController::differences() const {
+    return m_pending->copy ? copyDifferences(*m_pending->copy, m_machine, modules())
+                           : compare(m_pending->content.machine, m_machine, modules());
+}
+
 void MachineController::showPending() {
     m_pending->chain = chain();
-    std::vector<Difference> differences = compare(m_pending->content.machine, m_machine, modules());
-    if (differences.empty()) {
+    m_pending->shown = differences();
+    if (m_pending->shown.empty()) {
         const Pending same = *std::exchange(m_pending, std::nullopt);
         m_window.machineMenu().closeDifferences();
+        if (same.copy)
+            return m_window.showMessage(texts::axisCopied(same.copy->from, 0, 0));
         take(same, applied(same.content.machine, m_machine, modules(), {}), true);
         m_window.showMessage(texts::machineSame(same.path));
         return;
     }
-    m_window.machineMenu().showDifferences(m_pending->path, std::move(differences));
+    if (m_pending->copy)
+        m_window.machineMenu().showCopy(m_pending->copy->from, m_pending->shown);
+    else
+        m_window.machineMenu().showDifferences(m_pending->path, m_pending->shown);
     followLink();
 }
 
 void MachineController::apply(const std::vector<PartId>& chosen) {
     if (!m_pending || locked())
         return;
+    // The user decided on what was shown; since then, a silent module may have answered, or a motor may have
+    // been switched on.
+    const std::vector<Difference> now = differences();
+    if (!stillHold(m_pending->shown, now, chosen)) {
+        showPending();
+        if (m_pending)
+            m_window.showMessage(texts::machineNotApplied(0));
+        return;
+    }
     const std::vector<ModuleState> present = modules();
     const Machine file = pendingMachine();
     const std::vector<ModuleIntent> intents = sendings(file, m_machine, present, chosen);
-    if (!intents.empty() && m_store.movingMotors() > 0)
-        return;  // the button shows why; this lasts only a frame
-    const std::vector<Difference> differences = compare(file, m_machine, present);
-    const bool whole = std::none_of(differences.begin(), differences.end(), [](const Difference& row) {
+    if (const int moving = m_store.movingMotors(); !intents.empty() && moving > 0)
+        return m_window.showMessage(texts::machineNotApplied(moving));
+    const bool whole = std::none_of(now.begin(), now.end(), [](const Difference& row) {
         return row.applying == Applying::OtherHardware;
     });
     Machine machine = applied(file, m_machine, present, chosen);
     const Pending from = *std::exchange(m_pending, std::nullopt);
+    m_window.endMessage(texts::key::notApplied());
     m_window.machineMenu().closeDifferences();
     if (from.copy) {
         m_machine = std::move(machine);

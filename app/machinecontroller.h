@@ -74,7 +74,8 @@ private:
         ParsedMachine content;
         bool restored = false;  ///< unsaved work, which is not in any file
         std::vector<ModuleIdentity> chain;
-        std::optional<AxisCopy> copy{};  ///< then there is no file
+        std::optional<AxisCopy> copy{};   ///< then there is no file
+        std::vector<Difference> shown{};  ///< the rows of the table
     };
 
     void wire();
@@ -85,7 +86,10 @@ private:
     /// `asked`: the machine at the time of the request; `written`: the content of the file on success.
     void saved(const QString& path, const Machine& asked, const ParsedMachine& written,
                const FileWriter::Result& result);
+    /// Shows the table of differences, or that there are none.
     void showPending();
+    /// What applying the file or the copy would change now.
+    [[nodiscard]] std::vector<Difference> differences() const;
     /// The machine with everything that the file or the copy contains.
     [[nodiscard]] Machine pendingMachine() const;
     /// The user has changed axes: this implies that the present chain is the expected one, unless one is.

@@ -3010,6 +3010,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>„%1“ ist geöffnet. Keine Unterschiede.</translation>
     </message>
     <message>
+        <source>Nothing was applied.</source>
+        <translation>Es wurde nichts angewendet.</translation>
+    </message>
+    <message>
+        <source>Modules or settings have changed since the table was shown, so it was updated. Check it, then apply again.</source>
+        <translation>Seit die Tabelle angezeigt wurde, haben sich Module oder Einstellungen geändert; sie ist nun auf dem neuesten Stand. Die Tabelle prüfen, dann erneut anwenden.</translation>
+    </message>
+    <message>
         <source>Unsaved changes to %1 were recovered.</source>
         <translation>Nicht gespeicherte Änderungen an %1 wurden wiederhergestellt.</translation>
     </message>

@@ -3010,6 +3010,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>“%1” está abierto. Sin diferencias.</translation>
     </message>
     <message>
+        <source>Nothing was applied.</source>
+        <translation>No se aplicó nada.</translation>
+    </message>
+    <message>
+        <source>Modules or settings have changed since the table was shown, so it was updated. Check it, then apply again.</source>
+        <translation>Los módulos o los ajustes han cambiado desde que se mostró la tabla, por lo que esta se actualizó. Compruébela y aplique de nuevo.</translation>
+    </message>
+    <message>
         <source>Unsaved changes to %1 were recovered.</source>
         <translation>Se recuperaron cambios sin guardar de %1.</translation>
     </message>

@@ -3010,6 +3010,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>«&#xa0;%1&#xa0;» est ouvert. Aucune différence.</translation>
     </message>
     <message>
+        <source>Nothing was applied.</source>
+        <translation>Rien n’a été appliqué.</translation>
+    </message>
+    <message>
+        <source>Modules or settings have changed since the table was shown, so it was updated. Check it, then apply again.</source>
+        <translation>Des modules ou des réglages ont changé depuis l’affichage du tableau, qui a donc été mis à jour. Vérifiez-le, puis appliquez de nouveau.</translation>
+    </message>
+    <message>
         <source>Unsaved changes to %1 were recovered.</source>
         <translation>Des modifications non enregistrées de %1 ont été récupérées.</translation>
     </message>

@@ -3004,6 +3004,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>「%1」を開きました。違いはありません。</translation>
     </message>
     <message>
+        <source>Nothing was applied.</source>
+        <translation>何も適用されませんでした。</translation>
+    </message>
+    <message>
+        <source>Modules or settings have changed since the table was shown, so it was updated. Check it, then apply again.</source>
+        <translation>表を表示した後にモジュールまたは設定が変わったため、表を更新しました。確認してから、もう一度適用してください。</translation>
+    </message>
+    <message>
         <source>Unsaved changes to %1 were recovered.</source>
         <translation>%1の未保存の変更を回復しました。</translation>
     </message>

@@ -311,6 +311,25 @@ TEST(MachineCompare, NothingIsTickedThatIsSentToAServoThatIsOn) {
     EXPECT_TRUE(row(rows, {kFirst, MachinePart::AxisName})->wanted);
 }
 
+TEST(MachineCompare, WhatWasShownHoldsUntilItWouldBeSentOtherwise) {
+    auto modules = millChain();
+    const PartId gains{kFirst, MachinePart::Gains};
+    const auto shown = compare(mill(), {}, modules);
+    const auto stillHolds = [&](const std::vector<PartId>& chosen) {
+        return stillHold(shown, compare(mill(), {}, modules), chosen);
+    };
+    EXPECT_TRUE(stillHolds(all(shown)));
+    modules[0] = moduleOf(0, ModuleType::Servo, 4, true);
+    EXPECT_FALSE(stillHolds({gains})) << "its motor is on";
+    EXPECT_TRUE(stillHolds({{kFirst, MachinePart::AxisName}}));
+    modules = millChain();
+    modules[0].silent = true;
+    EXPECT_FALSE(stillHolds({gains})) << "it would not get them";
+    modules[0] = millChain()[0];
+    modules[0].gains = mill().axes[0].gains;
+    EXPECT_FALSE(stillHolds({gains})) << "it has them already";
+}
+
 TEST(MachineCompare, ASilentModuleIsSentNothingAndSaysWhy) {
     auto modules = millChain();
     modules[0].silent = true;

@@ -85,6 +85,13 @@ protected:
     static QTreeWidget* table(VirtualPanel& panel) {
         return panel.window().findChild<QTreeWidget*>(QStringLiteral("differencesTable"));
     }
+    /// The row with this text; one that says nothing if there is none.
+    static const QTreeWidgetItem* row(VirtualPanel& panel, const QString& text) {
+        static const QTreeWidgetItem none;
+        const QList<QTreeWidgetItem*> found = table(panel)->findItems(text, Qt::MatchExactly);
+        EXPECT_EQ(found.size(), 1) << text.toStdString();
+        return found.isEmpty() ? &none : found.first();
+    }
     static void click(VirtualPanel& panel, const char* button) {
         auto* widget = panel.window().findChild<QAbstractButton*>(QLatin1String(button));
         ASSERT_NE(widget, nullptr) << button;
@@ -257,13 +264,65 @@ TEST_F(MachineFiles, AMotorThatMovesGoesOnAndNothingIsSentToIt) {
     emit menu(panel).applyRequested({{ModuleIndex(0), MachinePart::Io}});
     ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(executed(sim, 1, "io_control"), 0);
+    EXPECT_NE(panel.standing(QStringLiteral("Nothing was applied.")), nullptr)
+        << "whoever was faster than the button is told";
     ASSERT_NE(table(panel), nullptr);
     EXPECT_TRUE(moves(sim));
     // Names can be applied in the meantime.
     tickOnly(panel, {QStringLiteral("Module 1: Name")});
     click(panel, "applyDifferencesButton");
     EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"X axis\""));
+    EXPECT_EQ(panel.standing(QStringLiteral("Nothing was applied.")), nullptr);
     EXPECT_TRUE(moves(sim));
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(MachineFiles, AModuleThatAnswersMeanwhileIsNotSentWhatWasNotToBeSent) {
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
+    connectTo(panel, sim);
+    const auto silent = [&] { return panel.composition().store().link().modules.at(1).silent; };
+    (void)sim.control(QStringLiteral("fault module 2 silent"));
+    ASSERT_TRUE(panel.waitFor(silent));
+    open(panel, file);
+    const QString gains = QStringLiteral("Module 2: Gains");
+    ASSERT_TRUE(row(panel, gains)->text(3).startsWith(QStringLiteral("Filled in, not sent")));
+    tickOnly(panel, {gains});
+    (void)sim.control(QStringLiteral("fault clear"));
+    ASSERT_TRUE(panel.waitFor([&] { return !silent(); }));
+    click(panel, "applyDifferencesButton");
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_EQ(executed(sim, 2, "set_gain"), 0);
+    EXPECT_NE(panel.standing(QStringLiteral("Nothing was applied.")), nullptr);
+    ASSERT_EQ(row(panel, gains)->text(3), QStringLiteral("Sent to the module."));
+    tickOnly(panel, {gains});
+    click(panel, "applyDifferencesButton");
+    EXPECT_TRUE(panel.waitFor([&] { return executed(sim, 2, "set_gain") == 1; }));
+    EXPECT_EQ(panel.standing(QStringLiteral("Nothing was applied.")), nullptr);
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(MachineFiles, AServoThatIsSwitchedOnMeanwhileIsNotSentGainsUnasked) {
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
+    connectTo(panel, sim);
+    servo::SetGain others = kGains;
+    others.kp = 100;
+    panel.ask(intent::ApplyGains{others});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+    open(panel, file);
+    const QString gains = QStringLiteral("Module 1: Gains, Kp");
+    ASSERT_EQ(row(panel, gains)->checkState(0), Qt::Checked);
+    panel.ask(intent::Enable{});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && !panel.module().moving(); }));
+    click(panel, "applyDifferencesButton");
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_EQ(executed(sim, 1, "set_gain"), 1) << "those from before";
+    EXPECT_NE(panel.standing(QStringLiteral("Nothing was applied.")), nullptr);
+    EXPECT_EQ(row(panel, gains)->checkState(0), Qt::Unchecked) << "as for any motor that is on";
+    tickOnly(panel, {gains});
+    click(panel, "applyDifferencesButton");
+    EXPECT_TRUE(panel.waitFor([&] { return executed(sim, 1, "set_gain") == 2; }));
     EXPECT_EQ(sim.violations(), "");
 }
 

@@ -165,6 +165,9 @@ QString fileProblem(const FileError& error) {
 QString key::machineFile() {
     return u"machineFile"_s;
 }
+QString key::notApplied() {
+    return u"notApplied"_s;
+}
 QString key::unsavedWork() {
     return u"unsavedWork"_s;
 }
@@ -221,6 +224,19 @@ Message axisCopied(ModuleIndex from, int parts, int sent) {
     return {.key = key::machineFile() + u".copied"_s,
             .headline = Texts::tr("Settings copied from %1: %2.").arg(moduleName(from)).arg(parts),
             .body = commandsSent(sent)};
+}
+
+Message machineNotApplied(int movingMotors) {
+    return {
+        .key = key::notApplied(),
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Nothing was applied."),
+        .body =
+            movingMotors > 0
+                ? notSentWhileMoving(movingMotors)
+                : Texts::tr(
+                      "Modules or settings have changed since the table was shown, so it was updated. Check it, then apply again."),
+        .replaces = true};
 }
 
 Message machineSame(const QString& file) {

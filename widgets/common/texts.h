@@ -199,6 +199,9 @@ namespace texts {
 /// `parts`: how many settings of the file were applied. `sent`: how many commands were sent.
 [[nodiscard]] Message machineOpened(const QString& file, int parts, int sent);
 [[nodiscard]] Message axisCopied(ModuleIndex from, int parts, int sent);
+/// Nothing was applied, because motors move or, if none does, because the table did not hold any more and is
+/// shown anew.
+[[nodiscard]] Message machineNotApplied(int movingMotors);
 /// The file does not differ from the present settings.
 [[nodiscard]] Message machineSame(const QString& file);
 /// An earlier session left unsaved changes; `machine` is the name of the machine or of its file, and may be
@@ -271,6 +274,7 @@ namespace key {
 [[nodiscard]] QString endedWhileMoving(const QString& file);
 [[nodiscard]] QString safety();
 [[nodiscard]] QString machineFile();
+[[nodiscard]] QString notApplied();
 [[nodiscard]] QString unsavedWork();
 [[nodiscard]] QString recording();
 [[nodiscard]] QString openedRecording();

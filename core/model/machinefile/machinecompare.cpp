@@ -387,6 +387,11 @@ std::vector<Difference> compare(const Machine& file, const Machine& now,
     return rows;
 }
 
+bool stillHold(const std::vector<Difference>& shown, const std::vector<Difference>& now,
+               const std::vector<PartId>& chosen) {
+    return chosenOf(shown, chosen) == chosenOf(now, chosen);
+}
+
 Machine applied(const Machine& file, const Machine& now, const std::vector<ModuleState>& modules,
                 const std::vector<PartId>& chosen) {
     Machine machine = now;

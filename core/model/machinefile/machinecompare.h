@@ -55,6 +55,8 @@ struct FieldDifference {
     Quantity quantity = Quantity::Plain;
     std::optional<FieldValue> file{};  ///< empty: not in the file
     std::optional<FieldValue> now{};   ///< empty: unknown, or not set
+
+    bool operator==(const FieldDifference&) const = default;
 };
 
 /// The effect of applying a part.
@@ -80,11 +82,17 @@ struct Difference {
         return applying == Applying::ChangesPanel || applying == Applying::Sends ||
                applying == Applying::KeepsUnsent;
     }
+    bool operator==(const Difference&) const = default;
 };
 
 /// Returns the differences in the order of the machine's modules. `modules`: the connected ones; empty: none.
 [[nodiscard]] std::vector<Difference> compare(const Machine& file, const Machine& now,
                                               const std::vector<ModuleState>& modules);
+
+/// True if the chosen rows of a table that was shown are still the same: what they change, and whether that
+/// is sent to a module, which may have been switched on since.
+[[nodiscard]] bool stillHold(const std::vector<Difference>& shown, const std::vector<Difference>& now,
+                             const std::vector<PartId>& chosen);
 
 /// Returns `now` with the chosen parts of the file. Parts of axes for other hardware stay as they are.
 [[nodiscard]] Machine applied(const Machine& file, const Machine& now,
