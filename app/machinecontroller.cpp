@@ -272,12 +272,16 @@ void MachineController::apply(const std::vector<PartId>& chosen) {
     const std::vector<ModuleState> present = modules();
     const Machine file = pendingMachine();
     const std::vector<ModuleIntent> intents = sendings(file, m_machine, present, chosen);
-    if (const int moving = m_store.movingMotors(); !intents.empty() && moving > 0)
+    Machine machine = applied(file, m_machine, present, chosen);
+    std::vector<bus::GroupChange> groups;
+    if (std::ranges::find(chosen, PartId{{}, MachinePart::Groups}) != chosen.end())
+        groups = groupChanges(machine, present);
+    const auto sent = static_cast<int>(intents.size() + groups.size());
+    if (const int moving = m_store.movingMotors(); sent > 0 && moving > 0)
         return m_window.showMessage(texts::machineNotApplied(moving));
     const bool whole = std::none_of(now.begin(), now.end(), [](const Difference& row) {
         return row.applying == Applying::OtherHardware;
     });
-    Machine machine = applied(file, m_machine, present, chosen);
     const Pending from = *std::exchange(m_pending, std::nullopt);
     m_window.endMessage(texts::key::notApplied());
     m_window.machineMenu().closeDifferences();
@@ -288,11 +292,9 @@ void MachineController::apply(const std::vector<PartId>& chosen) {
         take(from, std::move(machine), whole);
     for (const ModuleIntent& send : intents)
         emit intentRequested(send.module, send.intent);
-    if (std::find(chosen.begin(), chosen.end(), PartId{{}, MachinePart::Groups}) != chosen.end())
-        for (const bus::GroupChange& change : groupChanges(m_machine, present))
-            emit groupChangeRequested(change);
+    for (const bus::GroupChange& change : groups)
+        emit groupChangeRequested(change);
     const int parts = static_cast<int>(chosen.size());
-    const int sent = static_cast<int>(intents.size());
     m_window.showMessage(from.copy ? texts::axisCopied(from.copy->from, parts, sent)
                                    : texts::machineOpened(from.path, parts, sent));
 }

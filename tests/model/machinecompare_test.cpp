@@ -193,6 +193,17 @@ TEST(MachineCompare, TheScaleOfAnInputIsAFieldOfItsOwn) {
                                                FieldValue("per_count 0.5, at_zero 1, unit bar"))));
 }
 
+TEST(MachineCompare, GroupsAreSentIfAModuleIsInAnother) {
+    const PartId groups{{}, MachinePart::Groups};
+    auto modules = millChain();
+    EXPECT_EQ(row(compare(mill(), {}, modules), groups)->applying, Applying::Sends) << "nobody knows where";
+    EXPECT_THAT(sendings(mill(), {}, modules, {groups}), IsEmpty()) << "no command to one module";
+    modules[0].info.group = bus::GroupPlace{0x81, false};
+    modules[1].info.group = bus::GroupPlace{0x81, true};
+    EXPECT_EQ(row(compare(mill(), {}, modules), groups)->applying, Applying::ChangesPanel);
+    EXPECT_EQ(row(compare(mill(), {}, {}), groups)->applying, Applying::ChangesPanel);
+}
+
 TEST(MachineCompare, PointsAndSequencesGoTogether) {
     Machine now = testing_support::taughtMill();
     std::get<action::Wait>(now.program.sequences[0].rows[3]).seconds = 0.5;

@@ -277,6 +277,27 @@ TEST_F(MachineFiles, AMotorThatMovesGoesOnAndNothingIsSentToIt) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+TEST_F(MachineFiles, GroupsSayThatTheyAreSentAndWaitUntilNothingMoves) {
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
+    panel.startMoving(sim);
+    Machine grouped = twoServos();
+    grouped.groups = {{0x81, "Table", {ModuleIndex(1)}, {}}};
+    open(panel, write("grouped.json", writeMachine(grouped)));
+    const QString groups = QStringLiteral("Groups, Group 81");
+    EXPECT_EQ(row(panel, groups)->text(3), QStringLiteral("Sent to the module."));
+    emit menu(panel).applyRequested({PartId{{}, MachinePart::Groups}});
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_EQ(sim.group(1), 0xFF);
+    EXPECT_NE(panel.standing(QStringLiteral("Nothing was applied.")), nullptr);
+    panel.ask(intent::StopSmoothly{});
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
+    tickOnly(panel, {groups});
+    click(panel, "applyDifferencesButton");
+    EXPECT_TRUE(panel.waitFor([&] { return sim.group(1) == 0x81; }));
+    EXPECT_EQ(sim.violations(), "");
+}
+
 TEST_F(MachineFiles, AModuleThatAnswersMeanwhileIsNotSentWhatWasNotToBeSent) {
     VirtualChain sim(QStringLiteral("servo,servo"));
     VirtualPanel panel;

@@ -6,6 +6,7 @@
 
 #include "model/intent/gainsplan.h"
 #include "model/machinefile/fieldwriter.h"
+#include "model/machinefile/machinegroups.h"
 #include "model/module/modulescale.h"
 
 namespace nmc {
@@ -371,8 +372,11 @@ std::vector<Difference> compare(const Machine& file, const Machine& now,
     const Json nowJson = written(now);
     for (const PartMembers<Machine>& members : kMachineParts)
         if (Fields fields = differing(fieldsOf(members, fileJson), fieldsOf(members, nowJson));
-            !fields.empty())
+            !fields.empty()) {
             rows.push_back({{{}, members.part}, std::move(fields)});
+            if (members.part == MachinePart::Groups && !groupChanges(file, modules).empty())
+                rows.back().applying = Applying::Sends;
+        }
     const std::size_t axes = std::max({file.axes.size(), now.axes.size(), modules.size()});
     for (std::size_t i = 0; i < axes; ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));
@@ -417,7 +421,7 @@ std::vector<ModuleIntent> sendings(const Machine& file, const Machine& now,
                                    const std::vector<PartId>& chosen) {
     std::vector<ModuleIntent> intents;
     for (const Difference& row : chosenOf(compare(file, now, modules), chosen))
-        if (row.applying == Applying::Sends)
+        if (row.applying == Applying::Sends && row.id.module)
             if (auto intent =
                     intentOf(file.axis(*row.id.module), row.id.part, *moduleAt(*row.id.module, modules)))
                 intents.push_back({*row.id.module, std::move(*intent)});

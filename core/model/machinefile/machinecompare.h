@@ -16,7 +16,7 @@ namespace nmc {
 enum class MachinePart : std::uint8_t {
     MachineName,
     Rate,
-    Groups,
+    Groups,   ///< sent to the modules
     Program,  ///< points and sequences, which belong together
     HomeOrder,
     OperatorRights,
@@ -103,7 +103,7 @@ struct ModuleIntent {
     Intent intent;
 };
 /// Returns what applying the chosen parts would send, by the same rules; a part that cannot be sent now sends
-/// nothing.
+/// nothing. Groups are sent as groupChanges().
 [[nodiscard]] std::vector<ModuleIntent> sendings(const Machine& file, const Machine& now,
                                                  const std::vector<ModuleState>& modules,
                                                  const std::vector<PartId>& chosen);
