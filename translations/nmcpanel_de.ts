@@ -52,8 +52,8 @@
         <translation>Nur die Module nahe am PC haben geantwortet, und ihre Nummern haben sich geändert. Das Kabel zum Modul am fernen Ende prüfen und ob ein anderer ADDR_IN auf Masse liegt. Bis das behoben ist, passen die Einstellungen nicht zu den Modulen.</translation>
     </message>
     <message>
-        <source>The expected module&apos;s settings are not applied to it. If you replaced the module on purpose, accept the chain as found.</source>
-        <translation>Die Einstellungen des erwarteten Moduls werden hier nicht angewendet. Wurde es absichtlich getauscht, die Kette so übernehmen, wie sie ist.</translation>
+        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
+        <translation>Name, Einheit, Grenzen, Geschwindigkeiten und Punkte des erwarteten Moduls werden für dieses verwendet; Reglerwerte und Parameter aus einer Maschinendatei werden ihm nicht gesendet. Wurde es absichtlich getauscht, diese Einstellungen prüfen, dann die Kette so übernehmen, wie sie ist.</translation>
     </message>
     <message>
         <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>

@@ -52,8 +52,8 @@
         <translation>Solo respondieron los módulos más cercanos al PC, y sus números han cambiado. Compruebe el cable del módulo del extremo lejano y que ningún otro ADDR_IN esté conectado a masa. Hasta que se corrija, los ajustes no corresponden a los módulos.</translation>
     </message>
     <message>
-        <source>The expected module&apos;s settings are not applied to it. If you replaced the module on purpose, accept the chain as found.</source>
-        <translation>No se le aplican los ajustes del módulo esperado. Si sustituyó el módulo a propósito, acepte la cadena tal como se encontró.</translation>
+        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
+        <translation>Se usan para él el nombre, la unidad, los límites, las velocidades y los puntos del módulo esperado; las ganancias y los parámetros de un archivo de máquina no se le envían. Si sustituyó el módulo a propósito, compruebe estos ajustes y luego acepte la cadena tal como se encontró.</translation>
     </message>
     <message>
         <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>

@@ -52,8 +52,8 @@
         <translation>Seuls les modules les plus proches du PC ont répondu, et leurs numéros ont changé. Vérifiez le câble du module à l’extrémité de la chaîne, et qu’aucun autre ADDR_IN n’est à la masse. Tant que le problème persiste, les réglages ne correspondent pas aux modules.</translation>
     </message>
     <message>
-        <source>The expected module&apos;s settings are not applied to it. If you replaced the module on purpose, accept the chain as found.</source>
-        <translation>Les réglages du module attendu ne lui sont pas appliqués. Si vous avez remplacé le module volontairement, acceptez la chaîne telle quelle.</translation>
+        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
+        <translation>Le nom, l’unité, les limites, les vitesses et les points du module attendu sont utilisés pour lui&#x202f;; les gains et paramètres d’un fichier machine ne lui sont pas envoyés. Si vous avez remplacé le module volontairement, vérifiez ces réglages, puis acceptez la chaîne telle quelle.</translation>
     </message>
     <message>
         <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>

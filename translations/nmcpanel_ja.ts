@@ -52,8 +52,8 @@
         <translation>PCに近いモジュールだけが応答し、番号が変わっています。遠端のモジュールへのケーブルと、ほかのADDR_INが接地されていないことを確認してください。修復するまで、設定とモジュールは一致しません。</translation>
     </message>
     <message>
-        <source>The expected module&apos;s settings are not applied to it. If you replaced the module on purpose, accept the chain as found.</source>
-        <translation>想定モジュールの設定は、このモジュールには適用されません。意図して交換した場合は、検出結果を採用してください。</translation>
+        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
+        <translation>想定モジュールの名前、単位、リミット、速度、ポイントがこのモジュールにも使われます。マシンファイルのゲインとパラメーターは送信されません。意図して交換した場合は、これらの設定を確認してから、検出結果を採用してください。</translation>
     </message>
     <message>
         <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>

@@ -59,6 +59,20 @@ TEST_F(ChainWindow, TheDoctorNamesThePlaceToLookAt) {
     EXPECT_EQ(cell(3, 4), u"missing"_s);
 }
 
+TEST_F(ChainWindow, OfAnotherModuleTheDoctorSaysThatItIsUsedWithTheSettingsOfItsPlace) {
+    expect(2);
+    machine.axes[0].expected = ModuleIdentity{ModuleType::Servo, 3};
+    machine.axes[0].unit = {UnitKind::Turns, 2'000.0, {}};
+    window->showMachine(machine);
+    showServos({{.position = 500}, {}});
+    EXPECT_EQ(text(u"positionLabel"_s), u"0.2500"_s) << "in the unit that was set for the other one";
+    open("chainDoctorAction");
+    EXPECT_EQ(text(u"chainFinding"_s), u"Module 1 is not the expected module."_s);
+    EXPECT_TRUE(text(u"chainAdvice"_s)
+                    .startsWith(u"Name, unit, limits, speeds and points of the expected module are used"_s))
+        << text(u"chainAdvice"_s).toStdString();
+}
+
 TEST_F(ChainWindow, WhatIsThereCanBeTakenAsExpected) {
     expect(2);
     showServos({{}});

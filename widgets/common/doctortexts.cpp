@@ -77,7 +77,7 @@ QString chainAdvice(const ChainDiagnosis& chain) {
                 "Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.");
         case Finding::OtherHardware:
             return DoctorTexts::tr(
-                "The expected module's settings are not applied to it. If you replaced the module on purpose, accept the chain as found.");
+                "Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.");
         case Finding::MoreThanBefore:
             return DoctorTexts::tr(
                        "Modules from %1 on are new. If they belong there, accept the chain as found.")
