@@ -98,7 +98,7 @@ void StepperControl::stopAbruptly() {
 /// "Stop Motor command will have set the goal velocity to zero": this is said of the smooth stop only.
 void StepperControl::stopSmoothly() {
     m_loaded.speed = 0;
-    m_motion.stopSmoothly(m_loaded.accelerationTime);
+    m_motion.stopSmoothly();
 }
 
 void StepperControl::turnOff() {

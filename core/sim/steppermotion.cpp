@@ -41,6 +41,7 @@ void StepperMotion::start(StepperMode goal, const StepperTrajectory& loaded) {
     }
     m_mode = goal;
     m_slowingDown = m_peaked = m_stopAtMinimum = false;
+    m_perSpeed = kAccelerationUnit * loaded.accelerationTime;
     if (!isProfiled() || loaded.has(StepperTrajectory::kTimer)) {
         m_speed = std::max<unsigned>(loaded.nearestSpeed, 1);
     }
@@ -50,7 +51,6 @@ void StepperMotion::start(StepperMode goal, const StepperTrajectory& loaded) {
         return;
     }
     m_commanded = std::max(loaded.speed, m_minimum);
-    m_perSpeed = kAccelerationUnit * loaded.accelerationTime;
     m_toNextSpeed = wasRamping ? std::min(m_toNextSpeed, m_perSpeed) : m_perSpeed;
     setSpeed(fresh ? m_minimum : m_speed);
 }
@@ -62,13 +62,12 @@ void StepperMotion::stopAbruptly() {
 
 /// "Effectively setting the goal speed to zero": whatever the mode was, it is now a velocity profile, which
 /// ignores a trapezoid's goal.
-void StepperMotion::stopSmoothly(std::uint8_t accelerationTime) {
+void StepperMotion::stopSmoothly() {
     if (!isMoving() || m_stopAtMinimum)
         return;
     m_mode = StepperMode::Velocity;
     m_commanded = m_minimum;
     m_stopAtMinimum = true;
-    m_perSpeed = kAccelerationUnit * accelerationTime;
     m_toNextSpeed = m_perSpeed;
     if (m_speed <= m_minimum)
         return stopAbruptly();

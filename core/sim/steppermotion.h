@@ -26,8 +26,8 @@ public:
     /// The direction that start() would take.
     [[nodiscard]] bool wouldReverse(StepperMode goal, const StepperTrajectory& loaded) const;
     void stopAbruptly();
-    /// Ramps to the minimum speed, then stops.
-    void stopSmoothly(std::uint8_t accelerationTime);
+    /// Ramps to the minimum speed with the acceleration time of the last start, then stops.
+    void stopSmoothly();
 
     void resetPosition();
     /// Makes steps for this time; returns the rest of the time when the motion ends earlier.

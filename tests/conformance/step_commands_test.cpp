@@ -294,6 +294,20 @@ TEST_P(PicStepCommands, StopMotor12_TheAmplifierCanBeEnabledWithoutAStop) {
     expectNoViolations();
 }
 
+TEST_P(PicStepCommands, StopMotor13_AnAccelerationTimeThatWaitsForStartMotionIsNotTheCurrentOne) {
+    cruise();
+    load({.acceleration = 255, .start = false});
+    rig->send(packet(1, 0x17, {0x09}));
+    static_cast<void>(secondsToSpeed(119));
+    EXPECT_NEAR(secondsToStop(), 0.099, 0.0006) << "1 ms at each of 119 ... 21";
+    load({.speed = 22});
+    rig->wait(seconds(1));
+    rig->send(packet(1, 0x17, {0x09}));
+    static_cast<void>(secondsToSpeed(21));
+    EXPECT_NEAR(secondsToStop(), 0.06375, 0.0006) << "started: 255 times 0.25 ms at 21";
+    expectNoViolations();
+}
+
 // ---- Set Outputs ----
 
 TEST_P(PicStepCommands, SetOutputs1_IsCommand8WithOneByte) {

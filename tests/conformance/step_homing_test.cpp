@@ -164,6 +164,7 @@ TEST_P(PicStepHoming, SetHomingMode7_Bit5StopsSmoothly) {
     parameters(k1x | kIgnoreLimits, 20);
     load({.speed = 120, .acceleration = 40});  // 10 ms each
     rig->wait(seconds(2));
+    load({.acceleration = 255, .start = false});  // without effect until Start Motion
     home(kHomeSwitch | kSmoothly);
     set("home_switch 1");
     rig->waitTicks(2);
