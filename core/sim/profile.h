@@ -34,6 +34,8 @@ public:
     void stopAbruptly();
     /// Sets the goal velocity to 0 with the current acceleration, in velocity mode.
     void stopSmoothly();
+    /// The current acceleration; both starts set their own.
+    void setAcceleration(std::uint32_t acceleration) { m_acceleration = acceleration; }
 
     /// Executes one servo tick of a path at this velocity; replaces step().
     void stepPath(std::int64_t velocity);

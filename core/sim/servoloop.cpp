@@ -351,6 +351,7 @@ void ServoLoop::startPwm() {
     const int present = m_magnitude;
     const bool reverse = m_reverse;
     disableServo();
+    m_profile.setAcceleration(t.acceleration);  // a smooth stop out of PWM mode decelerates, too
     m_loaded.pwm = t.pwm;
     // CMC and SC keep the present output when no value is loaded.
     if (isLater() && !t.has(Trajectory::kPwm))

@@ -213,6 +213,23 @@ TEST_P(PicServo, StopMotor15_Bits5To7AreToBeCleared) {
     expectViolation("reserved_bits");
 }
 
+TEST_P(PicServo, StopMotor16_OutOfPwmModeItDeceleratesAtTheAccelerationExecutedLast) {
+    gains(kGoodGains);
+    stop(kAmplifier | kMotorOff);
+    load(kLoadAcceleration | kLoadPwm | kStart, little(kOne / 64, 4) + Bytes{60});
+    rig->wait(milliseconds(500));
+    load(kLoadAcceleration | kLoadPwm, little(kOne, 4) + Bytes{60});  // waits for Start Motion
+    stop(kAmplifier | kSmoothly);
+    const double v = number("command_velocity");
+    EXPECT_GT(v, 10);
+    rig->waitTicks(64);
+    EXPECT_EQ(number("command_velocity"), v - 1);
+    rig->waitTicks(static_cast<int>(64 * v));
+    EXPECT_EQ(number("command_velocity"), 0);
+    EXPECT_EQ(truth("servo_on"), true);
+    expectNoViolation();
+}
+
 TEST_P(PicServo, IoControl1_Bit0IsTheOutputValueOfLimit1) {
     command(0x18, {0x01});
     EXPECT_EQ(status().byte & (kLimit1 | kLimit2), kLimit1);
