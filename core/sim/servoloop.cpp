@@ -439,11 +439,7 @@ void ServoLoop::stopAbruptly() {
 
 void ServoLoop::stopSmoothly() {
     turnServoOn();
-    const bool onPath = m_path.running();
     m_path.end();
-    // A path has no acceleration of its own, so the loaded one is used.
-    if (onPath)
-        return m_profile.startVelocity(0, m_loaded.acceleration);
     if (!isLater())
         m_loaded.velocity = 0;
     m_profile.stopSmoothly();

@@ -114,7 +114,8 @@ TEST_P(ScServo, AddPathPoints10_ThePathEndsAtTheLastPointWhenTheBufferRunsDry) {
 }
 
 TEST_P(ScServo, AddPathPoints11_AnyStopMotorEndsIt) {
-    load(kServo | kLoadAcceleration, little(kOne, 4));  // for the smooth stop
+    load(kLoadAcceleration | kStart, little(kOne, 4));  // for the smooth stop
+    load(kLoadAcceleration, little(0, 4));              // waits for Start Motion
     for (const unsigned control :
          {kAmplifier, kAmplifier | kMotorOff, kAmplifier | kAbruptly, kAmplifier | kSmoothly}) {
         servoOn();
