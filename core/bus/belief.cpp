@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bus/belief.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "base/overloaded.h"
@@ -131,6 +132,7 @@ void Belief::onNotExecuted(const Belief& before) {
     m_may = before.m_may;
     m_stepper.waiting = before.m_stepper.waiting;
     m_servo.loadWaiting = before.m_servo.loadWaiting;
+    m_servo.runningAcceleration = before.m_servo.runningAcceleration;
 }
 
 void Belief::onStatus(const StatusReport& report, TimePoint latched) {
@@ -226,6 +228,10 @@ StepperMode Belief::stepperMode() const {
 void Belief::mayStart(const servo::LoadTrajectory& load) {
     m_may.drivePwm = m_may.drivePwm || drivesPwm(load);
     m_may.run = m_may.run || runs(load);
+    // Until the answer, a smooth stop may decelerate as the old motion does or as the new one: at worst by
+    // less.
+    m_servo.runningAcceleration =
+        std::min(m_servo.runningAcceleration, load.acceleration ? load.acceleration : m_servo.acceleration);
     if (!load.servo)
         return;
     m_may.enable = true;

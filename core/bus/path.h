@@ -26,7 +26,7 @@ struct PathPlan {
     /// The group with exactly these axes as members, which starts them in the same tick. Empty: there is one
     /// axis.
     std::optional<std::uint8_t> group{};
-    bool smoothStop = false;  ///< an acceleration is loaded in each axis, so that it can decelerate
+    bool smoothStop = false;  ///< each axis has an acceleration, so that it can decelerate
 };
 
 /// Time from one point to the next.

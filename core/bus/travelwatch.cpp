@@ -41,7 +41,7 @@ constexpr Duration kCommand = std::chrono::milliseconds(30);
                    ? StepperSpeed(told.parameters->speedMode).acceleration(*told.accelerationTime)
                    : 0.0;
     }
-    const auto& acceleration = belief.servoRegisters().acceleration;
+    const auto& acceleration = belief.servoRegisters().runningAcceleration;
     return acceleration && !belief.pwmMayRun() ? toCounts(*acceleration) * ticks * ticks : 0.0;
 }
 

@@ -16,8 +16,13 @@ void ServoRegisters::apply(const ServoCommand& command) {
                            velocity = loaded.velocity;
                        if (loaded.acceleration)
                            acceleration = loaded.acceleration;
+                       if (loaded.startNow)
+                           runningAcceleration = acceleration;
                    },
-                   [this](const StartMotion&) { loadWaiting = false; },
+                   [this](const StartMotion&) {
+                       loadWaiting = false;
+                       runningAcceleration = acceleration;
+                   },
                    [this](const servo::StopMotor& stop) {
                        amplifierEnabled = stop.amplifierEnable;
                        if (stop.manner != servo::StopManner::AmplifierOnly)

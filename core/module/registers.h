@@ -34,13 +34,16 @@ struct ServoRegisters {
                (reverse ? status.limit2() : status.limit1());
     }
     /// True if a smooth stop can decelerate.
-    [[nodiscard]] bool accelerationLoaded() const { return acceleration && acceleration->value() != 0; }
+    [[nodiscard]] bool canDecelerate() const {
+        return runningAcceleration && runningAcceleration->value() != 0;
+    }
 
     servo::LoadTrajectory load;  ///< the last one; its control bits hold until the next load
     bool loadWaiting = false;    ///< `load` waits for a start
     std::optional<Counts> goal;  ///< loaded last, except by relative moves
     std::optional<CountsPerTick> velocity;
-    std::optional<CountsPerTickSquared> acceleration;
+    std::optional<CountsPerTickSquared> acceleration;         ///< loaded last, for the next start
+    std::optional<CountsPerTickSquared> runningAcceleration;  ///< of the last start: that of a smooth stop
     bool amplifierEnabled = false;
     std::optional<servo::SetGain> gains;
     /// SR, which is set with the gains; 1 after power-up (DS-V 4.5). Empty: the length of a tick is unknown.

@@ -2,8 +2,7 @@
 // The engine keeps travel limits, whatever else is busy.
 #include <gtest/gtest.h>
 
-#include "tests/bus/steps.h"
-#include "tests/support/virtualbus.h"
+#include "tests/bus/groups.h"
 
 namespace nmc::test {
 
@@ -19,15 +18,36 @@ protected:
         ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
         bus.runFor(100ms);
     }
-    /// Two counts a tick, which are 3906 counts/s; 131/65536 counts/tick^2 are 7625 counts/s^2.
-    [[nodiscard]] static Order run(bool reverse = false) {
+    static constexpr std::uint32_t kSlow = 131;      ///< 131/65536 counts/tick^2 are 7625 counts/s^2
+    static constexpr std::uint32_t kHasty = 13'107;  ///< 0.2 counts/tick^2: 10 counts to rest
+    /// Two counts a tick, which are 3906 counts/s.
+    [[nodiscard]] static servo::LoadTrajectory twoPerTick(std::uint32_t acceleration) {
         servo::LoadTrajectory load;
         load.velocity = CountsPerTick(2 << 16);
-        load.acceleration = CountsPerTickSquared(131);
+        load.acceleration = CountsPerTickSquared(acceleration);
         load.profile = servo::ProfileMode::Velocity;
+        return load;
+    }
+    [[nodiscard]] static Order run(bool reverse = false, std::uint32_t acceleration = kSlow) {
+        servo::LoadTrajectory load = twoPerTick(acceleration);
         load.reverse = reverse;
         load.startNow = true;
-        return {ModuleIndex(0), ServoCommand(load)};
+        return toServo(0, load);
+    }
+    /// Waits for Start Motion.
+    [[nodiscard]] static Order loaded(std::uint32_t acceleration) {
+        return toServo(0, twoPerTick(acceleration));
+    }
+    /// Expects that a run with kSlow ends before 20 000 counts, and not farther before it than the 0.1 s that
+    /// the stop may need.
+    static void expectSlowStopBeforeTheLimit(VirtualBus& chain) {
+        chain.engine.setTravelLimits({{std::nullopt, 20'000}});
+        chain.runFor(8s);
+        EXPECT_EQ(chain.count<StoppedBeforeLimit>(), 1U);
+        EXPECT_EQ(chain.servo(0).commandVelocity, 0);
+        EXPECT_LE(chain.servo(0).position, 20'000);
+        EXPECT_GT(chain.servo(0).position, 20'000 - 391 - 100);
+        chain.expectNoViolations();
     }
     VirtualBus bus{servos(2)};
 };
@@ -52,6 +72,30 @@ TEST_F(TravelLimit, ARunThatWasBegunBeforeItsLimitsEndsBeforeThem) {
         EXPECT_EQ(chain.servo(0).commandVelocity, 0);
         EXPECT_TRUE(chain.servo(0).servoOn);
         chain.expectNoViolations();
+    }
+}
+
+/// DS-V 5.2: what waits for Start Motion is only buffered, so a stop still takes 1001 counts.
+TEST_F(TravelLimit, ALoadThatWaitsDoesNotShortenTheWayOfAStop) {
+    enableFirst();
+    ASSERT_EQ(bus.perform({run(), loaded(kHasty)}), Outcome::Done);
+    expectSlowStopBeforeTheLimit(bus);
+}
+
+TEST_F(TravelLimit, StartMotionLengthensTheWayOfAStopToThatOfItsLoad) {
+    for (const bool toGroup : {false, true}) {
+        SCOPED_TRACE(toGroup);
+        GroupBus chain(servos(1));
+        ASSERT_TRUE(chain.connect());
+        ASSERT_EQ(chain.put(0, kGroup).outcome, Outcome::Done);
+        ASSERT_EQ(chain.perform({gains(0), enable(0), run(false, kHasty)}), Outcome::Done);
+        chain.runFor(500ms);
+        ASSERT_EQ(chain.perform({enable(0)}), Outcome::Done);
+        chain.runFor(500ms);
+        ASSERT_EQ(chain.perform({loaded(kSlow)}), Outcome::Done);
+        const auto started = toGroup ? chain.start(kGroup).outcome : chain.perform({start(0)});
+        ASSERT_EQ(started, Outcome::Done);
+        expectSlowStopBeforeTheLimit(chain);
     }
 }
 

@@ -108,8 +108,16 @@ TEST(Plan, RefusesAMoveThatCouldNeverMove) {
 TEST(Plan, StopsAbruptlyWhereASmoothStopCouldNotSlowDown) {
     ModuleState module = holdingServo();
     EXPECT_EQ(payloads(intent::StopSmoothly{}, module), Hex{"17 05"});
-    module.apply(executedAt(1, velocityMode(1 << 16, 100)));
+    servo::LoadTrajectory waiting = velocityMode(1 << 16, 100);
+    waiting.startNow = false;
+    module.apply(executedAt(1, waiting));
+    EXPECT_EQ(payloads(intent::StopSmoothly{}, module), Hex{"17 05"}) << "nothing has started yet";
+    module.apply(executedAt(2, StartMotion{}));
     EXPECT_EQ(payloads(intent::StopSmoothly{}, module), Hex{"17 09"});
+    waiting.acceleration = CountsPerTickSquared(0);
+    module.apply(executedAt(3, waiting));
+    module.apply(executedAt(4, stopWith(servo::StopManner::Abruptly)));
+    EXPECT_EQ(payloads(intent::StopSmoothly{}, module), Hex{"17 09"}) << "neither has changed it";
 }
 
 TEST(Plan, SwitchesTheMotorOffWhateverIsBelieved) {

@@ -24,8 +24,9 @@ struct WhyNot {
             return whyNot(IntentKind::DrivePwm, module);
         if (load.profile == servo::ProfileMode::Trapezoidal)
             return Refusal::StartApart;
-        const bool ramp = load.acceleration ? load.acceleration->value() != 0 : module.accelerationLoaded();
-        return ramp ? whyNot(IntentKind::Run, module) : Reason(Refusal::NoAcceleration);
+        const auto acceleration = load.acceleration ? load.acceleration : module.acceleration;
+        return acceleration && acceleration->value() != 0 ? whyNot(IntentKind::Run, module)
+                                                          : Reason(Refusal::NoAcceleration);
     }
     Reason operator()(const servo::StopMotor& stop) const {
         switch (stop.manner) {
@@ -34,7 +35,7 @@ struct WhyNot {
             case servo::StopManner::MotorOff:
                 return whyNot(IntentKind::MotorOff, module);
             case servo::StopManner::Smoothly:
-                if (!module.accelerationLoaded())
+                if (!module.canDecelerate())
                     return Refusal::NoAcceleration;
                 break;
             case servo::StopManner::Abruptly:

@@ -75,7 +75,7 @@ struct ServoPlanner : MotorPlanner {
 
     Plan operator()(const intent::StopSmoothly&) const {
         // With acceleration 0, the chip could not decelerate (link.md 2.6).
-        return stop(module.accelerationLoaded() ? StopManner::Smoothly : StopManner::Abruptly);
+        return stop(module.canDecelerate() ? StopManner::Smoothly : StopManner::Abruptly);
     }
 
     Plan operator()(const intent::ApplyGains& apply) const {

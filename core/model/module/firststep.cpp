@@ -4,7 +4,7 @@
 namespace nmc {
 
 std::optional<FirstStep> nextFirstStep(const ModuleState& module, const AxisSettings& axis) {
-    if (!module.isServo() || (module.gains && module.accelerationLoaded()))
+    if (!module.isServo() || (module.gains && module.canDecelerate()))
         return std::nullopt;
     if (!module.gains)
         return axis.gains ? FirstStep::ApplyGains : FirstStep::FillInGains;

@@ -13,7 +13,7 @@ namespace nmc {
 enum class FirstStep : std::uint8_t { FillInGains, ApplyGains, Enable, Jog };
 
 /// The next step: the first whose outcome is not visible in `module` and `axis`. Empty for a servo that has
-/// gains and an acceleration, which every motion loads, and for other modules. Pure; any thread.
+/// gains and an acceleration, which every motion sets, and for other modules. Pure; any thread.
 [[nodiscard]] std::optional<FirstStep> nextFirstStep(const ModuleState& module, const AxisSettings& axis);
 
 }  // namespace nmc

@@ -112,7 +112,7 @@ tl::expected<intent::FollowPath, PathObstacle> planPath(const PathTable& table,
         bus::PathAxis axis{column.module, module.commandPosition().value_or(0), column.points};
         if (auto problem = obstacle(axis, table.rate, module))
             return tl::unexpected(*problem);
-        plan->smoothStop = plan->smoothStop && module.accelerationLoaded();
+        plan->smoothStop = plan->smoothStop && module.canDecelerate();
         plan->axes.push_back(std::move(axis));
         axes.push_back(module.info.identity);
     }
