@@ -132,6 +132,7 @@ void Belief::onNotExecuted(const Belief& before) {
     m_may = before.m_may;
     m_stepper.waiting = before.m_stepper.waiting;
     m_servo.loadWaiting = before.m_servo.loadWaiting;
+    m_servo.runningVelocity = before.m_servo.runningVelocity;
     m_servo.runningAcceleration = before.m_servo.runningAcceleration;
 }
 
@@ -228,8 +229,9 @@ StepperMode Belief::stepperMode() const {
 void Belief::mayStart(const servo::LoadTrajectory& load) {
     m_may.drivePwm = m_may.drivePwm || drivesPwm(load);
     m_may.run = m_may.run || runs(load);
-    // Until the answer, a smooth stop may decelerate as the old motion does or as the new one: at worst by
-    // less.
+    // Until the answer, the old motion may go on or the new one: at worst the faster, with the longer stop.
+    m_servo.runningVelocity =
+        std::max(m_servo.runningVelocity, load.velocity ? load.velocity : m_servo.velocity);
     m_servo.runningAcceleration =
         std::min(m_servo.runningAcceleration, load.acceleration ? load.acceleration : m_servo.acceleration);
     if (!load.servo)

@@ -78,7 +78,8 @@ std::optional<StopManner> TravelWatch::onReport(const StatusReport& report, Time
     // length, and the motor covers the most distance before the stop arrives.
     const ServoRegisters& told = belief.servoRegisters();
     const double ticks = ticksPerSecond(told.servoRate.value_or(1));
-    const double wanted = belief.velocityGoal() && told.velocity ? toCounts(*told.velocity) * ticks : 0.0;
+    const double wanted =
+        belief.velocityGoal() && told.runningVelocity ? toCounts(*told.runningVelocity) * ticks : 0.0;
     const double fast = std::max(std::abs(m_speed), wanted);
     const double ramp = rampOf(belief, ticks);
     const double needs = fast * toSeconds(latency()) + wayToStop(fast, ramp);

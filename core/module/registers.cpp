@@ -17,12 +17,9 @@ void ServoRegisters::apply(const ServoCommand& command) {
                        if (loaded.acceleration)
                            acceleration = loaded.acceleration;
                        if (loaded.startNow)
-                           runningAcceleration = acceleration;
+                           started();
                    },
-                   [this](const StartMotion&) {
-                       loadWaiting = false;
-                       runningAcceleration = acceleration;
-                   },
+                   [this](const StartMotion&) { started(); },
                    [this](const servo::StopMotor& stop) {
                        amplifierEnabled = stop.amplifierEnable;
                        if (stop.manner != servo::StopManner::AmplifierOnly)
@@ -43,6 +40,12 @@ void ServoRegisters::apply(const ServoCommand& command) {
                    [](const auto& /*other*/) {},
                },
                command);
+}
+
+void ServoRegisters::started() {
+    loadWaiting = false;
+    runningVelocity = velocity;
+    runningAcceleration = acceleration;
 }
 
 void ServoRegisters::stopped() {

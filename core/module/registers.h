@@ -38,12 +38,13 @@ struct ServoRegisters {
         return runningAcceleration && runningAcceleration->value() != 0;
     }
 
-    servo::LoadTrajectory load;  ///< the last one; its control bits hold until the next load
-    bool loadWaiting = false;    ///< `load` waits for a start
-    std::optional<Counts> goal;  ///< loaded last, except by relative moves
-    std::optional<CountsPerTick> velocity;
-    std::optional<CountsPerTickSquared> acceleration;         ///< loaded last, for the next start
-    std::optional<CountsPerTickSquared> runningAcceleration;  ///< of the last start: that of a smooth stop
+    servo::LoadTrajectory load;             ///< the last one; its control bits hold until the next load
+    bool loadWaiting = false;               ///< `load` waits for a start
+    std::optional<Counts> goal;             ///< loaded last, except by relative moves
+    std::optional<CountsPerTick> velocity;  ///< loaded last, for the next start
+    std::optional<CountsPerTickSquared> acceleration;         ///< likewise
+    std::optional<CountsPerTick> runningVelocity;             ///< of the last start
+    std::optional<CountsPerTickSquared> runningAcceleration;  ///< likewise: that of a smooth stop
     bool amplifierEnabled = false;
     std::optional<servo::SetGain> gains;
     /// SR, which is set with the gains; 1 after power-up (DS-V 4.5). Empty: the length of a tick is unknown.
@@ -51,6 +52,9 @@ struct ServoRegisters {
     std::optional<servo::IoControl> io;      ///< versions 1 to 5
     std::optional<servo::ScIoControl> scIo;  ///< SC, instead of `io`
     std::optional<PathControl> pathControl = PathControl{};
+
+private:
+    void started();
 };
 
 /// Registers of a PIC-STEP (DS-S 5.1).

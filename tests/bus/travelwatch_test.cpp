@@ -82,6 +82,15 @@ TEST_F(TravelLimit, ALoadThatWaitsDoesNotShortenTheWayOfAStop) {
     expectSlowStopBeforeTheLimit(bus);
 }
 
+/// From 40 counts/tick the motor would take 400 000 counts to come to rest.
+TEST_F(TravelLimit, AFasterLoadThatWaitsDoesNotEndARunEarly) {
+    enableFirst();
+    servo::LoadTrajectory faster = twoPerTick(kSlow);
+    faster.velocity = CountsPerTick(40 << 16);
+    ASSERT_EQ(bus.perform({run(), toServo(0, faster)}), Outcome::Done);
+    expectSlowStopBeforeTheLimit(bus);
+}
+
 TEST_F(TravelLimit, StartMotionLengthensTheWayOfAStopToThatOfItsLoad) {
     for (const bool toGroup : {false, true}) {
         SCOPED_TRACE(toGroup);
