@@ -427,21 +427,26 @@ void ServoLoop::turnOff() {
     driveMotor();
 }
 
-// "Current command velocity and goal velocity will be set to zero": the loaded parameter becomes 0, so it
-// must be loaded again before the next move. CMC and SC keep it.
+/// "Current command velocity and goal velocity will be set to zero": the loaded parameter becomes 0, even one
+/// that waits for Start Motion, so it must be loaded again before the next move. CMC and SC keep it.
+void ServoLoop::forgetVelocity() {
+    if (isLater())
+        return;
+    m_loaded.velocity = 0;
+    m_loaded.velocityZeroed = true;
+}
+
 void ServoLoop::stopAbruptly() {
     turnServoOn();
     m_path.end();
-    if (!isLater())
-        m_loaded.velocity = 0;
+    forgetVelocity();
     m_profile.stopAbruptly();
 }
 
 void ServoLoop::stopSmoothly() {
     turnServoOn();
     m_path.end();
-    if (!isLater())
-        m_loaded.velocity = 0;
+    forgetVelocity();
     m_profile.stopSmoothly();
 }
 

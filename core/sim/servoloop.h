@@ -30,6 +30,7 @@ struct Trajectory {
     std::uint32_t acceleration = 0;  ///< 16.16 counts/tick², 0..7FFFFFFF
     std::uint8_t pwm = 0;
     std::uint8_t control = 0;
+    bool velocityZeroed = false;  ///< a stop has set the velocity to 0, and none has been loaded since
 
     [[nodiscard]] bool has(std::uint8_t bit) const { return (control & bit) != 0; }
     [[nodiscard]] bool isTrapezoidal() const { return has(kServo) && !has(kVelocityProfile); }
@@ -154,6 +155,7 @@ private:
     void driveMotor();
     void turnServoOn();
     void disableServo();
+    void forgetVelocity();
     void setOutput(std::int64_t magnitude, bool reverse);
     void setSwitch(Input input, bool level);
     void setLoad(Input input, std::optional<double> value);

@@ -154,8 +154,10 @@ void ServoModule::loadTrajectory(const Packet& packet) {
     t.control = reader.next<std::uint8_t>();
     if ((t.control & 0x01U) != 0)
         t.position = reader.next<std::int32_t>();
-    if ((t.control & 0x02U) != 0)
+    if ((t.control & 0x02U) != 0) {
         t.velocity = reader.next<std::uint32_t>();
+        t.velocityZeroed = false;
+    }
     if ((t.control & 0x04U) != 0)
         t.acceleration = reader.next<std::uint32_t>();
     if ((t.control & 0x08U) != 0)
@@ -175,11 +177,13 @@ void ServoModule::loadTrajectory(const Packet& packet) {
 }
 
 void ServoModule::startMotion() {
+    const Trajectory& loaded = m_loop.loaded();
     // DS-V 4.4: a trapezoid starts from standstill, and none of its parameters may change while it runs. CMC
     // and SC allow both.
-    if (!isLater() && m_loop.loaded().isTrapezoidal() &&
-        (m_loop.inTrapezoid() || m_loop.commandVelocity() != 0))
+    if (!isLater() && loaded.isTrapezoidal() && (m_loop.inTrapezoid() || m_loop.commandVelocity() != 0))
         violates(ViolationKind::TrapezoidInMotion);
+    if (loaded.has(Trajectory::kServo) && loaded.velocityZeroed)
+        violates(ViolationKind::VelocityNotLoaded);
     m_loop.start();
 }
 

@@ -43,8 +43,8 @@ constexpr std::array kViolations{
                  "a stepper started before Set Parameters (DS-S 5.1)"},
     ViolationRow{
         Kind::VelocityNotLoaded, "velocity_not_loaded",
-        "a stepper's profile without a velocity: none was loaded, or a smooth stop has set it to zero "
-        "(DS-S 5.1)"},
+        "a profile without a velocity: a stop has set it to zero, or a stepper has never been given one "
+        "(DS-V 5.2, DS-S 5.1)"},
 };
 
 /// Each kind has a row, and the rows are in the order of the kinds.

@@ -137,6 +137,7 @@ TEST_P(PicServo, StopMotor7_Bits2And3MakeTheGoalVelocity0) {
         rig->waitTicks(50);
         EXPECT_EQ(number("command_velocity"), 0) << "no velocity has been loaded since";
     }
+    EXPECT_EQ(rig->violations(), (std::vector<std::string>(2, "velocity_not_loaded")));
 }
 
 TEST_P(PicServo, StopMotor8_Bit4MovesToTheStoppingPositionWithoutAProfile) {

@@ -201,6 +201,57 @@ TEST_F(Violations, LoadingWithoutStartingInMotionIsNone) {
     EXPECT_LT(wire.truth().servo.commandPosition, 1000);
 }
 
+/// DS-V 5.2: bits 2 and 3 of Stop Motor set the goal velocity to zero, here while a load waits.
+TEST_F(Violations, AProfileWhoseVelocityAStopHasZeroedIsOne) {
+    for (const std::uint8_t stop : {std::uint8_t{0x05}, std::uint8_t{0x09}}) {
+        for (const unsigned profile : {0x10U, 0x30U}) {
+            HostWire one;
+            one.address(1);
+            one.gains(goodGains());
+            Bytes load{static_cast<std::uint8_t>(profile | 0x07)};
+            for (const std::uint32_t value : {1000U, kOne, kOne})
+                append(load, value, 4);
+            one.command(1, 0xD4, load);
+            one.command(1, 0x17, {stop});
+            one.command(1, 0x05);
+            one.waitTicks(50);
+            EXPECT_EQ(one.truth().servo.commandPosition, 0);
+            EXPECT_EQ(one.violations(), Kinds{Kind::VelocityNotLoaded});
+            one.command(1, 0x17, {stop});
+            one.command(1, 0xD4, load);
+            one.command(1, 0x05);
+            one.waitTicks(50);
+            EXPECT_GT(one.truth().servo.commandPosition, 40) << "loaded again";
+            EXPECT_EQ(one.violations().size(), 1U);
+        }
+    }
+}
+
+TEST_F(Violations, AVelocityOf0ThatWasLoadedIsNone) {
+    wire.velocity(kOne, kOne);
+    wire.velocity(0, kOne);
+    EXPECT_EQ(wire.violations(), Kinds{});
+}
+
+/// DS-V 5.2 says it of bits 2 and 3 only, and these versions keep the velocity (docs/family.md).
+TEST_F(Violations, AVelocityThatAStopHasKeptIsNone) {
+    wire.velocity(kOne, kOne);
+    wire.enableAmplifier();
+    wire.waitTicks(200);
+    wire.command(1, 0x14, {0xB0});
+    for (const char* chip : {"servo@5", "servo@10"}) {
+        HostWire one(chip);
+        one.address(1);
+        one.gains(goodGains());
+        one.velocity(kOne, kOne);
+        one.servoOn();
+        one.command(1, 0x14, {0xB0});
+        EXPECT_EQ(one.truth().servo.commandVelocity, 1.0) << chip;
+        EXPECT_EQ(one.violations(), Kinds{}) << chip;
+    }
+    EXPECT_EQ(wire.violations(), Kinds{});
+}
+
 TEST_F(Violations, ResetPositionDuringATrapezoidIsOneAndInVelocityModeNone) {
     wire.velocity(kOne, kOne);
     wire.waitTicks(20);
