@@ -74,6 +74,7 @@ private:
     /// Returns false when the module does not listen.
     bool moduleHears(std::size_t index, std::uint8_t value, std::uint32_t baud, bool error, bool struck);
     void watchForHaste(const LineByte& byte);
+    [[nodiscard]] bool mayCutReply(const Packet& packet) const;
     void catchUp();
 
     // Faults.
@@ -314,8 +315,18 @@ const Module* Chain::Private::busyModule() const {
     return nullptr;
 }
 
-/// DS-V 4.1: no new command before the answer. The rule makes an exception for a Stop Motor that cuts a reply
-/// short. Nulls and garbage do not count, because every host begins with them.
+/// A stop cannot wait for an answer. At an address that no module has, it may be meant for one that has
+/// restarted.
+bool Chain::Private::mayCutReply(const Packet& packet) const {
+    if (packet.code() != CommandCode::StopMotor)
+        return false;
+    const auto isFor = [&](const auto& module) { return module->isAddressedBy(packet.address); };
+    const auto isStopped = [&](const auto& module) { return isFor(module) && module->isStop(packet); };
+    return std::ranges::none_of(modules, isFor) || std::ranges::any_of(modules, isStopped);
+}
+
+/// DS-V 4.1: no new command before the answer. The rule makes an exception for stops. Nulls and garbage do
+/// not count, because every host begins with them.
 void Chain::Private::watchForHaste(const LineByte& byte) {
     const bool complete = m_monitor.hears(byte.value, false);
     if (!complete && !m_monitor.inPacket()) {
@@ -329,7 +340,7 @@ void Chain::Private::watchForHaste(const LineByte& byte) {
     if (!complete)
         return;
     const Packet& packet = m_monitor.packet();
-    if (m_hasty && !hasteIsUnknown && packet.sumIsRight() && packet.code() != CommandCode::StopMotor)
+    if (m_hasty && !hasteIsUnknown && packet.sumIsRight() && !mayCutReply(packet))
         violations.add({now, m_hurried, ViolationKind::CommandInFlight, packet.bytes()});
     if (hasteIsUnknown && !m_hasty && now > readLateUntil && ++waited == kWaitsThatCount)
         hasteIsUnknown = false;

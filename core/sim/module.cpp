@@ -97,7 +97,7 @@ void Module::accept(const Packet& packet, bool late, TimePoint now) {
         good && obeysResetOfAll() && packet.address == kEveryone && packet.code() == CommandCode::HardReset;
     if (!own && !member && !resetsAll)
         return;
-    const bool mayBeEarly = late || (m_options.hostHasOwnClock && packet.code() == CommandCode::StopMotor);
+    const bool mayBeEarly = late || (m_options.hostHasOwnClock && isStop(packet));
     if (m_pending && good && !mayBeEarly && !packet.struck && !m_pending->packet.struck)
         m_violations.add({now, m_index, ViolationKind::CommandOverwritten, packet.bytes()});
     const std::uint64_t tick = ticksAt(now) + 1;

@@ -109,6 +109,11 @@ public:
     [[nodiscard]] bool isAddressedBy(std::uint8_t address) const {
         return address == m_address || address == m_group;
     }
+    /// True for a Stop Motor with a bit that stops this chip's motor.
+    [[nodiscard]] bool isStop(const Packet& packet) const {
+        return packet.code() == CommandCode::StopMotor && packet.length() > 0 &&
+               (packet.data[0] & stopBits()) != 0;
+    }
     [[nodiscard]] std::uint8_t address() const { return m_address; }
     void takeAddress(std::uint8_t address);
     /// Restores the own address, unless the host has set another one since.
@@ -182,6 +187,9 @@ private:
     virtual void executeOwn(const Packet& packet) = 0;
     /// The bits of a command's first data byte that the data sheet requires to be zero.
     [[nodiscard]] virtual std::uint8_t reservedBits(CommandCode code) const = 0;
+    /// The bits of Stop Motor's control byte that stop the motor; 0 without a motor, where its code means
+    /// something else.
+    [[nodiscard]] virtual std::uint8_t stopBits() const { return 0; }
     /// The status byte without the communication error bit.
     [[nodiscard]] virtual std::uint8_t statusByte() const = 0;
     virtual void writeItems(ItemWriter writer) const = 0;

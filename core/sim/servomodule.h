@@ -31,6 +31,7 @@ private:
     void runTicks(std::uint64_t ticks) override { m_loop.run(ticks); }
     void executeOwn(const Packet& packet) override;
     [[nodiscard]] std::uint8_t reservedBits(CommandCode code) const override;
+    [[nodiscard]] std::uint8_t stopBits() const override { return 0x1E; }
     [[nodiscard]] std::uint8_t statusByte() const override { return m_loop.statusByte(); }
     void writeItems(ItemWriter writer) const override;
 

@@ -22,6 +22,7 @@ private:
     }
     void executeOwn(const Packet& packet) override;
     [[nodiscard]] std::uint8_t reservedBits(CommandCode code) const override;
+    [[nodiscard]] std::uint8_t stopBits() const override { return 0x0C; }
     [[nodiscard]] std::uint8_t statusByte() const override { return m_control.statusByte(); }
     void writeItems(ItemWriter writer) const override;
 

@@ -11,7 +11,7 @@ using Kind = ViolationKind;
 
 constexpr std::array kViolations{
     ViolationRow{Kind::CommandInFlight, "command_in_flight",
-                 "a command sent before the previous one was answered (DS-V 4.1)"},
+                 "a command sent before the previous one was answered (DS-V 4.1), unless it stops a motor"},
     ViolationRow{Kind::CommandOverwritten, "command_overwritten",
                  "a module lost a command to the next one (DS-V 4.1)"},
     ViolationRow{Kind::TrapezoidInMotion, "trapezoid_in_motion",

@@ -72,6 +72,36 @@ TEST_F(Violations, AStopMotorMayCutAReply) {
     EXPECT_EQ(wire.violations(), Kinds{});
 }
 
+/// A servo and a stepper, and two PIC-I/Os, of which the last is alone in group 81.
+TEST_F(Violations, OnlyAStopMotorThatStopsAMotorMayCutAReply) {
+    struct Early {
+        unsigned address;
+        unsigned command;
+        Bytes data;
+        bool blamed;
+    };
+    for (const Early& early : {
+             Early{1, 0x17, {0x03}, false}, Early{1, 0x17, {0x04}, false}, Early{1, 0x17, {0x09}, false},
+             Early{1, 0x57, {0x11, 0, 0, 0, 0}, false}, Early{1, 0x17, {0x01}, true},
+             Early{2, 0x17, {0x04}, false}, Early{2, 0x17, {0x09}, false}, Early{2, 0x17, {0x01}, true},
+             Early{2, 0x17, {0x03}, true},  // a stepper has no use for bit 1
+             Early{3, 0x47, {0x1E, 0, 0, 0}, true}, Early{0xFF, 0x17, {0x05}, false},
+             Early{0xFF, 0x17, {0x03}, false}, Early{0xFF, 0x17, {0x01}, true},
+             Early{0x81, 0x47, {0x1E, 0, 0, 0}, true},
+             Early{9, 0x17, {0x05}, false},  // to a module that has restarted, perhaps
+         }) {
+        HostWire all("servo,step,io,io");
+        all.address(4);
+        all.command(4, 0x21, {4, 0x81});
+        all.chain.hostSends(packet(1, 0x13, {0x1F}), all.now);
+        all.wait(milliseconds(5));
+        all.exchange(packet(early.address, early.command, early.data));
+        const Kinds kinds = all.violations();
+        EXPECT_EQ(std::ranges::count(kinds, Kind::CommandInFlight), early.blamed ? 1 : 0)
+            << toHex(packet(early.address, early.command, early.data));
+    }
+}
+
 TEST_F(Violations, NullsGarbageAndAWrongSumAreNone) {
     wire.chain.hostSends(packet(1, 0x13, {0x1F}), wire.now);
     wire.wait(milliseconds(5));
@@ -150,6 +180,11 @@ TEST_F(OverwritingAtATerminal, AStopIsNotBlamedForIt) {
 
 TEST_F(OverwritingAtATerminal, ACommandThatMustWaitForTheAnswerIs) {
     sendTwo(false);
+    EXPECT_TRUE(has(Kind::CommandOverwritten));
+}
+
+TEST_F(OverwritingAtATerminal, AStopMotorThatOnlySetsTheAmplifierIsToo) {
+    sendTwo(false, packet(1, 0x17, {0x01}));
     EXPECT_TRUE(has(Kind::CommandOverwritten));
 }
 
