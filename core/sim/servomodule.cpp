@@ -61,7 +61,7 @@ void ServoModule::resetPosition(const Packet& packet) {
     const unsigned control = packet.length() == 0 ? 0U : packet.data[0] & known;
     if (std::popcount(control) > 1)
         violates(ViolationKind::OutOfRange);
-    if (isSc() && packet.length() > 0 && (packet.length() == 5) != ((control & kToValue) != 0))
+    if (isSc() && packet.length() > 0 && packet.length() != ((control & kToValue) != 0 ? 5U : 1U))
         violates(ViolationKind::WrongLength);
     if ((control & kRelativeToHome) != 0)
         m_loop.resetRelativeToHome();
@@ -225,7 +225,7 @@ void ServoModule::stopMotor(const Packet& packet) {
         else
             violates(ViolationKind::StopBits);
     }
-    if (packet.length() > 0 && (packet.length() == 5) != here)
+    if (packet.length() > 0 && packet.length() != (here ? 5U : 1U))
         violates(ViolationKind::WrongLength);
     m_loop.setAmplifier((control & kAmplifier) != 0);
     if ((control & kOff) != 0)

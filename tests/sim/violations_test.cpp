@@ -316,6 +316,29 @@ TEST_F(Violations, WrongLengthsAreReported) {
     EXPECT_EQ(wire.violations(), Kinds(6, Kind::WrongLength));
 }
 
+// DS-V 5.2, Stop Motor: 1 data byte, or 5 with bit 4; Reset Position of an SC: 1, or 5 with bit 1
+// (docs/family.md).
+TEST_F(Violations, AnythingBetweenTheTwoLengthsOfACommandIsReported) {
+    const auto kindsOf = [](const char* chip, unsigned code, std::uint8_t control, std::size_t length) {
+        HostWire one(chip);
+        one.address(1);
+        Bytes data(length);
+        data[0] = control;
+        one.command(1, static_cast<unsigned>(length) << 4U | code, data);
+        return one.violations();
+    };
+    for (std::size_t length = 1; length <= 5; ++length) {
+        const Kinds ofShort = length == 1 ? Kinds{} : Kinds{Kind::WrongLength};
+        const Kinds ofLong = length == 5 ? Kinds{} : Kinds{Kind::WrongLength};
+        for (const char* chip : {"servo@4", "servo@10"}) {
+            EXPECT_EQ(kindsOf(chip, 7, 0x01, length), ofShort) << chip << ' ' << length;
+            EXPECT_EQ(kindsOf(chip, 7, 0x11, length), ofLong) << chip << ' ' << length;
+        }
+        EXPECT_EQ(kindsOf("servo@10", 0, 0x01, length), ofShort) << length;
+        EXPECT_EQ(kindsOf("servo@10", 0, 0x02, length), ofLong) << length;
+    }
+}
+
 TEST_F(Violations, OutOfRangeValuesAreReported) {
     wire.gains(gainData(0x8000, 0, 0, 0, 0, 0, 0, 1, 0));
     wire.gains(gainData(0, 0, 0, 0, 0, 0, 0x4000, 1, 0));
