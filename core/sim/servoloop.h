@@ -30,6 +30,7 @@ struct Trajectory {
     std::uint32_t acceleration = 0;  ///< 16.16 counts/tick², 0..7FFFFFFF
     std::uint8_t pwm = 0;
     std::uint8_t control = 0;
+    bool isLoaded = false;
     bool velocityZeroed = false;  ///< a stop has set the velocity to 0, and none has been loaded since
 
     [[nodiscard]] bool has(std::uint8_t bit) const { return (control & bit) != 0; }

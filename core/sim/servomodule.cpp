@@ -150,6 +150,7 @@ void ServoModule::switchOnAsSaved() {
 
 void ServoModule::loadTrajectory(const Packet& packet) {
     Trajectory t = m_loop.loaded();
+    t.isLoaded = true;
     DataReader reader(packet);
     t.control = reader.next<std::uint8_t>();
     if ((t.control & 0x01U) != 0)
@@ -178,6 +179,8 @@ void ServoModule::loadTrajectory(const Packet& packet) {
 
 void ServoModule::startMotion() {
     const Trajectory& loaded = m_loop.loaded();
+    if (!loaded.isLoaded)
+        return;  // nothing to execute
     // DS-V 4.4: a trapezoid starts from standstill, and none of its parameters may change while it runs. CMC
     // and SC allow both.
     if (!isLater() && loaded.isTrapezoidal() && (m_loop.inTrapezoid() || m_loop.commandVelocity() != 0))

@@ -83,6 +83,23 @@ TEST_F(Servo, VelocityModeFollowsTheVelocityAndReportsItsNegative) {
     EXPECT_EQ(wire.truth().servo.mode, ServoMode::Velocity);
 }
 
+TEST_F(Servo, StartMotionWithNothingLoadedDoesNothing) {
+    servoOn();
+    wire.command(1, 0x05);
+    EXPECT_TRUE(wire.report().servoOn());
+    EXPECT_EQ(wire.truth().servo.mode, ServoMode::Velocity);
+    wire.pwm(40);
+    wire.command(1, 0x05);
+    EXPECT_EQ(wire.truth().servo.pwm, 40) << "the load that was executed at once is the last one";
+    wire.command(1, 0x0F);
+    wire.wait(milliseconds(10));
+    wire.address(1);
+    servoOn();
+    wire.command(1, 0x05);
+    EXPECT_TRUE(wire.report().servoOn()) << "a reset forgets it";
+    EXPECT_TRUE(wire.violations().empty());
+}
+
 TEST_F(Servo, EnteringVelocityModeFromACoastingMotorKeepsItsVelocity) {
     wire.gains(goodGains());
     wire.pwm(50);
