@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "model/module/servodefaults.h"
+#include "model/settings/axisscale.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
@@ -26,8 +27,6 @@ namespace {
 
 constexpr int kLongestAxisUnit = 12;
 constexpr int kScaleDecimals = 6;
-constexpr double kMostCountsPerUnit = 1e9;
-constexpr double kLeastCountsPerUnit = 1e-6;
 constexpr double kLargestAnalog = 1e6;
 
 /// Shows a text that is kept elsewhere, without disturbing the one being typed: after a trailing space,
@@ -113,9 +112,9 @@ void AxisBox::build() {
              "The unit for positions and speeds. Changing it keeps every physical value and sends nothing.")},
         this);
     form->addRow(tr("Un&it"), m_unit);
-    m_countsPerUnit = addNumber(form, tr("Counts in 1 unit"), u"countsPerUnitField"_s, kMostCountsPerUnit,
+    m_countsPerUnit = addNumber(form, tr("Counts in 1 unit"), u"countsPerUnitField"_s, kMaxCountsPerUnit,
                                 tr("Counts or steps per unit."));
-    m_countsPerUnit->setRange(kLeastCountsPerUnit, kMostCountsPerUnit);
+    m_countsPerUnit->setRange(kMinCountsPerUnit, kMaxCountsPerUnit);
     m_countsPerUnitLabel = qobject_cast<QLabel*>(form->labelForField(m_countsPerUnit));
     m_reversed = form::newCheck(
         {.name = m_context.named(u"axisReversedBox"_s),

@@ -273,26 +273,31 @@ std::optional<servomotion::VelocityProfile> MotionBox::enteredRun(bool reverse) 
                                         m_context.chipReverse(reverse)};
 }
 
-/// Offers the nearest position within the travel limits if the goal is beyond them.
-void MotionBox::offerNearest() {
+std::optional<std::int32_t> MotionBox::nearest() const {
     const auto wanted = entered();
     const auto problem = wanted ? travelProblem(intent::Move{*wanted}, m_context.state()) : std::nullopt;
-    const bool offers = problem && problem->refusal == Refusal::BeyondTravel;
-    m_nearest->setVisible(offers);
-    if (!offers)
+    if (!problem || problem->refusal != Refusal::BeyondTravel)
+        return std::nullopt;
+    return problem->nearest;
+}
+
+/// Offers the nearest position within the travel limits if the goal is beyond them.
+void MotionBox::offerNearest() {
+    const auto goal = nearest();
+    m_nearest->setVisible(goal.has_value());
+    if (!goal)
         return;
-    m_nearest->setText(Common::tr("Use %1").arg(
-        texts::place(m_context.state().home.workZero(), m_goal->scale(), problem->nearest)));
+    m_nearest->setText(
+        Common::tr("Use %1").arg(texts::place(m_context.state().home.workZero(), m_goal->scale(), *goal)));
     m_nearest->setPossible({}, Common::tr("Sets the goal to the nearest allowed position. Nothing moves."));
 }
 
 void MotionBox::takeNearest() {
-    const auto wanted = entered();
-    const auto problem = wanted ? travelProblem(intent::Move{*wanted}, m_context.state()) : std::nullopt;
-    if (!problem || problem->refusal != Refusal::BeyondTravel)
+    const auto goal = nearest();
+    if (!goal)
         return;
     m_goalKind->setCurrentIndex(Absolute);
-    m_goal->showNative(problem->nearest);
+    m_goal->showNative(*goal);
     m_goal->setFocus();
     refresh();
 }

@@ -41,6 +41,8 @@ private:
     [[nodiscard]] std::optional<CountsPerTick> velocity() const;
     [[nodiscard]] std::optional<CountsPerTickSquared> acceleration() const;
     [[nodiscard]] std::optional<ServoPace> pace() const;
+    /// The nearest goal that is allowed; empty if the goal is not beyond the travel limits.
+    [[nodiscard]] std::optional<std::int32_t> nearest() const;
     void offerNearest();
     void takeNearest();
     void refreshRun(Command& command, bool reverse, const QString& meaning);
