@@ -88,14 +88,16 @@ constexpr std::array kNotAsTheyAre{"hello", "describe",        "state",         
     return isOneOf(method, std::array{"move", "move_by", "go_home", "home"});
 }
 
-/// Numbers of an axis may carry its unit.
+/// Numbers of an axis may carry its unit. Counts have no second: velocities of a PIC-SERVO are then in the
+/// chip's own unit (AxisScale).
 [[nodiscard]] QString unitOf(Kind kind, const Json& axis) {
     const QString unit = shown(axis.at("unit"));
+    const QString time = unit == QLatin1String("counts") ? QStringLiteral("/tick") : QStringLiteral("/s");
     switch (kind) {
         case Kind::Velocity:
-            return unit + QStringLiteral("/s");
+            return unit + time;
         case Kind::Acceleration:
-            return unit + QStringLiteral("/s2");
+            return unit + time + QLatin1Char('2');
         case Kind::Position:
         case Kind::Distance:
         case Kind::Axis:

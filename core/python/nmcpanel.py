@@ -8,8 +8,9 @@
         x.move(12.5)
         print(x.position)
 
-The panel must let programs in (menu Chain, or nmcpanel --serve). Values are in the unit of the axis. A call that the panel
-refuses raises Refused. Not for use by several threads at once.
+The panel must let programs in (menu Chain, or nmcpanel --serve). Values are in the unit of the axis, velocities in that
+per second; those of an axis in counts are in counts per tick of its servo, which is about 1950 counts per second at servo
+rate 1. A call that the panel refuses raises Refused. Not for use by several threads at once.
 """
 from __future__ import annotations
 

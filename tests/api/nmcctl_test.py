@@ -156,35 +156,71 @@ class AtItsOwnLine(unittest.TestCase):
         self.assertLessEqual({renamed.get(name, name.replace("_", "-")) for name in methods}, commands)
 
 
-class AtAPanelThatAnswersAsWritten(unittest.TestCase):
-    """One that accepts everything, and then has bad news for who waits."""
+class PanelAsWritten(threading.Thread):
+    """One that accepts everything but what it is to refuse, for one program, and keeps what that has requested."""
     RESULTS = {"hello": {"protocol": "1.0", "program": "test", "asks_user": False}, "request_control": {"granted": True},
                "state": {"number": 1, "name": "", "unit": "counts", "gains": None, "travel_limits_in_force": True}}
 
-    def answer(self, listener, reason):
-        connection, _ = listener.accept()
+    def __init__(self, test, refusals=None):
+        super().__init__()
+        self.place = Place()
+        test.addCleanup(self.place.close)
+        self.refusals = refusals or {}
+        self.requests = []  #: method and parameters
+
+    def run(self):
+        connection, _ = self.listener.accept()
         with connection, connection.makefile("rw", encoding="utf-8") as lines:
             for line in lines:
                 request = json.loads(line)
-                method = request["method"]
-                what = ({"error": {"code": -32000, "message": "Bad news.", "data": {"reason": reason}}}
-                        if method == "wait" else {"result": self.RESULTS.get(method, {"accepted": True})})
-                lines.write(json.dumps({"jsonrpc": "2.0", "id": request["id"], **what}) + "\n")
-                lines.flush()
+                self.requests.append((request["method"], request["params"]))
+                self.answer(lines, request)
 
+    def answer(self, lines, request):
+        method = request["method"]
+        reason = self.refusals.get(method)
+        what = ({"error": {"code": -32000, "message": "Bad news.", "data": {"reason": reason}}} if reason else
+                {"result": self.RESULTS.get(method, {"accepted": True})})
+        self.send(lines, {"id": request["id"], **what})
+
+    def send(self, lines, message):
+        lines.write(json.dumps({"jsonrpc": "2.0", **message}) + "\n")
+        lines.flush()
+
+    def ctl(self, *words, text=None):
+        path = str(self.place.folder / "written.sock")
+        with socket.socket(socket.AF_UNIX) as self.listener:
+            self.listener.bind(path)
+            self.listener.listen()
+            self.start()
+            result = self.place.ctl("--socket", path, *words, text=text)
+            self.join()
+        return result
+
+    def parameters_of(self, method):
+        return [parameters for name, parameters in self.requests if name == method]
+
+
+class AtAPanelThatAnswersAsWritten(unittest.TestCase):
     def test_what_was_begun_was_not_refused(self):
-        place = Place()
-        self.addCleanup(place.close)
         for reason in ("NotSettled", "NotCarriedOut", "Unresponsive"):
-            with self.subTest(reason), socket.socket(socket.AF_UNIX) as listener:
-                path = str(place.folder / reason)
-                listener.bind(path)
-                listener.listen()
-                panel = threading.Thread(target=self.answer, args=(listener, reason))
-                panel.start()
-                code, out, problems = place.ctl("--socket", path, "move", "1", "500", "--wait")
-                panel.join()
-                self.assertEqual((code, out, problems), (NOT_CARRIED_OUT, "", "Bad news.\n"))
+            with self.subTest(reason):
+                self.assertEqual(PanelAsWritten(self, {"wait": reason}).ctl("move", "1", "500", "--wait"),
+                                 (NOT_CARRIED_OUT, "", "Bad news.\n"))
+
+    def test_takes_velocities_of_an_axis_in_counts_per_tick_only(self):
+        panel = PanelAsWritten(self)
+        words = ("move", "1", "500counts", "--velocity", "1.5counts/tick", "--acceleration", "0.01counts/tick2")
+        self.assertEqual(panel.ctl(*words), (DONE, "", ""))
+        self.assertEqual(panel.parameters_of("move"), [{"axis": 1, "to": 500, "velocity": 1.5, "acceleration": 0.01}])
+        for words in (("jog", "1", "20counts/s", "1"), ("move", "1", "5", "--velocity", "20counts/s"),
+                      ("move", "1", "5", "--acceleration=20counts/s2")):
+            with self.subTest(words):
+                panel = PanelAsWritten(self)
+                code, _, problems = panel.ctl(*words)
+                self.assertEqual(code, BAD_ARGUMENTS)
+                self.assertIn("counts/tick", problems)
+                self.assertNotIn(words[0], [method for method, _ in panel.requests])
 
 
 class AServedLine(unittest.TestCase):
