@@ -237,7 +237,7 @@ class Axis:
         self._do(wait, "move_by", by=by, velocity=velocity, acceleration=acceleration)
 
     def jog(self, velocity: float, seconds: float) -> None:
-        """Moves for that long, and stops by itself if this program does."""
+        """Moves for that long, and stops by itself if this program does. Max jog speed of the axis limits it."""
         until = time.monotonic() + seconds
         while time.monotonic() < until:
             self.call("jog", velocity=velocity)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """A laboratory centrifuge as a backend of the kind that PyLabRobot has: asynchronous, with setup, spin and stop.
 
-usage: centrifuge.py AXIS RPM SECONDS    with an axis whose unit is turns
+usage: centrifuge.py AXIS RPM SECONDS    with an axis whose unit is turns, and whose max jog speed permits that
 """
 import asyncio
 import math

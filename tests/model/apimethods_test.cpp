@@ -139,6 +139,7 @@ TEST(ApiMethods, MoveNeitherOfTwoAxesWithOneName) {
 TEST(ApiMethods, SpeakTheUnitsOfTheAxis) {
     Chain chain;
     chain.machine.axes[0].unit = {UnitKind::Millimetres, -400};
+    chain.machine.axes[0].motion.holdCap = 3;
     const auto move = chain.moveOf({{"axis", "X"}, {"to", 12.5}, {"velocity", 10}, {"acceleration", 100}});
     EXPECT_EQ(move.position, Counts(-5'000));
     EXPECT_EQ(move.velocity, CountsPerTick(134'218));         // 2.048 x 65 536 = 134 217.7
@@ -162,6 +163,27 @@ TEST(ApiMethods, UseTheVelocityOfTheAxisIfNoneIsGiven) {
     EXPECT_EQ(move.velocity, CountsPerTick(3 * 65'536));
     EXPECT_EQ(move.acceleration, CountsPerTickSquared(32'768));
     EXPECT_EQ(chain.moveOf({{"axis", 1}, {"to", 100}, {"velocity", 2}}).velocity, CountsPerTick(2 * 65'536));
+}
+
+/// 2 counts per tick and 1 000 steps/s until the user has set another limit.
+TEST(ApiMethods, JogNoFasterThanTheButtonsOfTheWindow) {
+    Chain chain;
+    const auto isRefused = [&](int axis, double velocity) {
+        const auto call = chain.call("jog", {{"axis", axis}, {"velocity", velocity}});
+        return !call && call.error() == api::Problem{Kind::FieldWrong, "velocity"};
+    };
+    EXPECT_FALSE(isRefused(1, -2));
+    EXPECT_TRUE(isRefused(1, -2.01));
+    EXPECT_FALSE(isRefused(2, 1'000));
+    EXPECT_TRUE(isRefused(2, 1'001));
+    chain.machine.axes[0].motion.holdCap = 0.5;
+    EXPECT_FALSE(isRefused(1, 0.5));
+    EXPECT_TRUE(isRefused(1, 0.51));
+    // 400 counts per mm: 1.25 mm/s are 500 counts/s, 0.256 counts per tick of 0.512 ms.
+    chain.machine.axes[0].unit = {UnitKind::Millimetres, 400};
+    chain.machine.axes[0].motion.holdCap = 0.256;
+    EXPECT_FALSE(isRefused(1, 1.24));
+    EXPECT_TRUE(isRefused(1, 1.26));
 }
 
 TEST(ApiMethods, RefuseWhatCannotBeMeant) {

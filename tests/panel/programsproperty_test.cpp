@@ -91,7 +91,7 @@ protected:
     void programJogs(int program) {
         const int module = any(kModules);
         for (int i = 0; i < 5; ++i) {
-            if (programs[program]->call("jog", {{"axis", module + 1}, {"velocity", 4}}).contains("result")) {
+            if (programs[program]->call("jog", {{"axis", module + 1}, {"velocity", 2}}).contains("result")) {
                 EXPECT_EQ(inControl, program) << "it has no right to";
                 movedBy[module] = program;
                 wait(50);

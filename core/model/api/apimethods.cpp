@@ -208,7 +208,8 @@ struct AxisCall {
         const auto native = velocity();
         if (!native)
             return tl::unexpected(native.error());
-        if (*native == 0)
+        // As for a held button.
+        if (*native == 0 || *native > jogRange(module, settings).cap)
             return tl::unexpected(wrong("velocity"));
         const bool reverse = (value("velocity") < 0) != scale.reversed();
         const auto hold = nmc::jog(module, settings, *native, reverse);
@@ -321,7 +322,7 @@ std::vector<Method> makeMethods() {
         {"jog",
          Access::Control,
          "Moves for as long as it is called again within 100 ms with the same axis and direction.",
-         {axis, {"velocity", Kind::Velocity, true, "signed"}},
+         {axis, {"velocity", Kind::Velocity, true, "signed; not above the max jog speed of the axis"}},
          &AxisCall::jog},
         {"go_home", Access::Control, "Moves to home.", {axis, velocity, acceleration}, &AxisCall::goHome},
         {"home", Access::Control, "Searches for home as set up for the axis.", {axis}, &AxisCall::home},
