@@ -345,8 +345,7 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
         return why(orders.error());
     m_refused.reset();
     Session& session = this->session(client);
-    session.failures.erase(call.module);
-    session.goals.erase(call.module);
+    session.forget(call.module);
     if (leadsToGoal(intent))
         session.goals[call.module];
     if (isHeld(client) && session.held.module == call.module) {
@@ -376,6 +375,7 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
         return refuse(client, id, api::refused(Refusal::Moving));
     session.held = hold;
     session.heldAt = monotonicNow();
+    session.forget(hold.module);
     noteMoved(client, hold.module);
     answer(client, id, {{"accepted", true}});
 }
@@ -402,6 +402,8 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
     for (auto& [other, session] : m_sessions)
         session.runs = other == client;
     session(client).sequenceFailure.reset();
+    for (const ModuleState& module : m_store.link().modules)  // it may move any of them
+        session(client).forget(module.info.index);
     answer(client, id, {{"accepted", true}});
 }
 

@@ -81,6 +81,14 @@ private:
         std::vector<Pending> waits{};
         bus::HoldToMove held{};  ///< the last jog
         std::optional<TimePoint> heldAt{};
+
+        /// It has requested something else of this module: what becomes of the last request is of no
+        /// interest.
+        void forget(ModuleIndex module) {
+            operations.erase(module);
+            failures.erase(module);
+            goals.erase(module);
+        }
     };
     struct Asked {
         Client client;

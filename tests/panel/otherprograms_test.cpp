@@ -216,6 +216,31 @@ TEST_F(OtherPrograms, WaitForAllAxesAndTheSequence) {
     EXPECT_EQ(client.answer(waits)["error"]["data"]["reason"], "NotCarriedOut");
 }
 
+TEST_F(OtherPrograms, AreNotToldThatAMoveWasCancelledWhichTheyHaveFollowedUpThemselves) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    Program program;
+    program.points.push_back({"far", {{ModuleIndex(0), 1'000, false}}});
+    emit panel.window().requests().programEdited(program);
+    const auto move = [&](int to) {
+        EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", to}})["result"]["accepted"], true);
+        EXPECT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+    };
+    move(500);
+    EXPECT_EQ(client.call("go_to_point", {{"name", "far"}})["result"]["accepted"], true);
+    const Json all = client.call("wait");
+    ASSERT_TRUE(all.contains("result")) << all.dump();
+    EXPECT_NEAR(all["result"]["modules"][0]["position"].get<double>(), 1'000, 2);
+    EXPECT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+
+    move(500);
+    EXPECT_EQ(client.call("jog", {{"axis", 1}, {"velocity", 1}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim) && panel.module().moving(); }));
+    const Json jogged = client.call("wait", {{"axis", 1}});
+    EXPECT_TRUE(jogged.contains("result")) << jogged.dump();
+}
+
 TEST_F(OtherPrograms, WaitForTheEndOfAStopThatWouldCancelWhatComesNext) {
     OtherProgram client(panel, path());
     client.hello();
