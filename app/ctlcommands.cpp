@@ -2,7 +2,6 @@
 #include "app/ctlcommands.h"
 
 #include <QDateTime>
-#include <QDeadlineTimer>
 #include <QFile>
 #include <QRegularExpression>
 #include <algorithm>
@@ -338,27 +337,51 @@ CtlCommands::Exit CtlCommands::state(const Command&, const Words& words) {
     return Done;
 }
 
+/// The commands after this one are sent nothing that they have not asked for.
+tl::expected<CtlCommands::Exit, ApiClient::Error> CtlCommands::follow(
+    const Json& subscription, const QDeadlineTimer& until,
+    const std::function<Exit(const std::string& method, const Json& parameters)>& take) {
+    if (const auto begun = m_client.call("subscribe", subscription); !begun)
+        return tl::unexpected(begun.error());
+    Exit exit = Done;
+    while (exit == Done) {
+        const auto news = m_client.next(until);
+        if (!news)
+            return tl::unexpected(news.error());
+        if (!*news)
+            break;
+        exit = take((*news)->at("method").get<std::string>(), (*news)->at("params"));
+    }
+    if (const auto ended = m_client.call("subscribe"); !ended)
+        return tl::unexpected(ended.error());
+    dropNews();
+    return exit;
+}
+
+void CtlCommands::dropNews() {
+    const QDeadlineTimer now;
+    for (auto news = m_client.next(now); news && *news;)
+        news = m_client.next(now);
+}
+
 CtlCommands::Exit CtlCommands::watch(const Command& command, const Words& words) {
     const auto until = endOf(words.options);
     if (!until)
         return usage(command, until.error());
-    if (const auto begun = m_client.call("subscribe", {{"state", true}, {"events", true}}); !begun)
-        return report(begun.error());
-    QMap<QString, QString> before;
-    while (true) {
-        const auto news = m_client.next(*until);
-        if (!news || !*news)
-            return news ? Done : report(news.error());
-        const Json& parameters = (*news)->at("params");
-        if ((*news)->at("method") == "event")
+    QMap<int, QString> before;  // by number: several axes may have one name
+    const auto show = [&](const std::string& method, const Json& parameters) {
+        if (method == "event")
             m_out << shown(parameters.at("text")) << '\n';
-        else if ((*news)->at("method") == "state")
+        else if (method == "state")
             for (const Json& axis : parameters.at("modules"))
                 if (const QString now = placeOf(axis) + QLatin1Char('\t') + shown(axis.at("state"));
-                    std::exchange(before[nameOf(axis)], now) != now)
+                    std::exchange(before[axis.at("number").get<int>()], now) != now)
                     m_out << nameOf(axis) << '\t' << now << '\n';
         m_out.flush();
-    }
+        return Done;
+    };
+    const auto exit = follow({{"state", true}, {"events", true}}, *until, show);
+    return exit ? *exit : report(exit.error());
 }
 
 CtlCommands::Exit CtlCommands::record(const Command& command, const Words& words) {
@@ -375,21 +398,21 @@ CtlCommands::Exit CtlCommands::record(const Command& command, const Words& words
     };
     if (!file.open(QIODevice::WriteOnly))
         return notWritten(BadArguments);
-    if (const auto begun = m_client.call("subscribe", {{"samples", true}}); !begun)
-        return report(begun.error());
     api::ApiRecording recording(*state, "nmcctl " NMC_VERSION,
                                 QDateTime::currentDateTime().toString(Qt::ISODateWithMs).toStdString());
-    std::string rows = recording.head();
-    while (true) {
-        if (file.write(rows.data(), static_cast<qint64>(rows.size())) < 0 || !file.flush())
-            return notWritten(NotCarriedOut);
-        const auto news = m_client.next(*until);
-        if (!news && news.error().kind != ApiClient::Error::Kind::Interrupted)
-            return report(news.error());
-        if (!news || !*news)
-            return Done;
-        rows = recording.rowsOf((*news)->at("params"));
-    }
+    const auto write = [&](const std::string& rows) {
+        const bool written = file.write(rows.data(), static_cast<qint64>(rows.size())) >= 0 && file.flush();
+        return written ? Done : notWritten(NotCarriedOut);
+    };
+    if (const Exit begun = write(recording.head()); begun != Done)
+        return begun;
+    const auto exit =
+        follow({{"samples", true}}, *until, [&](const std::string& method, const Json& parameters) {
+            return method == "samples" ? write(recording.rowsOf(parameters)) : Done;
+        });
+    if (!exit && exit.error().kind == ApiClient::Error::Kind::Interrupted)
+        return Done;
+    return exit ? *exit : report(exit.error());
 }
 
 CtlCommands::Exit CtlCommands::gains(const Command& command, const Words& words) {

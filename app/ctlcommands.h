@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDeadlineTimer>
 #include <QMap>
 #include <QString>
 #include <QStringList>
 #include <QTextStream>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -81,6 +83,12 @@ private:
     [[nodiscard]] tl::expected<Json, ApiClient::Error> axisState(const QString& axis);
     [[nodiscard]] std::optional<Exit> takeControl();
     [[nodiscard]] Exit request(const api::Method& method, const Json& parameters, bool waits);
+    /// Calls `take` with each notification until then, or until it does not return Done.
+    [[nodiscard]] tl::expected<Exit, ApiClient::Error> follow(
+        const Json& subscription, const QDeadlineTimer& until,
+        const std::function<Exit(const std::string& method, const Json& parameters)>& take);
+    /// Those that have arrived.
+    void dropNews();
     void warnOfLimits(const QString& axis);
     void showPlace(const Json& axis);
     [[nodiscard]] Exit usage(const Command& command, const QString& problem);

@@ -157,15 +157,21 @@ class AtItsOwnLine(unittest.TestCase):
 
 
 class PanelAsWritten(threading.Thread):
-    """One that accepts everything but what it is to refuse, for one program, and keeps what that has requested."""
-    RESULTS = {"hello": {"protocol": "1.0", "program": "test", "asks_user": False}, "request_control": {"granted": True},
-               "state": {"number": 1, "name": "", "unit": "counts", "gains": None, "travel_limits_in_force": True}}
+    """One that accepts everything but what it is to refuse, for one program, and keeps what that has requested.
 
-    def __init__(self, test, refusals=None):
+    It sends the news of a method ahead of each answer to it, so that they have arrived when that has.
+    """
+    AXIS = {"number": 1, "name": "", "type": "servo", "version": 4, "unit": "counts", "counts_per_unit": 1, "gains": None,
+            "travel_limits_in_force": True, "on": True, "position": 0, "state": "Holding"}
+    RESULTS = {"hello": {"protocol": "1.0", "program": "test", "asks_user": False}, "request_control": {"granted": True},
+               "state": {**AXIS, "port": "none", "simulated": True, "modules": [AXIS, {**AXIS, "number": 2}]}, "wait": AXIS}
+
+    def __init__(self, test, refusals=None, news=None):
         super().__init__()
         self.place = Place()
         test.addCleanup(self.place.close)
         self.refusals = refusals or {}
+        self.news = news or {}
         self.requests = []  #: method and parameters
 
     def run(self):
@@ -179,6 +185,8 @@ class PanelAsWritten(threading.Thread):
     def answer(self, lines, request):
         method = request["method"]
         reason = self.refusals.get(method)
+        for name, parameters in self.news.get(method, ()):
+            self.send(lines, {"method": name, "params": parameters})
         what = ({"error": {"code": -32000, "message": "Bad news.", "data": {"reason": reason}}} if reason else
                 {"result": self.RESULTS.get(method, {"accepted": True})})
         self.send(lines, {"id": request["id"], **what})
@@ -221,6 +229,27 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 self.assertEqual(code, BAD_ARGUMENTS)
                 self.assertIn("counts/tick", problems)
                 self.assertNotIn(words[0], [method for method, _ in panel.requests])
+
+
+    def test_records_samples_only_and_is_sent_none_afterwards(self):
+        row = [0.5, 100, None, None, 8, 0]
+        panel = PanelAsWritten(self, news={"subscribe": (
+            ("control_lost", {"reason": "Somebody has stopped the motors."}), ("event", {"text": "Something"}),
+            ("samples", {"missed": 0, "modules": [{"axis": 1, "rows": [row]}, {"axis": 2, "rows": [row, row]}]}))})
+        path = panel.place.file("record.csv")
+        code, out, problems = panel.ctl("-", text=f"record {path} --seconds 0\nlist\n")
+        self.assertEqual((code, len(out.splitlines()), problems), (DONE, 2, ""))
+        lines = Path(path).read_text(encoding="utf-8").splitlines()
+        self.assertEqual([line[0] for line in lines if line[0].isdigit()], ["1", "2", "2"])
+        self.assertEqual(panel.parameters_of("subscribe"), [{"samples": True}, {}])
+
+    def test_watches_several_axes_of_one_name(self):
+        axes = [{**PanelAsWritten.AXIS, "name": "B", "number": number, "position": 10 * number} for number in (1, 2)]
+        panel = PanelAsWritten(self, news={"subscribe": 3 * (("state", {"modules": axes}),)})
+        code, out, problems = panel.ctl("watch", "--seconds", "0")
+        self.assertEqual((code, problems), (DONE, ""))
+        self.assertEqual(out.splitlines(), ["B\t10 counts\tHolding", "B\t20 counts\tHolding"])
+        self.assertEqual(panel.parameters_of("subscribe"), [{"state": True, "events": True}, {}])
 
 
 class AServedLine(unittest.TestCase):
