@@ -345,7 +345,7 @@ tl::expected<CtlCommands::Exit, ApiClient::Error> CtlCommands::follow(
         return tl::unexpected(begun.error());
     Exit exit = Done;
     while (exit == Done) {
-        const auto news = m_client.next(until);
+        const auto news = next(until);
         if (!news)
             return tl::unexpected(news.error());
         if (!*news)
@@ -354,14 +354,22 @@ tl::expected<CtlCommands::Exit, ApiClient::Error> CtlCommands::follow(
     }
     if (const auto ended = m_client.call("subscribe"); !ended)
         return tl::unexpected(ended.error());
-    dropNews();
+    (void)mayMove();
     return exit;
 }
 
-void CtlCommands::dropNews() {
+ApiClient::Or<std::optional<CtlCommands::Json>> CtlCommands::next(const QDeadlineTimer& until) {
+    auto news = m_client.next(until);
+    if (news && *news && (*news)->at("method") == "control_lost")
+        m_control = false;
+    return news;
+}
+
+bool CtlCommands::mayMove() {
     const QDeadlineTimer now;
-    for (auto news = m_client.next(now); news && *news;)
-        news = m_client.next(now);
+    for (auto news = next(now); news && *news;)
+        news = next(now);
+    return m_control;
 }
 
 CtlCommands::Exit CtlCommands::watch(const Command& command, const Words& words) {
@@ -457,11 +465,13 @@ CtlCommands::Exit CtlCommands::request(const api::Method& method, const Json& pa
         warnOfLimits(shown(parameters["axis"]));
     if (const auto done = m_client.call(method.name, parameters); !done)
         return report(done.error());
+    const bool one = parameters.contains("axis");
+    if (method.name == "stop" && !one)
+        m_control = false;  // as for every program
     if (!(waits || m_alwaysWaits) || method.access == api::Access::Read) {
         m_leavesRunning = true;
         return Done;
     }
-    const bool one = parameters.contains("axis");
     const auto rest = m_client.call("wait", one ? Json{{"axis", parameters["axis"]}} : Json::object());
     if (!rest) {
         const Exit exit = report(rest.error());
@@ -488,7 +498,7 @@ CtlCommands::Exit CtlCommands::jog(const Command& command, const Words& words) {
     while (!until->hasExpired()) {
         if (const auto held = m_client.call("jog", parameters); !held)
             return report(held.error());
-        const auto pause = m_client.next(QDeadlineTimer(std::min<qint64>(kJogEvery, until->remainingTime())));
+        const auto pause = next(QDeadlineTimer(std::min<qint64>(kJogEvery, until->remainingTime())));
         if (!pause)
             return report(pause.error());
     }
@@ -509,7 +519,7 @@ void CtlCommands::showPlace(const Json& axis) {
 }
 
 std::optional<CtlCommands::Exit> CtlCommands::takeControl() {
-    if (m_control)
+    if (mayMove())
         return std::nullopt;
     if (m_client.about().value("asks_user", false))
         m_problems << "The panel asks its user whether this program may move motors." << Qt::endl;
@@ -524,7 +534,7 @@ std::optional<CtlCommands::Exit> CtlCommands::takeControl() {
 }
 
 void CtlCommands::leaveRunning() {
-    if (m_control && m_leavesRunning)
+    if (m_leavesRunning && mayMove())  // or the user would be asked again
         (void)m_client.call("request_control", {{"on_disconnect", "finish"}});
 }
 

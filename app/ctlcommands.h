@@ -87,8 +87,10 @@ private:
     [[nodiscard]] tl::expected<Exit, ApiClient::Error> follow(
         const Json& subscription, const QDeadlineTimer& until,
         const std::function<Exit(const std::string& method, const Json& parameters)>& take);
-    /// Those that have arrived.
-    void dropNews();
+    /// ApiClient::next(), which may tell that control is lost.
+    [[nodiscard]] ApiClient::Or<std::optional<Json>> next(const QDeadlineTimer& until);
+    /// Whether it still has control after what has been notified of until now, which is dropped.
+    [[nodiscard]] bool mayMove();
     void warnOfLimits(const QString& axis);
     void showPlace(const Json& axis);
     [[nodiscard]] Exit usage(const Command& command, const QString& problem);
@@ -98,7 +100,7 @@ private:
     bool m_alwaysWaits;
     QTextStream& m_out;
     QTextStream& m_problems;
-    bool m_control = false;
+    bool m_control = false;        ///< mayMove() knows better
     bool m_leavesRunning = false;  ///< something was begun and not waited for
 };
 

@@ -231,6 +231,24 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 self.assertNotIn(words[0], [method for method, _ in panel.requests])
 
 
+    def test_asks_for_control_again_once_it_is_lost(self):
+        lost = ("control_lost", {"reason": "Somebody has stopped the motors."})
+        for news in ({}, {"stop": (lost,)}, {"state": (lost,)}):
+            with self.subTest(news):
+                panel = PanelAsWritten(self, news=news)
+                self.assertEqual(panel.ctl("-", text="enable 1\nstop\nstate 1\nenable 1\n")[0], DONE)
+                self.assertEqual([method for method, _ in panel.requests if method not in ("hello", "state")],
+                                 ["request_control", "enable", "stop", "request_control", "enable", "request_control"],
+                                 "the last one lets the motor move on")
+
+    def test_asks_nobody_to_let_a_motor_move_on_that_was_stopped(self):
+        lost = ("control_lost", {"reason": "Somebody has stopped the motors."})
+        for script, news in (("enable 1\nstop\n", {}), ("enable 1\nstate 1\n", {"state": (lost,)})):
+            with self.subTest(script):
+                panel = PanelAsWritten(self, news=news)
+                self.assertEqual(panel.ctl("-", text=script)[0], DONE)
+                self.assertEqual(panel.parameters_of("request_control"), [{}])
+
     def test_records_samples_only_and_is_sent_none_afterwards(self):
         row = [0.5, 100, None, None, 8, 0]
         panel = PanelAsWritten(self, news={"subscribe": (
