@@ -79,8 +79,10 @@ void ApiFeed::publishSamples() {
         m_published[i] = module.visitSince(
             m_published[i],
             [&](const ScopeSample& sample) {
-                rows.push_back({toSeconds(sample.time - zero), sample.position, known(sample.error),
-                                known(sample.velocity), sample.status, sample.aux});
+                rows.push_back({toSeconds(sample.time - zero),
+                                sample.io ? Json(sample.counter()) : Json(sample.position),
+                                known(sample.error), known(sample.velocity), sample.status, sample.aux,
+                                sample.analog, sample.gapBefore, sample.io ? Json(sample.counted) : Json()});
             },
             kMostSamples);
         count += rows.size();

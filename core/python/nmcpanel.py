@@ -56,11 +56,14 @@ class Sample(NamedTuple):
 
     axis: int  #: number of the module, from 1
     time: float  #: s
-    position: int  #: counts
-    error: float | None  #: position error in counts
-    velocity: float | None  #: counts per second
-    status: int  #: the status byte
-    aux: int  #: auxiliary status or inputs, as last reported
+    position: int  #: counts; of a PIC-I/O the counter, as last reported
+    error: float | None  #: position error in counts; of a PIC-I/O the byte of its A/D 2
+    velocity: float | None  #: counts per second; of a PIC-I/O the byte of its A/D 3
+    status: int  #: the status byte; of a PIC-I/O the levels of IO1 (1) to IO8 (128)
+    aux: int  #: auxiliary status or inputs, as last reported; of a PIC-I/O the levels of IO9 (1) to IO12 (8)
+    analog: int | None = None  #: the A/D byte, as last reported; of a PIC-I/O that of A/D 1
+    gap: bool = False  #: replies of this module are missing before this one
+    counted: bool | None = None  #: of a PIC-I/O: this reply had the counter
 
 
 def sockets() -> list[Path]:
@@ -190,7 +193,7 @@ class Panel:
             if line["method"] == "samples":
                 for module in line["params"]["modules"]:
                     for row in module["rows"]:
-                        yield Sample(module["axis"], *row[:6])
+                        yield Sample(module["axis"], *row[:len(Sample._fields) - 1])
 
 
 class Axis:

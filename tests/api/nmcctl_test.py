@@ -162,7 +162,7 @@ class PanelAsWritten(threading.Thread):
     It sends the news of a method ahead of each answer to it, so that they have arrived when that has.
     """
     AXIS = {"number": 1, "name": "", "type": "servo", "version": 4, "unit": "counts", "counts_per_unit": 1, "gains": None,
-            "travel_limits_in_force": True, "on": True, "position": 0, "state": "Holding"}
+            "travel_limits_in_force": True, "on": True, "position": 0, "state": "Holding", "analog": [], "pins": []}
     RESULTS = {"hello": {"protocol": "1.0", "program": "test", "asks_user": False}, "request_control": {"granted": True},
                "state": {**AXIS, "port": "none", "simulated": True, "modules": [AXIS, {**AXIS, "number": 2}]}, "wait": AXIS}
 
@@ -250,7 +250,7 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 self.assertEqual(panel.parameters_of("request_control"), [{}])
 
     def test_records_samples_only_and_is_sent_none_afterwards(self):
-        row = [0.5, 100, None, None, 8, 0]
+        row = [0.5, 100, None, None, 8, 0, 51, False, None]
         panel = PanelAsWritten(self, news={"subscribe": (
             ("control_lost", {"reason": "Somebody has stopped the motors."}), ("event", {"text": "Something"}),
             ("samples", {"missed": 0, "modules": [{"axis": 1, "rows": [row]}, {"axis": 2, "rows": [row, row]}]}))})

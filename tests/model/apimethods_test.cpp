@@ -7,7 +7,9 @@
 #include <iterator>
 
 #include "base/enumname.h"
+#include "model/api/apirecording.h"
 #include "model/api/apistate.h"
+#include "recordings.h"
 
 namespace nmc {
 namespace {
@@ -334,10 +336,64 @@ TEST(ApiMethods, ReportInputsAndOutputs) {
     EXPECT_EQ(io["pins"][0], (Json{{"number", 1}, {"name", "valve"}, {"input", true}, {"high", true}}));
     EXPECT_EQ(io["pins"][1], (Json{{"number", 2}, {"name", ""}, {"input", true}, {"high", false}}));
     EXPECT_EQ(io["pins"][11], (Json{{"number", 12}, {"name", ""}, {"input", false}, {"high", true}}));
-    EXPECT_EQ(io["analog"][1], (Json{{"name", "pressure"}, {"value", 40.0}, {"unit", "kPa"}}));
+    EXPECT_EQ(
+        io["analog"][1],
+        (Json{
+            {"name", "pressure"}, {"value", 40.0}, {"unit", "kPa"}, {"per_count", 0.5}, {"at_zero", -10.0}}));
     EXPECT_TRUE(io["analog"][2]["value"].is_null());
     EXPECT_EQ(io["pwm"], (Json{7, 255}));
     EXPECT_EQ(io["counter"], 70'000);
+}
+
+/// A PIC-SERVO with an A/D scale of its own, and a PIC-I/O.
+api::ApiRecording apiRecording() {
+    Chain chain;
+    chain.link.modules[1].info.identity = {ModuleType::Io, 1};
+    chain.machine.axes[0].analog = {0.25, -1.5, "A"};
+    chain.machine.axes[1].pins = PinSettings{{{"valve"}}, {}, {{}, {"pressure", {0.5, -10, "kPa"}}}};
+    return {api::stateOf(chain.link, chain.machine), "test", "now"};
+}
+
+TEST(ApiRecording, HoldsWhatTheScopeWouldSave) {
+    api::ApiRecording recording = apiRecording();
+    const auto read = testing_support::readRecording(
+        recording.head() + recording.rowsOf(Json::parse(R"({"missed": 0, "modules": [
+            {"axis": 1, "rows": [[1.5, -7, 2, null, 9, 4, 51, true, null]]},
+            {"axis": 2, "rows": [[1.75, 3000000000, 100, 200, 5, 8, 52, false, true]]}]})")));
+    EXPECT_FALSE(read.problem);
+    ASSERT_EQ(read.samples.size(), 2U);
+    const ScopeSample& servo = read.samples[0].second;
+    EXPECT_EQ(servo.position, -7);
+    EXPECT_EQ(servo.error, 2.0F);
+    EXPECT_EQ(servo.analog, 51);
+    EXPECT_TRUE(servo.gapBefore);
+    const ScopeSample& io = read.samples[1].second;
+    EXPECT_TRUE(io.io && io.counted && !io.gapBefore);
+    EXPECT_EQ(io.counter(), 3'000'000'000U);
+    EXPECT_EQ(io.analog, 52);
+    EXPECT_EQ(io.error, 100.0F) << "A/D 2";
+    EXPECT_EQ(io.velocity, 200.0F) << "A/D 3";
+    EXPECT_EQ(toSeconds(io.time - servo.time), 0.25);
+    EXPECT_EQ(read.header.modules[0].analog, (AnalogScale{0.25, -1.5, "A"}));
+    EXPECT_EQ(PinSettings::of(read.header.modules[1].pins.pins, 0).name, "valve");
+    EXPECT_EQ(PinSettings::of(read.header.modules[1].pins.analog, 1),
+              (AnalogInput{"pressure", {0.5, -10, "kPa"}}));
+}
+
+TEST(ApiRecording, HasAGapInEachModuleWhereSamplesWereMissed) {
+    api::ApiRecording recording = apiRecording();
+    std::string text = recording.head();
+    for (const char* message :
+         {R"({"missed": 0, "modules": [{"axis": 1, "rows": [[0, 0, null, null, 0, 0, 0, false, null]]},
+                                    {"axis": 2, "rows": [[0, 0, 0, 0, 0, 0, 0, false, false]]}]})",
+          R"({"missed": 40, "modules": [{"axis": 1, "rows": [[5, 0, null, null, 0, 0, 0, false, null],
+                                                                                   [5.1, 0, null, null, 0, 0, 0, false, null]]},
+                                    {"axis": 2, "rows": [[5, 0, 0, 0, 0, 0, 0, false, false]]}]})"})
+        text += recording.rowsOf(Json::parse(message));
+    std::vector<bool> gaps;
+    for (const auto& [module, sample] : testing_support::readRecording(text).samples)
+        gaps.push_back(sample.gapBefore);
+    EXPECT_EQ(gaps, (std::vector{false, false, true, false, true}));
 }
 
 TEST(EnumName, IsTheNameInTheSource) {

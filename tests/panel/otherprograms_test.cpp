@@ -34,6 +34,7 @@ using testing_support::VirtualPanel;
 
 class OtherPrograms : public testing::Test {
 protected:
+    explicit OtherPrograms(const QString& chain = u"servo,servo"_s) : sim{chain} {}
     void SetUp() override {
         panel.composition().show({.port = sim.terminal(), .baud = 115'200});
         ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
@@ -74,7 +75,7 @@ protected:
     const Json kGains{{"axis", 1}, {"kp", 200}, {"kd", 2'000}, {"ki", 20}, {"il", 200},
                       {"ol", 255}, {"cl", 0},   {"el", 8'000}, {"sr", 1}};
     RuntimeFolder runtime;
-    VirtualChain sim{u"servo,servo"_s};
+    VirtualChain sim;
     VirtualPanel panel;
 };
 
@@ -456,11 +457,33 @@ TEST_F(OtherPrograms, AreToldWhatTheySubscribeTo) {
     const Json samples = client.notification("samples")["params"];
     EXPECT_EQ(samples["missed"], 0);
     EXPECT_EQ(samples["modules"][0]["axis"], 1);
-    EXPECT_EQ(samples["modules"][0]["rows"][0].size(), 6U) << "time, position, error, velocity, status, aux";
+    const Json& row = samples["modules"][0]["rows"][0];
+    ASSERT_EQ(row.size(), 9U) << "time, position, error, velocity, status, aux, analog, gap, counted";
+    EXPECT_TRUE(row[6].is_number_integer() && row[7].is_boolean() && row[8].is_null()) << row.dump();
     OtherProgram other(panel, path());
     other.hello("other.py");
     EXPECT_TRUE(client.notification("event")["params"]["text"].get<std::string>().find("other.py") !=
                 std::string::npos);
+}
+
+class OtherProgramsAtAPicIo : public OtherPrograms {
+protected:
+    OtherProgramsAtAPicIo() : OtherPrograms(u"io"_s) {}
+};
+
+TEST_F(OtherProgramsAtAPicIo, AreSentItsCounterAndItsInputs) {
+    for (const auto& line : {u"set 1 analog 1 51"_s, u"set 1 analog 2 100"_s, u"set 1 analog 3 200"_s})
+        ASSERT_TRUE(sim.control(line).contains(u"ok"_s)) << line.toStdString();
+    OtherProgram client(panel, path());
+    client.hello();
+    EXPECT_TRUE(client.call("subscribe", {{"samples", true}}).contains("result"));
+    Json row;
+    do {
+        row = client.notification("samples")["params"]["modules"][0]["rows"].back();
+        ASSERT_EQ(row.size(), 9U);
+    } while (row[6] != 51 || row[2] != 100 || row[3] != 200);
+    EXPECT_EQ(row[1], 0) << "it has not counted anything";
+    EXPECT_TRUE(row[8].is_boolean()) << row.dump();
 }
 
 /// Every sample is either in a row that it gets, or counted as missed.

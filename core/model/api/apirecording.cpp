@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "model/api/apirecording.h"
 
-#include <utility>
-
 #include "base/time.h"
 #include "model/api/apistate.h"
 
 namespace nmc::api {
 
 namespace {
+
+[[nodiscard]] AnalogScale analogScaleOf(const Json& input) {
+    return {input.at("per_count").get<double>(), input.at("at_zero").get<double>(),
+            input.at("unit").get<std::string>()};
+}
 
 [[nodiscard]] RecordingModule moduleOf(const Json& axis) {
     RecordingModule module{.index = ModuleIndex(static_cast<std::uint8_t>(axis.at("number").get<int>() - 1)),
@@ -24,19 +27,34 @@ namespace {
     for (const UnitKind kind : {UnitKind::Native, UnitKind::Turns, UnitKind::Degrees, UnitKind::Millimetres})
         if (unit == symbolOf({kind}, module.identity.type == ModuleType::Stepper))
             module.unit = {kind, module.unit.countsPerUnit};
+    for (const Json& input : axis.at("analog"))
+        if (module.identity.type == ModuleType::Io)
+            module.pins.analog.push_back({input.at("name").get<std::string>(), analogScaleOf(input)});
+        else
+            module.analog = analogScaleOf(input);
+    for (const Json& pin : axis.at("pins"))
+        module.pins.pins.push_back({.name = pin.at("name").get<std::string>()});
     return module;
 }
 
-/// A row is: time, position, error, velocity, status, aux.
-[[nodiscard]] ScopeSample sampleOf(const Json& row, TimePoint time) {
+/// A row is what ApiFeed sends (docs/api.md, "Notifications").
+[[nodiscard]] ScopeSample sampleOf(const Json& row, TimePoint time, bool io) {
     const auto orUnknown = [&row](std::size_t i) {
         return row.at(i).is_null() ? ScopeSample::kUnknown : row.at(i).get<float>();
     };
-    ScopeSample sample{.time = time, .position = row.at(1).get<std::int32_t>()};
+    ScopeSample sample{.time = time};
+    if (io)
+        sample.setCounter(row.at(1).get<std::uint32_t>());
+    else
+        sample.position = row.at(1).get<std::int32_t>();
     sample.error = orUnknown(2);
     sample.velocity = orUnknown(3);
     sample.status = row.at(4).get<std::uint8_t>();
     sample.aux = row.at(5).get<std::uint8_t>();
+    sample.analog = row.at(6).get<std::uint8_t>();
+    sample.gapBefore = row.at(7).get<bool>();
+    sample.io = io;
+    sample.counted = row.at(8) == true;
     return sample;
 }
 
@@ -53,7 +71,9 @@ ApiRecording::ApiRecording(const Json& state, std::string program, std::string s
 
 std::string ApiRecording::rowsOf(const Json& samples) {
     std::string rows;
-    m_gap = m_gap || samples.at("missed") != 0;
+    if (samples.at("missed") != 0)
+        for (std::size_t index = 0; index < m_header.modules.size(); ++index)
+            m_gaps.insert(index);
     for (const Json& module : samples.at("modules")) {
         const auto index = module.at("axis").get<std::size_t>() - 1;
         const bool io =
@@ -61,9 +81,8 @@ std::string ApiRecording::rowsOf(const Json& samples) {
         for (const Json& row : module.at("rows")) {
             const double time = row.at(0).get<double>();
             m_begin = m_begin.value_or(time);
-            ScopeSample sample = sampleOf(row, TimePoint(fromSeconds(time - *m_begin)));
-            sample.gapBefore = std::exchange(m_gap, false);
-            sample.io = io;
+            ScopeSample sample = sampleOf(row, TimePoint(fromSeconds(time - *m_begin)), io);
+            sample.gapBefore = m_gaps.erase(index) > 0 || sample.gapBefore;
             appendRow(rows, ModuleIndex(static_cast<std::uint8_t>(index)), sample, m_header.zero);
         }
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include "model/api/apimethods.h"
@@ -24,7 +25,7 @@ public:
 private:
     RecordingHeader m_header;
     std::optional<double> m_begin{};  ///< s, time of the first sample
-    bool m_gap = false;               ///< samples are missing before the next one
+    std::set<std::size_t> m_gaps{};   ///< modules of which samples are missing before the next one
 };
 
 }  // namespace nmc::api

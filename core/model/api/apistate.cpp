@@ -45,7 +45,9 @@ Json analogOf(const ModuleState& module, const AxisSettings& axis) {
     const auto add = [&list](const std::string& name, const AnalogScale& scale, auto counts) {
         list.push_back({{"name", name},
                         {"value", counts ? Json(scale.atZero + *counts * scale.perCount) : Json()},
-                        {"unit", scale.unit}});
+                        {"unit", scale.unit},
+                        {"per_count", scale.perCount},
+                        {"at_zero", scale.atZero}});
     };
     const StatusReport report = module.latest.value_or(StatusReport{});
     if (module.isServo() || module.isStepper())
