@@ -172,8 +172,9 @@ const QList<CtlCommands::Command>& CtlCommands::commands() {
                  "Shows the gains of a PIC-SERVO, or sends them; those left out stay as they are."),
              .flags = {QStringLiteral("get"), QStringLiteral("set"), QLatin1String(kWait)},
              .least = 1,
-             .most = 10,
-             .act = &CtlCommands::gains},
+             .most = static_cast<qsizetype>(api::findMethod("set_gains")->fields.size()),
+             .act = &CtlCommands::gains,
+             .method = api::findMethod("set_gains")},
             {.name = QStringLiteral("jog"),
              .usage = QStringLiteral("jog AXIS VELOCITY SECONDS"),
              .text = QStringLiteral("Moves for that long; the sign of VELOCITY is the direction."),
@@ -439,14 +440,19 @@ CtlCommands::Exit CtlCommands::gains(const Command& command, const Words& words)
         return Done;
     }
     Json parameters{{"axis", axis.at("number")}};
+    const auto& fields = command.method->fields;
     for (const QString& word : words.values.mid(1)) {
+        const std::string name = word.section(QLatin1Char('='), 0, 0).toLower().toStdString();
+        const auto gain = std::ranges::find(fields, name, &api::Field::name);
+        if (gain == fields.end() || gain->kind != Kind::Whole)
+            return usage(command, QStringLiteral("There is no gain \"%1\".").arg(text(name)));
         bool isWhole = false;
         const qint64 value = word.section(QLatin1Char('='), 1).toLongLong(&isWhole);
         if (!isWhole)
             return usage(command, QStringLiteral("\"%1\" is not NAME=VALUE.").arg(word));
-        parameters[word.section(QLatin1Char('='), 0, 0).toLower().toStdString()] = value;
+        parameters[name] = value;
     }
-    return request(*api::findMethod("set_gains"), parameters, words.has(kWait));
+    return request(*command.method, parameters, words.has(kWait));
 }
 
 // ---- what is commanded ----

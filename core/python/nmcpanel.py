@@ -256,6 +256,8 @@ class Axis:
     def zero(self, wait: bool = True) -> None:
         self._do(wait, "zero")
 
-    def set_gains(self, wait: bool = True, **gains: int) -> None:
-        """kp, kd, ki, il, ol, cl, el, sr, db; what is left out stays as it is."""
-        self._do(wait, "set_gains", **gains)
+    def set_gains(self, wait: bool = True, *, kp: int | None = None, kd: int | None = None, ki: int | None = None,
+                  il: int | None = None, ol: int | None = None, cl: int | None = None, el: int | None = None,
+                  sr: int | None = None, db: int | None = None, sm: int | None = None) -> None:
+        """What is left out stays as it is."""
+        self._do(wait, "set_gains", kp=kp, kd=kd, ki=ki, il=il, ol=ol, cl=cl, el=el, sr=sr, db=db, sm=sm)

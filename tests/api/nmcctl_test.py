@@ -249,6 +249,18 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 self.assertEqual(panel.ctl("-", text=script)[0], DONE)
                 self.assertEqual(panel.parameters_of("request_control"), [{}])
 
+    def test_sends_gains_by_their_names_only(self):
+        names = ("kp", "kd", "ki", "il", "ol", "cl", "el", "sr", "db", "sm")
+        panel = PanelAsWritten(self)
+        self.assertEqual(panel.ctl("gains", "1", "--set", *(f"{name.upper()}=1" for name in names)), (DONE, "", ""))
+        self.assertEqual(panel.parameters_of("set_gains"), [{"axis": 1, **dict.fromkeys(names, 1)}])
+        for word in ("kpp=120", "axis=2", "=5"):
+            with self.subTest(word):
+                panel = PanelAsWritten(self)
+                code, _, problems = panel.ctl("gains", "1", "--set", "kd=900", word)
+                self.assertEqual((code, panel.parameters_of("set_gains")), (BAD_ARGUMENTS, []))
+                self.assertIn(f'no gain "{word.split("=")[0]}"', problems)
+
     def test_records_samples_only_and_is_sent_none_afterwards(self):
         row = [0.5, 100, None, None, 8, 0, 51, False, None]
         panel = PanelAsWritten(self, news={"subscribe": (

@@ -47,6 +47,8 @@ class Client(unittest.TestCase):
             panel.request_control()
             axis = panel.axis(1)
             axis.set_gains(**GAINS)
+            with self.assertRaises(TypeError):
+                axis.set_gains(kpp=3)
             axis.enable()
             axis.move(400)
             self.assertAlmostEqual(axis.position, 400, delta=STILL)
