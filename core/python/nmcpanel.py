@@ -28,6 +28,7 @@ __all__ = ["Axis", "ControlLost", "NotCarriedOut", "Panel", "PanelError", "Refus
 
 PROTOCOL = "1.0"
 KEPT_NOTIFICATIONS = 10_000
+REFUSED = -32000  #: code of a call that was understood
 
 
 class PanelError(Exception):
@@ -116,7 +117,11 @@ class Panel:
         request = {"jsonrpc": "2.0", "id": self._last_id, "method": method,
                    "params": {name: value for name, value in parameters.items() if value is not None}}
         try:
-            self._socket.sendall(json.dumps(request).encode() + b"\n")
+            text = json.dumps(request, allow_nan=False)
+        except ValueError as error:  # JSON has no such number, so the panel could not say to which call it answers
+            raise ValueError(f"{method}: all numbers must be finite: {request['params']}") from error
+        try:
+            self._socket.sendall(text.encode() + b"\n")
         except OSError as error:
             raise PanelError("the panel has gone away") from error
         while True:
@@ -127,7 +132,8 @@ class Panel:
                 if "error" in line:
                     error = line["error"]
                     reason = error["data"]["reason"]
-                    kind = ControlLost if reason == "NoControl" else NotCarriedOut if method == "wait" else Refused
+                    begun = method == "wait" and error["code"] == REFUSED
+                    kind = ControlLost if reason == "NoControl" else NotCarriedOut if begun else Refused
                     raise kind(error["message"], error["code"], reason)
                 return line["result"]
 

@@ -7,11 +7,15 @@ usage: centrifuge.py AXIS RPM SECONDS    with an axis whose unit is turns, and w
 import asyncio
 import math
 import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
 
 from nmcpanel import Panel
 
 RADIUS = 0.1  # m
 GRAVITY = 9.80665  # m/s2
+JOG_EVERY = 0.03  # s
 
 
 class Centrifuge:
@@ -19,22 +23,35 @@ class Centrifuge:
 
     def __init__(self, axis):
         self.name = axis
+        self.thread = ThreadPoolExecutor(max_workers=1)
+        self.stopping = threading.Event()
+
+    async def do(self, call, *parameters):
+        return await asyncio.get_running_loop().run_in_executor(self.thread, call, *parameters)
 
     async def setup(self):
-        self.panel = await asyncio.to_thread(Panel, program="centrifuge.py")
-        await asyncio.to_thread(self.panel.request_control)
+        self.panel = await self.do(lambda: Panel(program="centrifuge.py"))
+        await self.do(self.panel.request_control)
         self.axis = self.panel.axis(self.name)
-        await asyncio.to_thread(self.axis.enable)
+        await self.do(self.axis.enable)
+
+    def jog(self, velocity, seconds):
+        until = time.monotonic() + seconds
+        while time.monotonic() < until and not self.stopping.wait(JOG_EVERY):
+            self.axis.call("jog", velocity=velocity)
+        self.axis.stop()
 
     async def spin(self, rpm, seconds):
         """If this program ends meanwhile, the motor stops."""
-        await asyncio.to_thread(self.axis.jog, rpm / 60, seconds)
+        await self.do(self.jog, rpm / 60, seconds)
 
     async def spin_at(self, g, seconds):
         await self.spin(math.sqrt(g * GRAVITY / RADIUS) * 60 / (2 * math.pi), seconds)
 
     async def stop(self):
-        await asyncio.to_thread(self.axis.stop)
+        """Ends a spin that is in progress, even if nobody waits for it any more."""
+        self.stopping.set()
+        await self.do(self.axis.stop)
         self.panel.close()
 
 

@@ -1,14 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The Python client at a real panel on the built-in simulator. usage: python_test.py NMCPANEL"""
+import asyncio
 import itertools
+import math
 import os
 import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
+import unittest.mock
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "core" / "python"))
@@ -18,6 +22,53 @@ PROGRAM = sys.argv.pop()
 # Counts by which a servo that holds a position moves to and fro within its friction (core/bus/standstill.h).
 STILL = 4
 GAINS = {"kp": 200, "kd": 2000, "ki": 20, "il": 200, "ol": 255, "cl": 0, "el": 8000, "sr": 1}
+
+
+class PanelWithoutASocket(Panel):
+    """One whose calls take a while, as those of a real one do; notes those that are made during another one."""
+
+    def __init__(self, program):
+        self.about = {"program": program}
+        self.in_use = threading.Lock()
+        self.jogging = threading.Event()
+        self.methods, self.at_once = [], []
+
+    def call(self, method, **parameters):
+        alone = self.in_use.acquire(blocking=False)
+        self.methods.append(method)
+        if not alone:
+            self.at_once.append(method)
+        if method == "jog":
+            self.jogging.set()
+            time.sleep(0.05)
+        if alone:
+            self.in_use.release()
+        return {"granted": True, "position": 0.0}
+
+    def close(self):
+        self.methods.append("close")
+
+
+class WithoutAPanel(unittest.TestCase):
+    def test_the_centrifuge_stops_only_after_its_jog_when_it_is_interrupted(self):
+        sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs" / "examples"))
+        import centrifuge
+
+        async def interrupted():
+            device = centrifuge.Centrifuge("X")
+            await device.setup()
+            spinning = asyncio.create_task(device.spin(60, 0.5))
+            await asyncio.to_thread(device.panel.jogging.wait)
+            spinning.cancel()  # as asyncio does at Ctrl+C
+            await device.stop()
+            return device.panel
+
+        with unittest.mock.patch.object(centrifuge, "Panel", PanelWithoutASocket):
+            panel = asyncio.run(interrupted())
+        self.assertEqual(panel.at_once, [])
+        self.assertEqual(panel.methods[-1], "close")
+        self.assertIn("stop", panel.methods)
+        self.assertNotIn("jog", panel.methods[panel.methods.index("stop"):])
 
 
 class Client(unittest.TestCase):
@@ -80,6 +131,14 @@ class Client(unittest.TestCase):
             with self.assertRaises(Refused) as caught:
                 panel.axis("nobody").enable()
             self.assertEqual(caught.exception.reason, "AxisUnknown")
+            with self.assertRaises(Refused) as caught:
+                panel.axis("nobody").wait()
+            self.assertNotIsInstance(caught.exception, NotCarriedOut, "nothing was begun")
+            for number in (math.nan, math.inf):
+                with self.assertRaises(ValueError) as caught:
+                    panel.axis(2).move(number)
+                self.assertIn("move", str(caught.exception))
+            self.assertEqual(panel.state()["phase"], "connected", "nothing was sent of it")
             other.stop()
             other.wait()  # or the stop cancels what comes next
             with self.assertRaises(ControlLost):
