@@ -369,10 +369,9 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
         isHeld(client) && session.held.module == hold.module && session.held.reverse == hold.reverse;
     hold.press = same ? session.held.press : nextPress();
     const ModuleState& module = *m_store.module(hold.module);
-    if (const auto refusal = whyNot(hold, module); refusal && !same)
-        return refuse(client, id, api::refused(*refusal));
-    if (!m_commander.hold(hold))
-        return refuse(client, id, api::refused(Refusal::Moving));
+    const auto refusal = whyNot(hold, module);
+    if ((refusal && !same) || !m_commander.hold(hold))
+        return refuse(client, id, api::refused(refusal.value_or(Refusal::Moving)));
     session.held = hold;
     session.heldAt = monotonicNow();
     session.forget(hold.module);

@@ -479,10 +479,8 @@ CtlCommands::Exit CtlCommands::request(const api::Method& method, const Json& pa
         return Done;
     }
     const auto rest = m_client.call("wait", one ? Json{{"axis", parameters["axis"]}} : Json::object());
-    if (!rest) {
-        const Exit exit = report(rest.error());
-        return exit == Refused ? NotCarriedOut : exit;  // it was begun
-    }
+    if (!rest)
+        return reportEnd(rest.error());
     if (one && movesToGoal(method.name) && rest->at("on") == false) {
         m_problems << "The motor has gone off." << Qt::endl;
         return NotCarriedOut;
@@ -501,9 +499,9 @@ CtlCommands::Exit CtlCommands::jog(const Command& command, const Words& words) {
     if (const auto problem = takeControl())
         return *problem;
     const Json parameters{{"axis", axisOf(words.values[0])}, {"velocity", *velocity}};
-    while (!until->hasExpired()) {
+    for (bool begun = false; !until->hasExpired(); begun = true) {
         if (const auto held = m_client.call("jog", parameters); !held)
-            return report(held.error());
+            return begun ? reportEnd(held.error()) : report(held.error());
         const auto pause = next(QDeadlineTimer(std::min<qint64>(kJogEvery, until->remainingTime())));
         if (!pause)
             return report(pause.error());
@@ -565,7 +563,14 @@ CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {
         return BadArguments;
     if (error.reason == "NotConnected")
         return NotReached;
+    if (isOneOf(error.reason, std::array{"NotCarriedOut", "NotSettled"}))
+        return NotCarriedOut;
     return error.reason == "NoControl" ? NoControl : Refused;
+}
+
+CtlCommands::Exit CtlCommands::reportEnd(const ApiClient::Error& error) {
+    const Exit exit = report(error);
+    return exit == Refused || exit == NoControl ? NotCarriedOut : exit;
 }
 
 }  // namespace nmc

@@ -95,6 +95,8 @@ private:
     void showPlace(const Json& axis);
     [[nodiscard]] Exit usage(const Command& command, const QString& problem);
     Exit report(const ApiClient::Error& error);
+    /// Of what was begun, and so was not refused.
+    Exit reportEnd(const ApiClient::Error& error);
 
     ApiClient& m_client;
     bool m_alwaysWaits;

@@ -170,7 +170,7 @@ class PanelAsWritten(threading.Thread):
         super().__init__()
         self.place = Place()
         test.addCleanup(self.place.close)
-        self.refusals = refusals or {}
+        self.refusals = refusals or {}  #: method: reasons of its calls in turn, the last of all later ones
         self.news = news or {}
         self.requests = []  #: method and parameters
 
@@ -184,7 +184,8 @@ class PanelAsWritten(threading.Thread):
 
     def answer(self, lines, request):
         method = request["method"]
-        reason = self.refusals.get(method)
+        reasons = self.refusals.get(method, [None])
+        reason = reasons.pop(0) if len(reasons) > 1 else reasons[0]
         for name, parameters in self.news.get(method, ()):
             self.send(lines, {"method": name, "params": parameters})
         what = ({"error": {"code": -32000, "message": "Bad news.", "data": {"reason": reason}}} if reason else
@@ -213,8 +214,23 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
     def test_what_was_begun_was_not_refused(self):
         for reason in ("NotSettled", "NotCarriedOut", "Unresponsive"):
             with self.subTest(reason):
-                self.assertEqual(PanelAsWritten(self, {"wait": reason}).ctl("move", "1", "500", "--wait"),
+                self.assertEqual(PanelAsWritten(self, {"wait": [reason]}).ctl("move", "1", "500", "--wait"),
                                  (NOT_CARRIED_OUT, "", "Bad news.\n"))
+
+    def test_a_jog_that_has_begun_was_not_refused(self):
+        for reasons, expected in ((["ServoOff"], REFUSED), ([None, "ServoOff"], NOT_CARRIED_OUT),
+                                  ([None, None, "NoControl"], NOT_CARRIED_OUT), ([None, "NotConnected"], NOT_REACHED)):
+            with self.subTest(reasons):
+                panel = PanelAsWritten(self, {"jog": list(reasons)})
+                self.assertEqual(panel.ctl("jog", "1", "0.5", "3600"), (expected, "", "Bad news.\n"))
+                self.assertEqual(len(panel.parameters_of("jog")), len(reasons))
+
+    def test_tells_one_who_waits_for_somebody_elses_motor_how_that_ended(self):
+        for reason, expected in (("NotSettled", NOT_CARRIED_OUT), ("NotCarriedOut", NOT_CARRIED_OUT),
+                                 ("Unresponsive", REFUSED), ("AxisUnknown", BAD_ARGUMENTS)):
+            with self.subTest(reason):
+                self.assertEqual(PanelAsWritten(self, {"wait": [reason]}).ctl("wait", "1"),
+                                 (expected, "", "Bad news.\n"))
 
     def test_takes_velocities_of_an_axis_in_counts_per_tick_only(self):
         panel = PanelAsWritten(self)

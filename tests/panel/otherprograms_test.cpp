@@ -434,6 +434,21 @@ TEST_F(OtherPrograms, JogOnlyWhileTheySaySo) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+TEST_F(OtherPrograms, AreToldWhyAJogHasEndedByItself) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    const Json jog{{"axis", 1}, {"velocity", 0.5}};
+    Json answer = client.call("jog", jog);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    ASSERT_TRUE(sim.control(u"set 1 power 0"_s).contains(u"ok"_s));
+    for (int i = 0; i < 50 && answer.contains("result"); ++i) {
+        panel.answersFor(0.05);
+        answer = client.call("jog", jog);
+    }
+    EXPECT_EQ(answer["error"]["data"]["reason"], "ServoOff") << answer.dump();
+}
+
 TEST_F(OtherPrograms, EndAJogByAStopAndNothingIsSaidOfAHoldThatExpired) {
     OtherProgram client(panel, path());
     client.hello();
