@@ -78,7 +78,8 @@ void printHelp() {
            "  0                      done\n"
            "  1                      refused; the sentence says why\n"
            "  2                      the arguments are wrong; nothing was requested\n"
-           "  3                      no panel lets programs in, or the port cannot be used or is gone\n"
+           "  3                      no panel lets programs in, the port cannot be used or is gone, or nothing can\n"
+           "                         be let in there\n"
            "  4                      the user refused, or another program may move motors\n"
            "  5                      begun, but ended by a stop or a fault\n"
            "  130                    interrupted; motors are stopped\n"
@@ -246,9 +247,10 @@ int runAtOwnLine(const Options& options, QSettings& settings) {
     line.open(options.line);
     waitFor([&] { return found || lost || interrupted; });
     int exit = CtlCommands::NotReached;
-    if (found && !serves)
+    const bool letsIn = !line.socket().isEmpty();  // or why not has been reported
+    if (found && letsIn && !serves)
         exit = carryOut(options, line.socket(), &line, interruption);
-    else if (found)
+    else if (found && letsIn)
         waitFor([&] { return lost || interrupted; });
     if (interrupted)
         exit = serves ? CtlCommands::Done : CtlCommands::Interrupted;

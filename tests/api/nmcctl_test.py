@@ -108,6 +108,14 @@ class AtItsOwnLine(unittest.TestCase):
             self.assertEqual((code, out), (NOT_REACHED, ""), words)
             self.assertTrue(problems.strip().endswith("."), problems)
 
+    def test_ends_where_it_cannot_let_anybody_in(self):
+        self.place.socket.parent.symlink_to(self.place.folder)
+        for command in ("serve", "list"):
+            with self.subTest(command):
+                code, out, problems = self.place.ctl("--simulator=servo", command)
+                self.assertEqual((code, out), (NOT_REACHED, ""))
+                self.assertIn("Other programs cannot connect.", problems)
+
     def test_knows_names_units_and_limits_from_the_machine_file(self):
         machine = self.place.file("bench.json", self.MACHINE)
         script = f"gains X --set {GAINS}\nenable X\nmove X 2.5mm\nmove X 3deg\n"
