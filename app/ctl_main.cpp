@@ -231,7 +231,7 @@ void waitFor(const Condition& condition) {
 }
 
 int runAtOwnLine(const Options& options, QSettings& settings) {
-    const bool serves = options.commands.first().first() == kServe;
+    const bool serves = options.commands.value(0).value(0) == kServe;
     nmc::HeadlessLine line(settings, readMachine(options.machine));
     const nmc::UnixSignals interruption(&line.worker());
     bool found = false, lost = false, interrupted = false, ended = false;

@@ -87,6 +87,10 @@ class AtItsOwnLine(unittest.TestCase):
         self.assertAlmostEqual(places[2], 500, delta=STILL)
         self.assertAlmostEqual(places[3], 300, delta=STILL)
 
+    def test_does_nothing_if_there_is_no_command_in_a_script(self):
+        for script in ("", "# nothing\n\n"):
+            self.assertEqual(self.place.ctl("--simulator=servo", "-", text=script), (DONE, "", ""))
+
     def test_jogs_for_a_while(self):
         code, out, problems = self.place.ctl("--simulator=servo", "-",
                                             text=f"gains 1 --set {GAINS}\nenable 1\njog 1 2 0.4\n")
