@@ -2062,8 +2062,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Er bleibt aus, wenn die Versorgung wiederkehrt.</translation>
     </message>
     <message>
-        <source>The computer was busy for more than 250 ms. Press and hold again.</source>
-        <translation>Der Rechner war länger als 250 ms ausgelastet. Erneut drücken und halten.</translation>
+        <source>The computer was busy, or the program that jogs it has stopped calling. Press and hold again.</source>
+        <translation>Der Rechner war ausgelastet, oder das Programm, das tippt, rief nicht mehr auf. Erneut drücken und halten.</translation>
     </message>
     <message>
         <source>Module %1 cannot do this now; nothing was sent.</source>
@@ -3903,8 +3903,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Es steht still.</translation>
     </message>
     <message>
-        <source>Module %1 was commanded to stop jogging: the panel stalled for over 250 ms.</source>
-        <translation>An Modul %1 ging beim Tippen ein Stoppbefehl: Das Programm stockte länger als 250 ms.</translation>
+        <source>Module %1 was commanded to stop jogging: nothing held it for over 250 ms.</source>
+        <translation>An Modul %1 ging beim Tippen ein Stoppbefehl: Länger als 250 ms hielt nichts das Tippen aufrecht.</translation>
     </message>
     <message>
         <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>

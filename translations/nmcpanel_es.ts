@@ -2062,8 +2062,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Seguirá apagado cuando vuelva la alimentación.</translation>
     </message>
     <message>
-        <source>The computer was busy for more than 250 ms. Press and hold again.</source>
-        <translation>El equipo estuvo ocupado más de 250 ms. Vuelva a mantener pulsado.</translation>
+        <source>The computer was busy, or the program that jogs it has stopped calling. Press and hold again.</source>
+        <translation>El equipo estuvo ocupado, o el programa que pide el jog dejó de llamar. Vuelva a mantener pulsado.</translation>
     </message>
     <message>
         <source>Module %1 cannot do this now; nothing was sent.</source>
@@ -3903,8 +3903,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Se ha parado.</translation>
     </message>
     <message>
-        <source>Module %1 was commanded to stop jogging: the panel stalled for over 250 ms.</source>
-        <translation>Se ordenó al módulo %1 terminar el jog: el panel quedó bloqueado más de 250 ms.</translation>
+        <source>Module %1 was commanded to stop jogging: nothing held it for over 250 ms.</source>
+        <translation>Se ordenó al módulo %1 terminar el jog: nada lo mantuvo durante más de 250 ms.</translation>
     </message>
     <message>
         <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>

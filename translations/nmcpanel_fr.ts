@@ -2062,8 +2062,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Il reste coupé au retour de l’alimentation.</translation>
     </message>
     <message>
-        <source>The computer was busy for more than 250 ms. Press and hold again.</source>
-        <translation>L’ordinateur a été occupé plus de 250&#xa0;ms. Appuyez de nouveau et maintenez.</translation>
+        <source>The computer was busy, or the program that jogs it has stopped calling. Press and hold again.</source>
+        <translation>L’ordinateur était occupé, ou le programme qui demande le jog n’a plus appelé. Appuyez de nouveau et maintenez.</translation>
     </message>
     <message>
         <source>Module %1 cannot do this now; nothing was sent.</source>
@@ -3903,8 +3903,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Il s’est arrêté.</translation>
     </message>
     <message>
-        <source>Module %1 was commanded to stop jogging: the panel stalled for over 250 ms.</source>
-        <translation>Le module %1 a reçu l’ordre d’arrêter le jog&#xa0;: le programme s’est bloqué plus de 250&#xa0;ms.</translation>
+        <source>Module %1 was commanded to stop jogging: nothing held it for over 250 ms.</source>
+        <translation>Le module %1 a reçu l’ordre d’arrêter le jog&#xa0;: rien ne l’a maintenu pendant plus de 250&#xa0;ms.</translation>
     </message>
     <message>
         <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>

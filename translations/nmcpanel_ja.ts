@@ -2060,8 +2060,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>電源が戻っても、オフのままです。</translation>
     </message>
     <message>
-        <source>The computer was busy for more than 250 ms. Press and hold again.</source>
-        <translation>コンピューターが250 msを超えて応答できませんでした。もう一度押し続けてください。</translation>
+        <source>The computer was busy, or the program that jogs it has stopped calling. Press and hold again.</source>
+        <translation>コンピューターが応答できなかったか、ジョグを行うプログラムが呼び出しを止めました。もう一度押し続けてください。</translation>
     </message>
     <message>
         <source>Module %1 cannot do this now; nothing was sent.</source>
@@ -3894,8 +3894,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>停止しました。</translation>
     </message>
     <message>
-        <source>Module %1 was commanded to stop jogging: the panel stalled for over 250 ms.</source>
-        <translation>モジュール%1にジョグの停止を指令しました。パネルが250 msを超えて停滞したためです。</translation>
+        <source>Module %1 was commanded to stop jogging: nothing held it for over 250 ms.</source>
+        <translation>モジュール%1にジョグの停止を指令しました。250 msを超えてジョグが維持されなかったためです。</translation>
     </message>
     <message>
         <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>

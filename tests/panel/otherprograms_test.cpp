@@ -414,7 +414,7 @@ TEST_F(OtherPrograms, MayLetTheirMovesFinish) {
     EXPECT_NEAR(*panel.module().latest->position, 3'000, 2);
 }
 
-/// A jog is evidence for 100 ms, as a held button is; calls sooner than that keep it up.
+/// A jog is evidence for 250 ms, as a held button is; calls sooner than that keep it up.
 TEST_F(OtherPrograms, JogOnlyWhileTheySaySo) {
     OtherProgram client(panel, path());
     client.hello();
@@ -424,7 +424,8 @@ TEST_F(OtherPrograms, JogOnlyWhileTheySaySo) {
         EXPECT_EQ(client.call("jog", jog)["result"]["accepted"], true);
         panel.answersFor(0.05);
     }
-    EXPECT_TRUE(moves(sim));
+    panel.answersFor(0.1);
+    EXPECT_TRUE(moves(sim)) << "150 ms after the last call";
     const auto before = *panel.module().latest->position;
     EXPECT_GT(before, 0);
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));

@@ -113,9 +113,10 @@ Message holdExpired(ModuleIndex module) {
         .key = ofModule(u"hold"_s, module),
         .module = module,
         .severity = Severity::Attention,
-        .headline = Texts::tr("Module %1 was commanded to stop jogging: the panel stalled for over 250 ms.")
+        .headline = Texts::tr("Module %1 was commanded to stop jogging: nothing held it for over 250 ms.")
                         .arg(moduleNumber(module)),
-        .body = Texts::tr("The computer was busy for more than 250 ms. Press and hold again.")};
+        .body = Texts::tr(
+            "The computer was busy, or the program that jogs it has stopped calling. Press and hold again.")};
 }
 
 Message motionSuspect(const bus::MotionSuspect& suspect) {

@@ -321,7 +321,7 @@ std::vector<Method> makeMethods() {
          &AxisCall::moveBy},
         {"jog",
          Access::Control,
-         "Moves for as long as it is called again within 100 ms with the same axis and direction.",
+         "Moves until 250 ms after the last call with the same axis and direction; call it every 100 ms or sooner.",
          {axis, {"velocity", Kind::Velocity, true, "signed; not above the max jog speed of the axis"}},
          &AxisCall::jog},
         {"go_home", Access::Control, "Moves to home.", {axis, velocity, acceleration}, &AxisCall::goHome},
