@@ -232,7 +232,7 @@ void ApiController::greet(Client client, const Json& parameters, const Json& id)
     answer(client, id,
            {{"protocol", api::kProtocol},
             {"program", "NMC Panel " NMC_VERSION},
-            {"chain", api::stateOf(m_store.link(), m_store.machine())},
+            {"chain", stateOf({})},
             {"capabilities", Json::array({"control", "subscribe", "samples"})},
             {"asks_user", !m_grantsUnasked}});
     if (first)

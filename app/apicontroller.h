@@ -137,7 +137,7 @@ private:
     Connection& m_connection;
     Commander& m_commander;
     ApiServer m_server;
-    ApiFeed m_feed{m_store, m_server};
+    ApiFeed m_feed{m_store, m_server, [this] { return stateOf({}); }};
     std::map<Client, Session> m_sessions;
     std::optional<Client> m_control;
     std::optional<Asked> m_asked;                       ///< the user is being asked

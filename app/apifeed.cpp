@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/enumname.h"
-#include "model/api/apistate.h"
 
 namespace nmc {
 
@@ -19,8 +18,8 @@ constexpr std::uint64_t kMostSamples = 500;  ///< of a module in one message
 
 }  // namespace
 
-ApiFeed::ApiFeed(const BusStore& store, ApiServer& server, QObject* parent)
-    : QObject(parent), m_store(store), m_server(server) {
+ApiFeed::ApiFeed(const BusStore& store, ApiServer& server, std::function<Json()> state, QObject* parent)
+    : QObject(parent), m_store(store), m_server(server), m_state(std::move(state)) {
     m_pace.setInterval(kPublishInterval);
     m_pace.setSingleShot(true);
     connect(&m_pace, &QTimer::timeout, this, [this] {
@@ -54,7 +53,7 @@ void ApiFeed::publishState() {
         if (!subscription.state)
             continue;
         if (!line)
-            line = notification("state", api::stateOf(m_store.link(), m_store.machine()));
+            line = notification("state", m_state());
         m_server.offer(client, *line);
     }
 }

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -19,7 +20,9 @@ class ApiFeed : public QObject {
     Q_OBJECT
 
 public:
-    ApiFeed(const BusStore& store, ApiServer& server, QObject* parent = nullptr);
+    /// `state`: returns what the method of that name does.
+    ApiFeed(const BusStore& store, ApiServer& server, std::function<api::Json()> state,
+            QObject* parent = nullptr);
 
     /// Replaces what the client subscribed to before. The parameters have been checked.
     void subscribe(ApiServer::Client client, const api::Json& parameters);
@@ -41,6 +44,7 @@ private:
 
     const BusStore& m_store;
     ApiServer& m_server;
+    std::function<api::Json()> m_state;
     std::map<ApiServer::Client, Subscription> m_subscriptions;
     QTimer m_pace;
     std::vector<std::uint64_t> m_published;  ///< samples of each module

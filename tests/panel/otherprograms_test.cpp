@@ -301,6 +301,17 @@ TEST_F(OtherPrograms, HaveControlOneAtATime) {
     EXPECT_EQ(first.call("enable", {{"axis", 1}})["error"]["data"]["reason"], "NoControl");
 }
 
+TEST_F(OtherPrograms, LearnWhoHasControlWhereverTheStateIs) {
+    OtherProgram first(panel, path()), second(panel, path());
+    first.hello("first");
+    ASSERT_NO_FATAL_FAILURE(control(first));
+    const Json hello = second.call("hello", {{"protocol", "1.1"}, {"program", "second"}});
+    EXPECT_EQ(hello["result"]["chain"]["control"], "first");
+    EXPECT_TRUE(second.call("subscribe", {{"state", true}}).contains("result"));
+    EXPECT_EQ(second.notification("state")["params"]["control"], "first");
+    EXPECT_EQ(second.call("state")["result"]["control"], "first");
+}
+
 TEST_F(OtherPrograms, LoseControlByEsc) {
     OtherProgram client(panel, path());
     client.hello();
