@@ -399,7 +399,7 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
     if (m_notBegun)
         return fail(client, id, kRefused, *m_notBegun, "SequenceRefused");
     for (auto& [other, session] : m_sessions)
-        session.runs = other == client;
+        session.runs = session.awaitsEnd = other == client;
     session(client).sequenceFailure.reset();
     for (const ModuleState& module : m_store.link().modules)  // it may move any of them
         session(client).forget(module.info.index);
@@ -470,10 +470,12 @@ void ApiController::noteSequence(const SequenceReport& report) {
     if (!report.over())
         return;
     const auto message = texts::sequenceOver(report);
-    for (auto& [client, session] : m_sessions)
-        if (std::exchange(session.runs, false) && report.stage != SequenceStage::Done)
+    for (auto& [client, session] : m_sessions) {
+        session.runs = false;
+        if (std::exchange(session.awaitsEnd, false) && report.stage != SequenceStage::Done)
             session.sequenceFailure =
                 message ? message->headline + u' ' + message->body : texts::wasCancelled();
+    }
 }
 
 void ApiController::answerWaits() {

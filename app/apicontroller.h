@@ -71,7 +71,9 @@ private:
         bool finishes = false;  ///< its moves finish when it disappears
         /// These were commanded by nobody else since.
         std::set<ModuleIndex> moved{};
-        bool runs = false;                                     ///< it has started the sequence that runs
+        /// It has started the sequence that runs, which nobody else has commanded since.
+        bool runs = false;
+        bool awaitsEnd = false;                                ///< it has started the sequence that runs
         std::map<ModuleIndex, bus::OperationId> operations{};  ///< the last one for each module
         /// Why its last request to a module was not carried out to the end; "wait" reports it.
         std::map<ModuleIndex, QString> failures{};

@@ -127,6 +127,8 @@ void Composition::wirePrograms() {
     connect(requests, &Requests::goToPoint, &m_api, several);
     connect(requests, &Requests::goToPlace, &m_api, several);
     connect(requests, &Requests::startSequence, &m_api, several);
+    connect(requests, &Requests::resumeSequence, &m_api, several);
+    connect(requests, &Requests::stepSequence, &m_api, several);
     connect(requests, &Requests::stopSequence, &m_api, several);
 }
 

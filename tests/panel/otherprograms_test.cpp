@@ -333,6 +333,28 @@ TEST_F(OtherPrograms, LoseControlByACommandOfTheUser) {
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 0}})["error"]["data"]["reason"], "NoControl");
 }
 
+TEST_F(OtherPrograms, LoseControlWhenTheUserLetsASequenceGoOn) {
+    Program program;
+    program.points.push_back({"far", {{ModuleIndex(0), 100'000, false}}});
+    emit panel.window().requests().programEdited(program);
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("go_to_point", {{"name", "far"}})["result"]["accepted"], true);
+    const int waits = client.request("wait");
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    emit panel.window().requests().resumeSequence();
+    EXPECT_FALSE(client.notification("control_lost").is_null());
+    EXPECT_TRUE(moves(sim));
+    emit panel.window().requests().stopSequence();
+    EXPECT_EQ(client.answer(waits)["error"]["data"]["reason"], "NotCarriedOut")
+        << "it has begun it, whoever has ended it";
+
+    ASSERT_NO_FATAL_FAILURE(control(client));
+    emit panel.window().requests().stepSequence();
+    EXPECT_FALSE(client.notification("control_lost").is_null());
+}
+
 /// As before the computer sleeps.
 TEST_F(OtherPrograms, LoseControlByAStopThatNobodyRequested) {
     OtherProgram client(panel, path());
