@@ -252,7 +252,7 @@ int runAtOwnLine(const Options& options, QSettings& settings) {
         exit = carryOut(options, line.socket(), &line, interruption);
     else if (found && letsIn)
         waitFor([&] { return lost || interrupted; });
-    if (interrupted)
+    if (interrupted && exit != CtlCommands::Done)  // a recording is done when it is interrupted
         exit = serves ? CtlCommands::Done : CtlCommands::Interrupted;
     line.end();
     waitFor([&] { return ended; });

@@ -156,6 +156,15 @@ class AtItsOwnLine(unittest.TestCase):
         times = [float(row[1]) for row in rows if row[0] == "1"]
         self.assertEqual(times, sorted(times))
 
+    def test_records_until_it_is_interrupted(self):
+        path = Path(self.place.file("record.csv"))
+        recording = self.place.start("--simulator=servo", "record", str(path))
+        while not any(line.startswith("1,") for line in path.read_text(encoding="utf-8").splitlines()):
+            self.assertIsNone(recording.poll())
+            time.sleep(0.02)
+        recording.send_signal(signal.SIGINT)
+        self.assertEqual(recording.wait(), DONE)
+
     def test_lists_every_method_but_those_without_use(self):
         code, out, _ = self.place.ctl("--help")
         self.assertEqual(code, DONE)
