@@ -383,11 +383,10 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
     const Machine& machine = m_store.machine();
     const std::string name = parameters.at("name").get<std::string>();
     const bool sequence = method.name == "start_sequence";
-    const bool known = sequence ? std::ranges::any_of(machine.program.sequences,
-                                                      [&](const Sequence& one) { return one.name == name; })
-                                : std::ranges::any_of(machine.program.points,
-                                                      [&](const Point& one) { return one.name == name; });
-    if (!known)
+    const auto hasOne = [&name](const auto& all) {
+        return std::ranges::any_of(all, [&name](const auto& one) { return one.name == name; });
+    };
+    if (!(sequence ? hasOne(machine.program.sequences) : hasOne(machine.program.points)))
         return refuse(client, id, {api::Problem::Kind::SequenceUnknown, "name"});
     if (m_commander.sequences().running())
         return refuse(client, id, api::refused(Refusal::Moving));
