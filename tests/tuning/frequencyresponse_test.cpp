@@ -53,6 +53,50 @@ TEST(FrequencyFigures, TellTheGainMargin) {
     EXPECT_NEAR(*figures.phaseMargin, 90 - 2 * std::atan(0.4239) * 180 / std::numbers::pi, 1.0);
 }
 
+/// L = k (s^2 + s + 2) / (s^2 (s + 1)), a motor with an integral, lags by more than half a turn up to w = 1,
+/// where L = -k. By Routh, 1 + L has its zeros on the left for k > 1.
+TEST(FrequencyFigures, AreThoseOfALoopThatBeginsBeyondHalfATurn) {
+    const auto loop = [](double k) {
+        return [k](Complex s) { return k * (s * s + s + 2.0) / (s * s * (s + 1.0)); };
+    };
+    const auto points = responseOf(loop(10.0), 10.0);
+    const FrequencyFigures figures = figuresOf(points);
+    ASSERT_TRUE(figures.phaseMargin);
+    // |L| = 1 where x = w^2 solves x^3 - 99 x^2 + 300 x - 400 = 0: w = 9.794. There the zeros lead by 180 -
+    // atan(w / (x - 2)) and the pole lags by atan w, and so the margin is 180 - 5.95 - 84.17.
+    EXPECT_NEAR(*figures.phaseMargin, 89.9, 1.0);
+    EXPECT_FALSE(figures.gainMargin);
+    EXPECT_FALSE(isUnstable(figures));
+    EXPECT_TRUE(isUnstable(figuresOf(responseOf(loop(0.5), 10.0))));
+    // At 0.01 Hz, w = 0.0628: the zeros lead by w / 2 and the pole lags by w: 1.8 degrees of lag remain.
+    EXPECT_NEAR(phases(std::vector{points.front().open()}).front(), -181.8, 0.1);
+}
+
+/// L = k (s + 1)^2 / (s (10 s + 1)^2) has a phase of -180 degrees where 9 w / (1 + 10 w^2) = 1: at w = 0.1298
+/// it falls and |L| is 2.916 k; at w = 0.7702 it comes back and |L| is 0.03429 k. With k between 1 / 2.916
+/// and 1 / 0.03429, the loop is unstable.
+TEST(FrequencyFigures, LeaveOutAPhaseThatComesBackWhileLIsAbove1) {
+    const auto figuresWith = [](double k) {
+        return figuresOf(responseOf(
+            [k](Complex s) { return k * (s + 1.0) * (s + 1.0) / (s * (10.0 * s + 1.0) * (10.0 * s + 1.0)); },
+            10.0));
+    };
+    const FrequencyFigures low = figuresWith(0.1);
+    ASSERT_TRUE(low.gainMargin);
+    EXPECT_NEAR(*low.gainMargin, 1 / 0.2916, 0.07);
+    EXPECT_FALSE(isUnstable(low));
+    const FrequencyFigures between = figuresWith(10.0);
+    ASSERT_TRUE(between.gainMargin);
+    EXPECT_NEAR(*between.gainMargin, 1 / 29.16, 0.001);
+    EXPECT_TRUE(isUnstable(between));
+    const FrequencyFigures high = figuresWith(100.0);
+    ASSERT_TRUE(high.phaseMargin);
+    EXPECT_FALSE(high.gainMargin);
+    EXPECT_FALSE(isUnstable(high));
+    // |L| = 1 where 100 (1 + w^2) = w (1 + 100 w^2): w = 1.4615; 90 + 2 (atan w - atan 10 w).
+    EXPECT_NEAR(*high.phaseMargin, 29.1, 1.0);
+}
+
 constexpr servo::SetGain kGains{100, 0, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}};
 
 [[nodiscard]] std::vector<FrequencyPoint> withDoubt(std::vector<FrequencyPoint> points, double doubt) {

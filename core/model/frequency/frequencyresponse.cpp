@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -156,10 +157,12 @@ FrequencySpread spreadOf(const FrequencyPoint& point) {
 }
 
 std::vector<double> phases(std::span<const Complex> values) {
+    constexpr double kMiddlePhase = -90;  // a loop lags, by up to 270 degrees
     std::vector<double> phases;
     for (const Complex& value : values) {
         const double own = std::arg(value) * kDegrees;
-        phases.push_back(phases.empty() ? own : phases.back() + std::remainder(own - phases.back(), 360.0));
+        const double before = phases.empty() ? kMiddlePhase : phases.back();
+        phases.push_back(before + std::remainder(own - before, 360.0));
     }
     return phases;
 }
@@ -193,10 +196,18 @@ FrequencyFigures figuresOf(std::span<const FrequencyPoint> points) {
             figures.bandwidth = hertz(*part);
         if (const auto part = falls(decibelsBefore, decibelsAfter, 0.0); part && !figures.crossover) {
             figures.crossover = hertz(*part);
-            figures.phaseMargin = 180 + between(turned[i - 1], turned[i], *part);
+            figures.phaseMargin = std::remainder(180 + between(turned[i - 1], turned[i], *part), 360.0);
         }
-        if (const auto part = falls(turned[i - 1], turned[i], -180.0); part && !figures.gainMargin)
-            figures.gainMargin = std::pow(10, -between(decibelsBefore, decibelsAfter, *part) / 20);
+        // The phase above the nearest odd number of half turns: the negative real axis.
+        const double marginBefore = std::remainder(180 + turned[i - 1], 360.0);
+        const double marginAfter = marginBefore + turned[i] - turned[i - 1];
+        if (const auto part = falls(marginBefore, marginAfter, 0.0))
+            figures.gainMargin =
+                std::min(figures.gainMargin.value_or(std::numeric_limits<double>::infinity()),
+                         std::pow(10, -between(decibelsBefore, decibelsAfter, *part) / 20));
+        // Where the phase comes back while |L| is above 1, the curve does not go around -1.
+        if (marginBefore < 0 && marginAfter >= 0 && decibelsAfter > 0)
+            figures.gainMargin.reset();
     }
     return figures;
 }

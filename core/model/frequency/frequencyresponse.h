@@ -35,9 +35,10 @@ inline constexpr double kSilence = 0.1;  ///< s
 struct FrequencyFigures {
     std::optional<double> bandwidth;    ///< Hz, where |T| falls below -3 dB
     std::optional<double> crossover;    ///< Hz, where |L| falls below 1
-    std::optional<double> phaseMargin;  ///< degrees, at crossover
-    std::optional<double> gainMargin;   ///< factor, where L lags by half a turn
-    double resonance = 0.0;             ///< dB, the highest |T|
+    std::optional<double> phaseMargin;  ///< degrees, -180 to 180, at crossover
+    /// Factor: the least where the phase of L falls below half a turn, unless it comes back while |L| > 1.
+    std::optional<double> gainMargin;
+    double resonance = 0.0;  ///< dB, the highest |T|
 };
 [[nodiscard]] FrequencyFigures figuresOf(std::span<const FrequencyPoint> points);
 /// True if a margin that was found is negative. A loop that is not is stable as far as its points reach.
@@ -53,7 +54,7 @@ struct FrequencySpread {
 [[nodiscard]] FrequencySpread spreadOf(const FrequencyPoint& point);
 inline constexpr double kFaintest = -120.0;  ///< dB
 /// Phases in degrees, each within half a turn of the previous one, so that a phase continues beyond -180. The
-/// first is the argument of its value.
+/// first is from -270 to 90, as a loop lags: with an integral, L may begin just beyond -180.
 [[nodiscard]] std::vector<double> phases(std::span<const std::complex<double>> values);
 
 }  // namespace nmc
