@@ -4808,6 +4808,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die vorigen Reglerwerte wurden gesendet. Den Hardware-Stopp benutzen, wenn der Motor sich bewegt.</translation>
     </message>
     <message>
+        <source>The new gains of %1 are in force; OL may still be lowered.</source>
+        <translation>Die neuen Reglerwerte von %1 gelten; OL ist vielleicht noch herabgesetzt.</translation>
+    </message>
+    <message>
+        <source>A command failed, or its answer was lost. Apply the gains again.</source>
+        <translation>Ein Befehl ist fehlgeschlagen, oder seine Antwort ging verloren. Die Reglerwerte noch einmal anwenden.</translation>
+    </message>
+    <message>
         <source>The previous gains of %1 were sent again: the link was unreliable.</source>
         <translation>Die vorigen Reglerwerte von %1 wurden wieder gesendet: Die Verbindung war unzuverlässig.</translation>
     </message>

@@ -4808,6 +4808,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Se enviaron sus ganancias anteriores. Use la parada por hardware si se mueve.</translation>
     </message>
     <message>
+        <source>The new gains of %1 are in force; OL may still be lowered.</source>
+        <translation>Las nuevas ganancias de %1 están en vigor; puede que OL siga reducido.</translation>
+    </message>
+    <message>
+        <source>A command failed, or its answer was lost. Apply the gains again.</source>
+        <translation>Un comando falló o se perdió su respuesta. Aplique de nuevo las ganancias.</translation>
+    </message>
+    <message>
         <source>The previous gains of %1 were sent again: the link was unreliable.</source>
         <translation>Se enviaron de nuevo las ganancias anteriores de %1: el enlace no era fiable.</translation>
     </message>

@@ -4808,6 +4808,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Ses gains précédents ont été envoyés. Utilisez l’arrêt câblé s’il bouge.</translation>
     </message>
     <message>
+        <source>The new gains of %1 are in force; OL may still be lowered.</source>
+        <translation>Les nouveaux gains de %1 sont en vigueur&#xa0;; OL est peut-être encore réduit.</translation>
+    </message>
+    <message>
+        <source>A command failed, or its answer was lost. Apply the gains again.</source>
+        <translation>Une commande a échoué, ou sa réponse s’est perdue. Appliquez de nouveau les gains.</translation>
+    </message>
+    <message>
         <source>The previous gains of %1 were sent again: the link was unreliable.</source>
         <translation>Les gains précédents de %1 ont été renvoyés&#xa0;: la liaison n’était pas fiable.</translation>
     </message>

@@ -4796,6 +4796,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>以前のゲインを送信しました。モーターが動く場合はハードウェア停止装置を使用してください。</translation>
     </message>
     <message>
+        <source>The new gains of %1 are in force; OL may still be lowered.</source>
+        <translation>%1の新しいゲインが有効です。OLはまだ下げられたままの可能性があります。</translation>
+    </message>
+    <message>
+        <source>A command failed, or its answer was lost. Apply the gains again.</source>
+        <translation>コマンドが失敗したか、応答が失われました。もう一度ゲインを適用してください。</translation>
+    </message>
+    <message>
         <source>The previous gains of %1 were sent again: the link was unreliable.</source>
         <translation>%1の以前のゲインを再送しました。通信が不安定だったためです。</translation>
     </message>

@@ -65,6 +65,13 @@ protected:
         return now.kp == gains.kp && now.kd == gains.kd && now.ki == gains.ki &&
                (now.ol == gains.ol || bench.procedure->report().stage == ProcedureStage::Trying);
     }
+    /// From now on no command arrives for this long.
+    void deafen(Duration lasts) {
+        sim::FaultSpec deaf;
+        deaf.kind = sim::FaultKind::MuteTx;
+        deaf.lasts = lasts;
+        ASSERT_TRUE(bench.bus.chain.inject(deaf, bench.bus.now));
+    }
     ServoBench bench;
     int stood = 0, farthest = 0, halfCycles = 0, side = 0;
     bool before = true;                    ///< kGood was in force
@@ -114,6 +121,42 @@ TEST_F(TriedGains, StayWhenSomethingElseIsAskedForWhileAllOfOlIsSent) {
     EXPECT_TRUE(hasGains(kOther));
 }
 
+/// All of OL is sent into a line that is deaf for longer than a command is repeated, then once more.
+TEST_F(TriedGains, StayWithAllOfOlWhenTheyAreKeptAndTheLinkFailsForAMoment) {
+    ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
+    ASSERT_TRUE(bench.turn());
+    keep();
+    ASSERT_NO_FATAL_FAILURE(deafen(400ms));
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_TRUE(report.kept);
+    EXPECT_FALSE(report.failure);
+    EXPECT_TRUE(hasGains(kOther));
+}
+
+TEST_F(TriedGains, StayWhenTheyAreKeptAndTheLinkIsSuspectedBeforeThePanelKnowsIt) {
+    ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
+    ASSERT_TRUE(bench.turn());
+    keep();
+    bench.procedure->onLinkSuspect();
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_TRUE(report.kept);
+    EXPECT_TRUE(hasGains(kOther));
+}
+
+TEST_F(TriedGains, AreReportedAsKeptWhenTheLinkFailsForTooLongForAllOfOl) {
+    ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
+    ASSERT_TRUE(bench.turn());
+    keep();
+    ASSERT_NO_FATAL_FAILURE(deafen(1'500ms));
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.stage, ProcedureStage::Failed);
+    EXPECT_TRUE(report.kept);
+    EXPECT_EQ(bench.truth().gains.kp, kOther.kp);
+    EXPECT_LT(bench.truth().gains.ol, kOther.ol);
+}
+
 TEST_F(TriedGains, TooLateToKeepTheyAreThoseFromBefore) {
     ASSERT_NO_FATAL_FAILURE(tryOther(0.2));
     bench.bus.runFor(300ms);  // the time has ended, and the panel does not know it yet
@@ -139,10 +182,7 @@ TEST_F(TriedGains, AreTakenBackBehindADeafLine) {
     for (int i = 0; i < 50; ++i)
         ASSERT_TRUE(bench.turn());
     ASSERT_EQ(bench.truth().gains.kp, kOther.kp);
-    sim::FaultSpec deaf;
-    deaf.kind = sim::FaultKind::MuteTx;
-    deaf.lasts = 1'500ms;
-    ASSERT_TRUE(bench.bus.chain.inject(deaf, bench.bus.now));
+    ASSERT_NO_FATAL_FAILURE(deafen(1'500ms));
     EXPECT_EQ(bench.goOn().stage, ProcedureStage::Failed);
     bench.bus.runFor(3s);  // the line is back, and the module has been found again
     EXPECT_EQ(bench.truth().gains.kp, kGood.kp);

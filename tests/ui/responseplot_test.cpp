@@ -254,5 +254,19 @@ TEST(ResponseTextsOf, EveryEndOfATestSaysWhatToDo) {
     EXPECT_FALSE(texts::procedureEnded(done, {}));
 }
 
+TEST(ResponseTextsOf, GainsThatWereKeptAreNotSaidToBeThePreviousOnes) {
+    for (const ProcedureFailure failure : {ProcedureFailure::LinkSuspect, ProcedureFailure::Refused}) {
+        ProcedureReport report;
+        report.kind = ProcedureKind::TryGains;
+        report.stage = ProcedureStage::Failed;
+        report.failure = failure;
+        report.kept = true;
+        const auto message = texts::procedureEnded(report, {});
+        ASSERT_TRUE(message);
+        EXPECT_EQ(message->headline, u"The new gains of Module 1 are in force; OL may still be lowered."_s);
+        EXPECT_TRUE(message->body.endsWith(u"Apply the gains again."_s)) << message->body.toStdString();
+    }
+}
+
 }  // namespace
 }  // namespace nmc

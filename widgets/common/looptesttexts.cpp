@@ -84,7 +84,8 @@ Words responseFailed(ProcedureFailure failure, const QString& who) {
     return endedEarly(failure, who);
 }
 
-Words tryFailed(ProcedureFailure failure, const QString& who) {
+Words tryFailed(const ProcedureReport& report, const QString& who) {
+    const ProcedureFailure failure = *report.failure;
     if (failure == ProcedureFailure::Swings)
         return {Texts::tr("The previous gains of %1 are restored: it began to oscillate.").arg(who),
                 Texts::tr("Lower Kp and Ki, or raise Kd, then try again.")};
@@ -103,6 +104,9 @@ Words tryFailed(ProcedureFailure failure, const QString& who) {
         return {Texts::tr("%1 does not answer while gains are being tried. Motor state unknown.").arg(who),
                 Texts::tr("Its previous gains were sent. Use the hardware stop if it moves."),
                 Severity::Fault};
+    if (report.kept)
+        return {Texts::tr("The new gains of %1 are in force; OL may still be lowered.").arg(who),
+                Texts::tr("A command failed, or its answer was lost. Apply the gains again.")};
     if (failure == ProcedureFailure::LinkSuspect)
         return {Texts::tr("The previous gains of %1 were sent again: the link was unreliable.").arg(who),
                 Texts::tr("Check the link, then try again.")};
@@ -120,7 +124,7 @@ Words testFailed(const ProcedureReport& report, const QString& who) {
     if (makesSteps(report.kind))
         return responseFailed(*report.failure, who);
     if (report.kind == ProcedureKind::TryGains)
-        return tryFailed(*report.failure, who);
+        return tryFailed(report, who);
     return endedEarly(*report.failure, who);
 }
 

@@ -32,7 +32,7 @@ Procedure::Next Procedure::next(const ModuleState& module, TimePoint now) {
         }
     }
     Next rest = afterLastWord(module, now);
-    if (std::holds_alternative<End>(rest))
+    if (std::holds_alternative<End>(rest) && !m_report.over())
         m_report.stage = *m_end;
     return rest;
 }
@@ -48,6 +48,7 @@ void Procedure::onFinished(bus::Outcome outcome, bus::SineRecord sine, std::opti
     m_inFlight = false;
     m_swung = std::move(sine);
     m_tried = trial;
+    m_report.kept |= trial == bus::TrialEnd::Kept;
     if (outcome == bus::Outcome::Cancelled)
         m_mayRun = false;  // the cause of that has stopped the motor, or switched it off
     if (outcome == bus::Outcome::QueueFull && ends())

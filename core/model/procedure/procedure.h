@@ -167,7 +167,8 @@ protected:
     [[nodiscard]] virtual Next proceed(const ModuleState& module, TimePoint now) = 0;
     /// Returns the final orders for an early end; may be empty. Called again if the queue was full.
     [[nodiscard]] virtual std::vector<bus::Order> lastWord(const ModuleState& module) const = 0;
-    /// Called after the final orders: returns any further steps, and End when there are none.
+    /// Called after the final orders: returns any further steps, and End when there are none; finish() if
+    /// the goal has been reached all the same.
     [[nodiscard]] virtual Next afterLastWord(const ModuleState& /*module*/, TimePoint /*now*/) {
         return End{};
     }

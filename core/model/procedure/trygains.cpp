@@ -35,7 +35,7 @@ TryGainsRun::TryGainsRun(const intent::TryGains& wanted, const ModuleState& modu
       m_seconds(wanted.seconds) {}
 
 TryGainsRun::Next TryGainsRun::proceed(const ModuleState& module, TimePoint /*now*/) {
-    if (m_kept)
+    if (m_report.kept && !tried())  // all of OL has been sent
         return finish();
     if (m_report.stage == ProcedureStage::Trying)
         return conclude(tried().value_or(bus::TrialEnd::TimeOver));
@@ -63,7 +63,6 @@ void TryGainsRun::whileItLasts(const ModuleState& module) {
 TryGainsRun::Next TryGainsRun::conclude(bus::TrialEnd end) {
     switch (end) {
         case bus::TrialEnd::Kept:
-            m_kept = m_report.kept = true;
             return send({set(m_wanted)});
         case bus::TrialEnd::TimeOver:
             return finish();
@@ -82,10 +81,18 @@ TryGainsRun::Next TryGainsRun::conclude(bus::TrialEnd end) {
 /// If the trial has ended by itself, the old gains are already back. If the new gains were kept but another
 /// command came first, they are still in force with a lower output limit.
 std::vector<bus::Order> TryGainsRun::lastWord(const ModuleState& /*module*/) const {
-    if (m_kept || tried() == bus::TrialEnd::Kept)
+    if (m_report.kept)
         return {set(m_wanted)};
     const bool sent = m_report.stage == ProcedureStage::Trying;
     return sent && !tried() ? std::vector{set(m_before)} : std::vector<bus::Order>{};
+}
+
+/// The first attempt to send all of OL may have failed, and the last word not.
+TryGainsRun::Next TryGainsRun::afterLastWord(const ModuleState& module, TimePoint /*now*/) {
+    if (!m_report.failure || !m_report.kept || module.gains != m_wanted)
+        return End{};
+    m_report.failure.reset();
+    return finish();
 }
 
 bus::Order TryGainsRun::set(const servo::SetGain& gains) const {

@@ -25,13 +25,13 @@ private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
     void whileItLasts(const ModuleState& module) override;
     [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const override;
+    [[nodiscard]] Next afterLastWord(const ModuleState& module, TimePoint now) override;
     [[nodiscard]] Next conclude(bus::TrialEnd end);
     [[nodiscard]] bus::Order set(const servo::SetGain& gains) const;
 
     servo::SetGain m_wanted;
     servo::SetGain m_before;
     double m_seconds;
-    bool m_kept = false;
 };
 
 }  // namespace nmc
