@@ -227,7 +227,7 @@ TEST_F(MeasuredSine, FindsMagnitudeAndPhase) {
         record = {};
         const Complex answer = std::polar(0.7, -0.9);
         swing(hertz, answer, std::max(1.0, 5 / hertz));
-        const auto point = measureFrequency(record, hertz, kTick);
+        const auto point = measureFrequency(record, hertz);
         ASSERT_TRUE(point);
         EXPECT_NEAR(decibels(point->closed / answer), 0.0, 0.3) << hertz;
         EXPECT_NEAR(std::arg(point->closed / answer) * 180 / std::numbers::pi, 0.0, 2.0) << hertz;
@@ -255,11 +255,11 @@ TEST_F(MeasuredSine, OutputLimitsAreNoticed) {
 }
 
 TEST_F(MeasuredSine, IsNothingWithoutPositions) {
-    EXPECT_FALSE(measureFrequency(record, 1.0, kTick));
+    EXPECT_FALSE(measureFrequency(record, 1.0));
     swing(1.0, 1.0, 5.0);
     record.polls.clear();
     record.answers.clear();
-    EXPECT_FALSE(measureFrequency(record, 1.0, kTick));
+    EXPECT_FALSE(measureFrequency(record, 1.0));
 }
 
 TEST(FrequencyFile, HasARowForEachFrequency) {

@@ -51,24 +51,26 @@ struct SineFit {
             std::sqrt(missed / static_cast<double>(rows))};
 }
 
-/// The command as sampled by the servo once per tick.
-[[nodiscard]] std::vector<SineReading> commandsOf(const bus::SineRecord& record, double since, double tick) {
+/// Between two readings.
+constexpr double kReadingTime = secondsPerTick(1);
+
+/// The command, once per tick.
+[[nodiscard]] std::vector<SineReading> commandsOf(const bus::SineRecord& record, double since) {
     std::vector<SineReading> readings;
     const auto seconds = [&](std::size_t i) {
         return toSeconds(record.commands[i].time - record.commands.front().time);
     };
     for (std::size_t i = 0; i + 1 < record.commands.size(); ++i)
-        for (double t = seconds(i); t < seconds(i + 1); t += tick)
-            if (t + tick >= since)
-                readings.push_back({t + tick, static_cast<double>(record.commands[i].counts)});
+        for (double t = seconds(i); t < seconds(i + 1); t += kReadingTime)
+            if (t + kReadingTime >= since)
+                readings.push_back({t + kReadingTime, static_cast<double>(record.commands[i].counts)});
     return readings;
 }
 
 /// The position once per tick as well, interpolated linearly between samples. Without interpolation, the
 /// samples would always fall on the same places of the command's steps, which would shift the phase of the
 /// motor by their position. Gaps of more than half a period are left out.
-[[nodiscard]] std::vector<SineReading> positionsOf(const std::vector<SineReading>& told, double since,
-                                                   double tick) {
+[[nodiscard]] std::vector<SineReading> positionsOf(const std::vector<SineReading>& told, double since) {
     std::vector<SineReading> readings;
     for (std::size_t i = 0; i + 1 < told.size(); ++i) {
         const SineReading& from = told[i];
@@ -76,7 +78,7 @@ struct SineFit {
         if (to.seconds - from.seconds > since / 2)
             continue;
         const double slope = (to.value - from.value) / (to.seconds - from.seconds);
-        for (double t = from.seconds; t < to.seconds; t += tick)
+        for (double t = from.seconds; t < to.seconds; t += kReadingTime)
             if (t >= since)
                 readings.push_back({t, from.value + slope * (t - from.seconds)});
     }
@@ -105,7 +107,7 @@ struct SineFit {
 
 }  // namespace
 
-std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, double hertz, double tick) {
+std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, double hertz) {
     const double since = 1 / hertz;
     if (record.commands.empty())
         return std::nullopt;
@@ -115,8 +117,8 @@ std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, do
     for (std::size_t i = 1; i < samples.size(); ++i)
         if (samples[i].seconds - samples[i - 1].seconds > std::max(kSilence, since / 2))
             return std::nullopt;
-    const std::vector<SineReading> commands = commandsOf(record, since, tick);
-    const std::vector<SineReading> positions = positionsOf(samples, since, tick);
+    const std::vector<SineReading> commands = commandsOf(record, since);
+    const std::vector<SineReading> positions = positionsOf(samples, since);
     if (positions.size() < kFewestPoints || commands.size() < kFewestPoints)
         return std::nullopt;
     const SineFit command = fitSine(commands, hertz, samples.size());

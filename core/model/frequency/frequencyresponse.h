@@ -13,11 +13,11 @@ namespace nmc {
 
 /// Measures the response at one frequency: command and position are each fitted by cosine, sine, mean and
 /// drift (least squares), without the first period, which the motor takes to settle in. The command is a
-/// staircase; the chip sees each of its steps one servo tick, `tick` seconds, after it was latched. Gaps of
-/// more than half a period are left out. Returns nothing for fewer than kFewestPoints positions, or where the
-/// line was silent for more than half a period and kSilence. Pure.
-[[nodiscard]] std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, double hertz,
-                                                             double tick);
+/// staircase, each step of which takes effect 0.512 ms after it was latched, at any servo rate: a servo that
+/// samples it later does not delay its sine. Gaps of more than half a period are left out. Returns nothing
+/// for fewer than kFewestPoints positions, or where the line was silent for more than half a period and
+/// kSilence. Pure.
+[[nodiscard]] std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, double hertz);
 inline constexpr std::size_t kFewestPoints = 12;
 inline constexpr double kSilence = 0.1;  ///< s
 

@@ -79,7 +79,7 @@ FrequencyRun::Next FrequencyRun::goOn(const ModuleState& module, TimePoint /*now
     if (m_goesBack)
         return goBack(module);
     const double hertz = m_frequencies[m_report.round - 1];
-    auto point = measureFrequency(swung(), hertz, secondsPerTick(m_report.gains->sr));
+    auto point = measureFrequency(swung(), hertz);
     if (!point) {  // the line, or this machine, was silent for a moment
         if (++m_missed > kMisses)
             return fail(ProcedureFailure::LinkSuspect);
