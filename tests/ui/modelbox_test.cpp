@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QSlider>
 #include <QTabWidget>
+#include <QTableWidget>
 
 #include "responserecords.h"
 #include "widgets/common/requests.h"
@@ -290,7 +291,28 @@ TEST_F(ModelPage, AMotorOfTheLastConnectionThatComesLateIsNotShown) {
     settle();
     dock().showMotor(ModuleIndex(0), motor());
     EXPECT_TRUE(text(u"motorModel"_s).isEmpty());
-    EXPECT_TRUE(button(u"identifyButton"_s)->isEnabled());
+    window->showResponse(ramp());
+    EXPECT_TRUE(button(u"identifyButton"_s)->isEnabled()) << "it is not waited for any more";
+}
+
+/// The simulator, for example, and then a real motor at the same place in its chain.
+TEST_F(ModelPage, TakesNoRunsOfAnEarlierConnection) {
+    window->showResponse(ramp(100));
+    window->showResponse(ramp(110));
+    find<QTableWidget>(u"responseRunTable"_s)->setCurrentCell(0, 2);
+    click(u"responseRemoveButton"_s);
+    window->showLink(LinkState{});
+    showServo();
+    settle();
+    click(u"responsePutBackButton"_s);
+    EXPECT_EQ(window->stepResponses().runs().size(), 2U);
+    EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled());
+    window->showResponse(ramp(120));
+    click(u"identifyButton"_s);
+    ASSERT_EQ(wanted.size(), 1);
+    const auto runs = wanted.at(0).at(1).value<std::vector<ResponseRecord>>();
+    ASSERT_EQ(runs.size(), 1U);
+    EXPECT_EQ(runs.front().points.back().position, 620);
 }
 
 TEST_F(ModelPage, IsOfOneModuleAndOneConnection) {

@@ -257,6 +257,9 @@ void ResponsePage::showSuggestion(const Suggestion& suggestion) {
 }
 
 void ResponsePage::forgetModules() {
+    for (std::vector<KeptResponse>* made : {&m_kept, &m_removed})
+        for (KeptResponse& run : *made)
+            run.earlier = true;
     m_model->forget();
 }
 

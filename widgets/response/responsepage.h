@@ -44,7 +44,8 @@ public:
     void showMotor(ModuleIndex module, const FoundMotor& found);
     /// The answer to Requests::suggest().
     void showSuggestion(const Suggestion& suggestion);
-    /// Forgets what is known about the modules, which are those of the last connection; the runs stay.
+    /// Forgets what is known about the modules, which are those of the last connection; the runs stay, but
+    /// say nothing about the motors that are connected now.
     void forgetModules();
 
     /// Returns the form with its state label, to be placed elsewhere until takeFormBack().

@@ -22,7 +22,7 @@ struct KeptResponse {
     AxisScale scale;
     std::string port;
     bool simulated = false;
-    bool earlier = false;  ///< from an earlier session: the motor may have changed since
+    bool earlier = false;  ///< from an earlier session or connection: the motor may be another one since
 };
 
 /// The moves that were made together with this one, in order, as far as they are in the list; of a step,
