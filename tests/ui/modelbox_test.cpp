@@ -315,6 +315,19 @@ TEST_F(ModelPage, TakesNoRunsOfAnEarlierConnection) {
     EXPECT_EQ(runs.front().points.back().position, 620);
 }
 
+/// The first run of the machine that is opened then has the number of the run from which the model was found.
+TEST_F(ModelPage, IsForgottenWithTheRunsOfItsMachine) {
+    find();
+    const auto asked = tasks.size();
+    dock().clearRuns();
+    EXPECT_TRUE(text(u"motorModel"_s).isEmpty());
+    KeptResponse other = ramp(120, 1);
+    other.number = 1;
+    other.earlier = true;
+    dock().showKept({other});
+    EXPECT_EQ(tasks.size(), asked) << "nothing is suggested from it";
+}
+
 TEST_F(ModelPage, IsOfOneModuleAndOneConnection) {
     find();
     EXPECT_FALSE(text(u"motorModel"_s).isEmpty());

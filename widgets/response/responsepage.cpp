@@ -198,6 +198,7 @@ void ResponsePage::clearRuns() {
     m_removed.clear();
     m_shown = {};
     m_lastNumber = 0;
+    m_model->forget();  // it names its run by a number, which the next run may get
     showList();
 }
 
