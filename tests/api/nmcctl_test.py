@@ -147,7 +147,7 @@ class AtItsOwnLine(unittest.TestCase):
 
     def test_records_what_the_scope_can_open(self):
         path = self.place.file("record.csv")
-        self.assertEqual(self.place.ctl("--simulator=servo,step", "record", path, "--seconds", "0.5")[0], DONE)
+        self.assertEqual(self.place.ctl("--simulator=servo,step", "record", path, "--seconds", "2")[0], DONE)
         lines = Path(path).read_text(encoding="utf-8").splitlines()
         self.assertEqual(lines[0], "# NMC Panel recording 1")
         self.assertIn("# module 2 type: 3 (PIC-STEP)", lines)
