@@ -24,6 +24,9 @@ constexpr double kRecord = 2.0;
     return taken;
 }
 constexpr double kMoveTime = 0.3584;
+constexpr double kServoTickTime = 512e-6;  // at SR 1
+/// The first tick is within one of the command, and the profile is that of velocities at the ends of ticks.
+constexpr double kEnd = kMoveTime - kServoTickTime;
 
 template <typename Error>
 [[nodiscard]] std::vector<ResponsePoint> points(const Error& error, double off = 0.0) {
@@ -52,10 +55,12 @@ TEST(MoveMetrics, ItHasSettledWhereTheDwellBegins) {
     const auto error = [](double s) { return s < 0.4995 || (s > 0.5195 && s < 0.5995) ? 20.0 : 3.0; };
     const MoveMetrics shortDwell = measured(points(error), {5, 0.01});
     ASSERT_TRUE(shortDwell.settling);
-    EXPECT_NEAR(shortDwell.settling->value, 0.5 - kMoveTime, kInterval);
+    // The error falls to 3 between 0.499 s and 0.5 s, and is 5.5 after (20 - 5.5) / (20 - 3) of that.
+    EXPECT_NEAR(shortDwell.settling->value, 0.49985 - kEnd, 1e-4);
+    EXPECT_NEAR(shortDwell.settling->doubt, kInterval / 2 + kServoTickTime, 1e-9);
     const MoveMetrics longDwell = measured(points(error), {5, 0.05});
     ASSERT_TRUE(longDwell.settling);
-    EXPECT_NEAR(longDwell.settling->value, 0.6 - kMoveTime, kInterval);
+    EXPECT_NEAR(longDwell.settling->value, 0.59985 - kEnd, 1e-4);
     EXPECT_EQ(measured(points(error), {2, 0.01}).settling.error(), Unmeasured::NeverSettled);
 }
 
@@ -107,6 +112,17 @@ TEST(MoveMetrics, AtALowerServoRateErrorsAreLessCertain) {
     EXPECT_EQ(measured(points(none), {}).rms->doubt, 0.5);
     // 4 counts a tick, of which any of the last three quarters may not have been commanded yet.
     EXPECT_NEAR(measured(points(none), {}, slow).rms->doubt, 0.5 + 1.5, 1e-9);
+}
+
+/// At SR 4, a servo tick is 2.048 ms, and the move takes 700 of them.
+TEST(MoveMetrics, AtALowerServoRateItsEndIsLessCertain) {
+    ResponseTaken slow = move();
+    slow.gains.sr = 4;
+    const auto error = [](double s) { return s < 1.4995 ? 20.0 : 3.0; };
+    const MoveMetrics metrics = measured(points(error), {5, 0.1}, slow);
+    ASSERT_TRUE(metrics.settling);
+    EXPECT_NEAR(metrics.settling->value, 1.49985 - (700 - 1) * 0.002'048, 2e-4);
+    EXPECT_NEAR(metrics.settling->doubt, kInterval / 2 + 0.002'048, 1e-9);
 }
 
 }  // namespace

@@ -93,7 +93,8 @@ void ResponseResults::showRun(int column, const KeptResponse* kept, std::span<co
         if (const auto& move = kept->run.move) {
             for (const Row row : kOfSteps)
                 cells[row] = u"–"_s;
-            cells[MoveTime] = texts::responseTime(Measured{move->moveTime, toSeconds(kServoTick)});
+            cells[MoveTime] =
+                texts::responseTime(Measured{move->moveTime, secondsPerTick(kept->run.taken.gains.sr)});
             cells[MoveSettling] = texts::responseTime(move->settling);
             if (!runs.empty())
                 cells[Spread] = texts::settlingSpread(seriesOf(runs, *kept));

@@ -99,7 +99,11 @@ MoveMetrics measureMove(std::span<const ResponsePoint> points, const ResponseTak
     const double usual =
         (during.back().seconds - during.front().seconds) / static_cast<double>(during.size() - 1);
     const double doubt = errorDoubt(move.peakVelocity, taken.gains.sr);
-    return {move.seconds, settlingOf(during, taken.goal, move.seconds, usual, window, timeDoubt),
+    // The chip begins within a servo tick, and in each one it moves at the velocity of its end: the profile
+    // ends up to two servo ticks before its computed time is over.
+    const double tick = secondsPerTick(taken.gains.sr);
+    return {move.seconds,
+            settlingOf(during, taken.goal, move.seconds - tick, usual, window, timeDoubt + tick),
             peakOf(during, 2 * doubt), rmsOf(during, move.seconds, doubt), slewOf(during, move, doubt)};
 }
 

@@ -19,7 +19,7 @@ struct SettleWindow {
 struct MoveMetrics {
     using Result = ResponseMetrics::Result<Measured>;
 
-    double moveTime = 0.0;  ///< s, duration of the commanded profile
+    double moveTime = 0.0;  ///< s, duration of the commanded profile, known to a servo tick
     Result settling;        ///< s, from the end of the profile until the motor has settled, without the dwell
     Result peak;            ///< counts, the largest error, without its sign
     Result rms;             ///< counts, over the duration of the profile
@@ -28,7 +28,8 @@ struct MoveMetrics {
 
 /// `points` must be in order of time and have an error. `timeDoubt`: s, possible error of the time between
 /// two points. Doubts are as in ResponseMetrics; that of an error is half a count, and more at a servo rate
-/// below the highest, where it is not known in which tick the chip moves the command.
+/// below the highest, where it is not known in which tick the chip moves the command. The end of the profile
+/// is known to a servo tick, which is part of the doubt of the settling time.
 [[nodiscard]] MoveMetrics measureMove(std::span<const ResponsePoint> points, const ResponseTaken& taken,
                                       const SettleWindow& window, double timeDoubt);
 
