@@ -72,13 +72,13 @@ TEST(ResponseRecord, KeepsTheRecordFromShortlyBeforeTheStepOn) {
 }
 
 TEST(ResponseRecord, TakesTheErrorRightBeforeTheStepForThePwmDemand) {
-    std::vector<ScopeSample> samples = {sampleAt(0.998, 500), sampleAt(0.999, 500), sampleAt(1.001, 500)};
+    std::vector<ScopeSample> samples = {sampleAt(0.998, 493), sampleAt(0.999, 520), sampleAt(1.001, 520)};
     samples[0].error = 7;
     samples[1].error = -20;
-    samples[2].error = 80;
+    samples[2].error = 60;
     const ResponseRecord run = takeRun(ModuleIndex(0), samples, taken(500, 580), 2);
     ASSERT_TRUE(run.pwm);
-    EXPECT_EQ(run.pwm->wanted, 22) << "10 x 80 + 50 x 100, / 256";
+    EXPECT_EQ(run.pwm->wanted, 17) << "10 x 60 + 50 x 80 = 4600, / 256";
 }
 
 TEST(ResponseRecord, CrossesTheEndOfThe32Bits) {

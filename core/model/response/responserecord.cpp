@@ -48,9 +48,9 @@ ResponseRecord takeRun(ModuleIndex module, std::span<const ScopeSample> samples,
             continue;
         run.points.push_back({toSeconds(sample.time - taken.at), near(taken.from, sample.position),
                               sample.errorKnown() ? thousandths(sample.error) : 0.0});
+        const double before = static_cast<double>(sample.error);
         if (!taken.isMove() && sample.time < taken.at && sample.errorKnown())
-            run.pwm = pwmDemand(taken.gains, static_cast<double>(sample.error),
-                                static_cast<double>(taken.goal) - static_cast<double>(taken.from));
+            run.pwm = pwmDemand(taken.gains, before, before + taken.goal - taken.from);
     }
     judge(run, bandPercent, run.window);
     return run;
