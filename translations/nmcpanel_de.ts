@@ -1428,6 +1428,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>simuliert: kein echter Motor bewegt</translation>
     </message>
     <message>
+        <source>Speed while measuring %1 counts/s</source>
+        <translation>Geschwindigkeit beim Messen %1 Inkremente/s</translation>
+    </message>
+    <message>
         <source>Motor</source>
         <translation>Motor</translation>
     </message>

@@ -1428,6 +1428,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>simulado; no se movió ningún motor real</translation>
     </message>
     <message>
+        <source>Speed while measuring %1 counts/s</source>
+        <translation>Velocidad durante la medición %1 cuentas/s</translation>
+    </message>
+    <message>
         <source>Motor</source>
         <translation>Motor</translation>
     </message>

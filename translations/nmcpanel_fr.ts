@@ -1428,6 +1428,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>simulé&#x202f;; aucun moteur réel n’a bougé</translation>
     </message>
     <message>
+        <source>Speed while measuring %1 counts/s</source>
+        <translation>Vitesse pendant la mesure %1 incr./s</translation>
+    </message>
+    <message>
         <source>Motor</source>
         <translation>Moteur</translation>
     </message>

@@ -1426,6 +1426,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>シミュレーション：実際のモーターは動いていません</translation>
     </message>
     <message>
+        <source>Speed while measuring %1 counts/s</source>
+        <translation>測定中の速度 %1 カウント/s</translation>
+    </message>
+    <message>
         <source>Motor</source>
         <translation>モーター</translation>
     </message>

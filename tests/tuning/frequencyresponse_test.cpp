@@ -266,22 +266,24 @@ TEST(FrequencyFile, HasARowForEachFrequency) {
     const std::vector<FrequencyPoint> points{{1.0, {0.5, 0.0}, 0.25}, {2.0, {0.0, -0.5}, 0.25}};
     const RecordingHeader origin{
         "NMC Panel 0.6.0", "2026-11-21T21:21:02.123+01:00", {}, "simulator", true, {}};
-    const std::string text = frequencyCsv(origin, "Module 1", points);
-    EXPECT_TRUE(
-        text.starts_with("# NMC Panel frequency response 1\n"
-                         "# program: NMC Panel 0.6.0\n"
-                         "# started: 2026-11-21T21:21:02.123+01:00\n"
-                         "# port: simulator\n"
-                         "# simulated: yes (no real motor moved)\n"
-                         "# module: Module 1\n"
-                         "frequency_hz,closed_db,closed_deg,closed_doubt,open_db,open_deg\n"))
+    const GainsChange gains{ModuleIndex(2), TimePoint(std::chrono::seconds(5)), kGains};
+    const std::string text = frequencyCsv(origin, "Module 3", points, gains);
+    EXPECT_TRUE(text.starts_with(
+        "# NMC Panel frequency response 1\n"
+        "# program: NMC Panel 0.6.0\n"
+        "# started: 2026-11-21T21:21:02.123+01:00\n"
+        "# port: simulator\n"
+        "# simulated: yes (no real motor moved)\n"
+        "# module: Module 3\n"
+        "# gains of module 3 at 0.000000000 s: kp 100 kd 0 ki 0 il 0 ol 255 cl 0 el 4000 sr 1 db 0\n"
+        "frequency_hz,closed_db,closed_deg,closed_doubt,open_db,open_deg\n"))
         << text;
     // T = 1/2: L = 1, 0 dB.
     EXPECT_NE(text.find("\n1,-6.02"), std::string::npos);
     EXPECT_NE(text.find(",0,0.25,0,0\n"), std::string::npos);
     EXPECT_NE(text.find(",-90,0.25,"), std::string::npos);
-    EXPECT_NE(frequencyCsv(origin, "Module 1", points, 5'000)
-                  .find("# module: Module 1\n# speed while measuring: 5000 counts/s\nfrequency_hz,"),
+    EXPECT_NE(frequencyCsv(origin, "Module 3", points, gains, 5'000)
+                  .find(" db 0\n# speed while measuring: 5000 counts/s\nfrequency_hz,"),
               std::string::npos);
 }
 

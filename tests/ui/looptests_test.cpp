@@ -170,7 +170,7 @@ TEST_F(LoopTestsInTheWindow, ResponsesAtRestAndInMotionStayWhileTheGainsAreTheSa
     report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20), 0, 5'000);
     const QImage both = picture();
     EXPECT_NE(both, atRest) << "they are named";
-    EXPECT_EQ(window->loopTests().frequency().speed(), 5'000);
+    EXPECT_EQ(window->loopTests().frequency().last()->report.speed, 5'000);
     report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20));
     EXPECT_NE(picture(), atRest);
     ProcedureReport other;
@@ -184,7 +184,7 @@ TEST_F(LoopTestsInTheWindow, ResponsesAtRestAndInMotionStayWhileTheGainsAreTheSa
     other.gains->kp += 1;
     window->loopTests().frequency().showReport(other);
     EXPECT_EQ(picture(), atRest);
-    EXPECT_EQ(window->loopTests().frequency().speed(), 0.0);
+    EXPECT_EQ(window->loopTests().frequency().last()->report.speed, 0.0);
 }
 
 TEST_F(LoopTestsInTheWindow, AFileOfFrequenciesSaysWhatItIs) {
@@ -200,10 +200,43 @@ TEST_F(LoopTestsInTheWindow, AFileOfFrequenciesSaysWhatItIs) {
     testing_support::chooseFile(*dialog, u"/home/anna/loop.csv"_s);
     ASSERT_EQ(saves.size(), 1);
     const std::string text = saves[0][1].value<FileContent>()();
-    for (const char* const line :
-         {"# NMC Panel frequency response 1\n", "\n# started: 2", "\n# port: simulator\n",
-          "\n# simulated: yes (no real motor moved)\n", "\n# module: Module 1\n", "\nfrequency_hz,"})
+    for (const char* const line : {"# NMC Panel frequency response 1\n", "\n# started: 2",
+                                   "\n# port: simulator\n", "\n# simulated: yes (no real motor moved)\n",
+                                   "\n# module: Module 1\n", " kp 100 kd 1000 ", "\nfrequency_hz,"})
         EXPECT_NE(text.find(line), std::string::npos) << line << text;
+}
+
+/// The gains in force are others meanwhile, and the run was made by the simulator.
+TEST_F(LoopTestsInTheWindow, AReportSaysWithWhichGainsAndWhereEachPartWasMeasured) {
+    openWith();
+    KeptResponse run = ramp();
+    run.run.taken.gains.kp = 77;
+    window->showResponse(run);
+    ProcedureReport r;
+    r.kind = ProcedureKind::FrequencyResponse;
+    r.stage = ProcedureStage::Done;
+    r.frequencies = firstOrder(20);
+    r.gains = someGains();
+    r.gains->kp = 55;
+    r.speed = 5'000;
+    window->loopTests().frequency().showReport(r);
+    LinkState link = connectedTo({Servo{.held = true}.state()});
+    link.port = "/dev/ttyUSB0";
+    link.simulated = false;
+    window->showLink(link);
+    QSignalSpy saves(&window->requests(), &Requests::save);
+    click(u"tuningReportButton"_s);
+    auto* dialog = find<QFileDialog>(u"reportFileDialog"_s);
+    testing_support::chooseFile(*dialog, u"/home/anna/tuning.html"_s);
+    ASSERT_EQ(saves.size(), 1);
+    const QString page = QString::fromStdString(saves[0][1].value<FileContent>()());
+    const QString step = page.section(u"<h3>"_s, 2, 2);
+    for (const QString& part : {u"Kp 77,"_s, u" · simulator · simulated; no real motor moved"_s})
+        EXPECT_TRUE(step.contains(part)) << part.toStdString() << step.right(500).toStdString();
+    const QString sines = page.section(u"<h3>"_s, 3, 3);
+    for (const QString& part : {u"Kp 55,"_s, u"Speed while measuring 5\u202F000 counts/s"_s})
+        EXPECT_TRUE(sines.contains(part)) << part.toStdString() << sines.right(500).toStdString();
+    EXPECT_FALSE(page.section(u"<h3>"_s, 0, 1).contains(u"simulated"_s));
 }
 
 TEST_F(LoopTestsInTheWindow, ALineThatIsTooSlowIsNamed) {

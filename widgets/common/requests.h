@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDateTime>
 #include <QObject>
 #include <string>
 #include <vector>
@@ -96,7 +95,7 @@ signals:
     /// ResponsePage::runs() have changed other than by showKept() or clearRuns(), and must be stored.
     void storeRuns();
     /// The frequency response of the selected module.
-    void saveFrequencies(const QString& path, const QDateTime& measured);
+    void saveFrequencies(const QString& path);
 
     // ---- of other programs (docs/api.md) ----
 

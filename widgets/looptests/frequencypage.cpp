@@ -100,14 +100,6 @@ const FrequencyPage::Found* FrequencyPage::last() const {
     return found != m_found.end() ? &found->second.back() : nullptr;
 }
 
-std::vector<FrequencyPoint> FrequencyPage::points() const {
-    return last() != nullptr ? last()->report.frequencies : std::vector<FrequencyPoint>();
-}
-
-double FrequencyPage::speed() const {
-    return last() != nullptr ? last()->report.speed : 0.0;
-}
-
 std::vector<BodePlot::Curve> FrequencyPage::curves() {
     constexpr int kAtRest = 0, kMoving = 3, kPredicted = 1;
     std::vector<BodePlot::Curve> curves;
@@ -137,7 +129,7 @@ std::vector<BodePlot::Curve> FrequencyPage::curves() {
 }
 
 void FrequencyPage::refresh() {
-    const std::vector<FrequencyPoint> points = this->points();
+    const auto points = last() != nullptr ? last()->report.frequencies : std::vector<FrequencyPoint>();
     const bool early = last() != nullptr && last()->report.stage == ProcedureStage::Done &&
                        last()->report.round < last()->report.rounds;
     m_plot->showCurves(curves(), early ? points.back().hertz : 0.0);
@@ -155,10 +147,7 @@ void FrequencyPage::chooseFile() {
                     .title = tr("Export the frequency response"),
                     .filters = {Common::tr("CSV (*.csv)")},
                     .proposed = u"frequency-response"_s},
-                   [this](const QString& path) {
-                       if (last() != nullptr)
-                           emit m_requests.saveFrequencies(path, last()->measured);
-                   });
+                   [this](const QString& path) { emit m_requests.saveFrequencies(path); });
 }
 
 }  // namespace nmc

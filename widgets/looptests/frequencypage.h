@@ -36,18 +36,14 @@ public:
     /// Shows the points measured so far, from the first one on.
     void showReport(const ProcedureReport& report);
 
-    /// The last response of the module that is shown; empty while there is none.
-    [[nodiscard]] std::vector<FrequencyPoint> points() const;
-    /// Counts/s, while it was measured.
-    [[nodiscard]] double speed() const;
-
-private:
     struct Found {
         ProcedureReport report;
         QDateTime measured;
     };
-    /// The last response; null while there is none.
+    /// The last response of the module that is shown; null while there is none.
     [[nodiscard]] const Found* last() const;
+
+private:
     void refresh();
     /// Returns the curves to draw, and shows in words what the gains in the fields would do.
     [[nodiscard]] std::vector<BodePlot::Curve> curves();

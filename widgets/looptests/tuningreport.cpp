@@ -67,6 +67,32 @@ QString gainsTable(const servo::SetGain& gains) {
         .arg(Common::tr("Gains").toHtmlEscaped(), names, values);
 }
 
+QString simulatedWords() {
+    return Report::tr("simulated; no real motor moved");
+}
+
+/// A run may be of another machine at another port, or of the simulator.
+QString whenAndWhere(const KeptResponse& kept) {
+    QStringList parts{QString::fromStdString(kept.startedAt), QString::fromStdString(kept.port)};
+    if (kept.simulated)
+        parts << simulatedWords();
+    return parts.join(u" · "_s);
+}
+
+QString frequencySection(const FrequencyPage::Found& found) {
+    const ProcedureReport& measured = found.report;
+    BodePlot plot;
+    plot.showCurves({{{}, measured.frequencies}}, 0.0);
+    QStringList words = texts::frequencyFigures(measured.frequencies);
+    if (measured.gains)
+        words.prepend(texts::gainsInShort(*measured.gains));
+    if (measured.speed != 0.0)
+        words << Report::tr("Speed while measuring %1 counts/s").arg(texts::fixed(measured.speed, 0));
+    words << QLocale().toString(found.measured, QLocale::ShortFormat);
+    return htmlSection(Common::tr("Frequency response"),
+                       picture(plot, kBodePicture, Common::tr("Frequency response")), words);
+}
+
 QString responseSection(const KeptResponse& kept) {
     ResponsePlot plot;
     plot.showRuns(&kept, nullptr);
@@ -85,7 +111,7 @@ QString responseSection(const KeptResponse& kept) {
                       texts::responseTime(move->settling)),
              Report::tr("Peak error %1").arg(texts::responseError(move->peak, kept.scale)),
              Report::tr("RMS error %1").arg(texts::responseError(move->rms, kept.scale)),
-             QString::fromStdString(kept.startedAt)});
+             whenAndWhere(kept)});
     return htmlSection(
         Common::tr("Step response"), picture(plot, kStepPicture, Common::tr("Step response")),
         {Report::tr("%1 counts, %2").arg(taken.goal - taken.from).arg(texts::responseMethod(taken.method)),
@@ -94,7 +120,7 @@ QString responseSection(const KeptResponse& kept) {
          Report::tr("Settling to ±%1 %: %2")
              .arg(QLocale().toString(kept.run.bandPercent), texts::responseTime(metrics.settling)),
          Common::tr("Steady-state error %1").arg(texts::responseError(metrics.steadyError, kept.scale)),
-         QString::fromStdString(kept.startedAt)});
+         whenAndWhere(kept)});
 }
 
 }  // namespace
@@ -110,7 +136,7 @@ QString reportHtml(const TuningReport& report) {
     about << QLocale().toString(report.made, QLocale::ShortFormat)
           << u"NMC Panel %1"_s.arg(QCoreApplication::applicationVersion());
     if (report.simulated)
-        about << Report::tr("simulated; no real motor moved");
+        about << simulatedWords();
     page += u"<p>%1</p>"_s.arg(about.join(u" · "_s).toHtmlEscaped());
     if (report.gains)
         page += gainsTable(*report.gains);
@@ -118,13 +144,8 @@ QString reportHtml(const TuningReport& report) {
         page += responseSection(*report.run);
     if (!report.motor.isEmpty())
         page += u"<h3>%1</h3><p>%2</p>"_s.arg(Report::tr("Motor").toHtmlEscaped(), lines(report.motor));
-    if (!report.frequencies.empty()) {
-        BodePlot plot;
-        plot.showCurves({{{}, report.frequencies}}, 0.0);
-        page += htmlSection(Common::tr("Frequency response"),
-                            picture(plot, kBodePicture, Common::tr("Frequency response")),
-                            texts::frequencyFigures(report.frequencies));
-    }
+    if (report.frequency)
+        page += frequencySection(*report.frequency);
     return page + u"</body></html>\n"_s;
 }
 

@@ -5,10 +5,9 @@
 #include <QDateTime>
 #include <QStringList>
 #include <optional>
-#include <vector>
 
-#include "model/frequency/frequencypoint.h"
 #include "model/response/responsefile.h"
+#include "widgets/looptests/frequencypage.h"
 
 namespace nmc {
 
@@ -20,10 +19,10 @@ struct TuningReport {
     QString port;  ///< with its rate
     bool simulated = false;
     QDateTime made;
-    std::optional<servo::SetGain> gains{};      ///< in force
-    std::optional<KeptResponse> run{};          ///< the last step response
-    QStringList motor{};                        ///< what was found out about it, a line each
-    std::vector<FrequencyPoint> frequencies{};  ///< the last frequency response
+    std::optional<servo::SetGain> gains{};            ///< in force
+    std::optional<KeptResponse> run{};                ///< the last step response, of any connection
+    QStringList motor{};                              ///< what was found out about it, a line each
+    std::optional<FrequencyPage::Found> frequency{};  ///< the last frequency response
 };
 
 /// Returns one page of HTML with its pictures embedded. GUI thread.

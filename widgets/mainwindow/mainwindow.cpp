@@ -1059,20 +1059,22 @@ std::optional<TuningReport> MainWindow::tuningReport() {
         if (run.run.module == info.index)
             report.run = run;
     report.motor = m_response->page().motorWords();
-    report.frequencies = m_loopTests->frequency().points();
+    if (const FrequencyPage::Found* last = m_loopTests->frequency().last())
+        report.frequency = *last;
     return report;
 }
 
-void MainWindow::saveFrequencies(const QString& path, const QDateTime& measured) {
-    const ModuleState* module = m_session.selected();
-    if (module == nullptr)
+void MainWindow::saveFrequencies(const QString& path) {
+    const FrequencyPage::Found* last = m_loopTests->frequency().last();
+    if (last == nullptr)
         return;
     const LinkState& link = m_session.link();
     emit m_requests->save(
-        path, [origin = recordingHeader({}, QString::fromStdString(link.port), link.simulated, {}, measured),
-               name = texts::moduleName(module->info.index).toStdString(),
-               points = m_loopTests->frequency().points(), speed = m_loopTests->frequency().speed()] {
-            return frequencyCsv(origin, name, points, speed);
+        path,
+        [origin = recordingHeader({}, QString::fromStdString(link.port), link.simulated, {}, last->measured),
+         name = texts::moduleName(last->report.module).toStdString(), report = last->report] {
+            const GainsChange gains{report.module, {}, report.gains};
+            return frequencyCsv(origin, name, report.frequencies, gains, report.speed);
         });
 }
 

@@ -10,7 +10,7 @@
 namespace nmc {
 
 std::string frequencyCsv(const RecordingHeader& origin, std::string_view module,
-                         std::span<const FrequencyPoint> points, double speed) {
+                         std::span<const FrequencyPoint> points, const GainsChange& gains, double speed) {
     std::vector<std::complex<double>> closed;
     std::vector<std::complex<double>> open;
     for (const FrequencyPoint& point : points) {
@@ -21,13 +21,14 @@ std::string frequencyCsv(const RecordingHeader& origin, std::string_view module,
     const std::vector<double> openPhases = phases(open);
     std::string out = "# NMC Panel frequency response 1\n";
     appendOrigin(out, origin);
-    out.append("# module: ").append(module);
+    out.append("# module: ").append(module) += '\n';
+    appendGains(out, gains, gains.time);
     if (speed != 0.0) {
-        out += "\n# speed while measuring: ";
+        out += "# speed while measuring: ";
         appendNumber(out, std::round(speed));
-        out += " counts/s";
+        out += " counts/s\n";
     }
-    out += "\nfrequency_hz,closed_db,closed_deg,closed_doubt,open_db,open_deg\n";
+    out += "frequency_hz,closed_db,closed_deg,closed_doubt,open_db,open_deg\n";
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (const double value :
              {points[i].hertz, decibels(closed[i]), closedPhases[i], points[i].doubt, decibels(open[i])}) {
