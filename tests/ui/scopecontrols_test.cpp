@@ -322,6 +322,26 @@ TEST_F(SpectrumOfTheScope, HasAnXyViewBesideIt) {
     EXPECT_TRUE(plot->legendText(0).isEmpty());
 }
 
+/// Positions, with 5 % of their range on either side; a key zooms to 1/1.5.
+TEST(XyPlotHands, ZoomAndMoveHoweverFarTheMotorWent) {
+    for (const double far : {500.0, 5'000'000.0}) {
+        XyPlot plot;
+        plot.resize(600, 400);
+        plot.show();
+        plot.showCurve({{0, 0, false}, {far, 10, true}}, u"one over another"_s);
+        const PlotGeometry all = plot.geometryShown();
+        EXPECT_NEAR(all.right - all.left, 1.1 * far, 1e-6);
+        QTest::keyClick(&plot, Qt::Key_Plus);
+        const PlotGeometry zoomed = plot.geometryShown();
+        EXPECT_NEAR(zoomed.right - zoomed.left, 1.1 * far / 1.5, 1e-6);
+        QTest::keyClick(&plot, Qt::Key_Right);
+        EXPECT_GT(plot.geometryShown().left, zoomed.left);
+        QTest::keyClick(&plot, Qt::Key_Plus, Qt::ControlModifier);
+        EXPECT_NEAR(plot.geometryShown().top - plot.geometryShown().bottom, (all.top - all.bottom) / 1.5,
+                    1e-9);
+    }
+}
+
 /// The first module only drifts.
 TEST_F(SpectrumOfTheScope, SaysThatNothingOscillates) {
     swinging = HandMadeHistory(2);

@@ -12,8 +12,8 @@
 namespace nmc {
 
 namespace {
-/// Limits of zooming, in the units of the axes.
-constexpr double kNarrowestView = 1e-5, kLongestView = 1'000, kMaxValues = 1e13;
+/// Limits of zooming, in the units of the axes; those of an XY view are both of signals.
+constexpr double kNarrowestView = 1e-5, kWidestView = 1e13;
 }  // namespace
 
 RecordPlot::RecordPlot(QWidget* parent) : PlotCanvas(parent) {
@@ -54,10 +54,9 @@ RecordPlot::View RecordPlot::seen() const {
 }
 
 void RecordPlot::showView(const View& view) {
-    const double time = view.right - view.left;
-    const double values = view.top - view.bottom;
-    if (time < kNarrowestView || time > kLongestView || values < kNarrowestView || values > kMaxValues)
-        return;
+    for (const double span : {view.right - view.left, view.top - view.bottom})
+        if (span < kNarrowestView || span > kWidestView)
+            return;
     m_view = view;
     fit();
 }
