@@ -36,6 +36,15 @@ TEST(AxisRange, ShrinksOnlyAfterAWhile) {
     EXPECT_LT(axis.fit(0, 10, 3.5).max, 100);
 }
 
+TEST(AxisRange, AValueThatStaysIsInTheMiddle) {
+    for (const double value : {0.0, 5.0, -3.0}) {
+        const AxisRange::Range range = AxisRange::around(value, value, 0, 4);
+        EXPECT_EQ(range.step, 0.5);
+        EXPECT_EQ(range.min, value - 1);
+        EXPECT_EQ(range.max, value + 1);
+    }
+}
+
 TEST(AxisRange, RestIsNotBlownUpToNoise) {
     const AxisRange::Range range = AxisRange::around(7, 7);
     EXPECT_GE(range.max - range.min, 4);

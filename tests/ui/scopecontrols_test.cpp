@@ -342,6 +342,14 @@ TEST(XyPlotHands, ZoomAndMoveHoweverFarTheMotorWent) {
     }
 }
 
+TEST(XyPlotOfAConstant, ShowsIt) {
+    XyPlot plot;
+    plot.resize(600, 400);
+    plot.showCurve({{0, 3, false}, {1, 3, true}}, u"one over another"_s);
+    const PlotGeometry shown = plot.geometryShown();
+    EXPECT_NEAR(shown.y(3), shown.area.center().y(), 1);
+}
+
 /// The first module only drifts.
 TEST_F(SpectrumOfTheScope, SaysThatNothingOscillates) {
     swinging = HandMadeHistory(2);

@@ -14,6 +14,8 @@ constexpr double kMuchSmaller = 0.45;  ///< fraction of the present range
 }  // namespace
 
 AxisRange::Range AxisRange::around(double low, double high, double smallest, int divisions) {
+    if (high <= low && smallest <= 0)
+        smallest = 2;  // a single value has an axis, too
     const double missing = smallest - (high - low);
     if (missing > 0) {
         low -= missing / 2;

@@ -23,7 +23,8 @@ public:
     [[nodiscard]] const Range& range() const { return m_range; }
     void reset();
 
-    /// The smallest range of whole divisions around low..high, with about `divisions` of them.
+    /// The smallest range of whole divisions around low..high, with about `divisions` of them. A single value
+    /// with no `smallest` span is in the middle of a span of 2.
     [[nodiscard]] static Range around(double low, double high, double smallest = kSmallestSpan,
                                       int divisions = 4);
 
