@@ -10902,8 +10902,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Geschwindigkeit der Anfahrt</translation>
     </message>
     <message>
-        <source>Slower is more exact: the chip looks at its inputs only once per servo tick.</source>
-        <translation>Langsamer ist genauer: Der Chip liest seine Eingänge nur einmal je Servotakt.</translation>
+        <source>Slower is more exact: the chip may look at its inputs only once per servo tick.</source>
+        <translation>Langsamer ist genauer: Der Chip liest seine Eingänge vielleicht nur einmal je Servotakt.</translation>
     </message>
     <message>
         <source>Times from each side</source>
@@ -10978,8 +10978,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Enthält die Hysterese des Schalters selbst. Nur mit dem Encoder am Motor und dem Schalter an der Last zeigt es das Spiel dazwischen.</translation>
     </message>
     <message>
-        <source>The motor moves %1 between two looks of the chip at its inputs. Measure more slowly.</source>
-        <translation>Der Motor bewegt sich um %1, bis der Chip seine Eingänge wieder liest. Langsamer messen.</translation>
+        <source>The motor moves up to %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <translation>Der Motor bewegt sich um bis zu %1, bis der Chip seine Eingänge wieder liest. Langsamer messen.</translation>
     </message>
     <message>
         <source>Moves the motor to and fro across the switch or index, and reads where it was captured.</source>

@@ -10902,8 +10902,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Velocidad de aproximación</translation>
     </message>
     <message>
-        <source>Slower is more exact: the chip looks at its inputs only once per servo tick.</source>
-        <translation>Más despacio es más exacto: el chip lee sus entradas solo una vez por período del servo.</translation>
+        <source>Slower is more exact: the chip may look at its inputs only once per servo tick.</source>
+        <translation>Más despacio es más exacto: puede que el chip lea sus entradas solo una vez por período del servo.</translation>
     </message>
     <message>
         <source>Times from each side</source>
@@ -10978,8 +10978,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Incluye la histéresis del propio interruptor. Solo con el encoder en el motor y el interruptor en la carga muestra la holgura entre ambos.</translation>
     </message>
     <message>
-        <source>The motor moves %1 between two looks of the chip at its inputs. Measure more slowly.</source>
-        <translation>El motor se mueve %1 entre dos lecturas de las entradas por el chip. Mida más despacio.</translation>
+        <source>The motor moves up to %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <translation>El motor se mueve hasta %1 entre dos lecturas de las entradas por el chip. Mida más despacio.</translation>
     </message>
     <message>
         <source>Moves the motor to and fro across the switch or index, and reads where it was captured.</source>

@@ -10902,8 +10902,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Vitesse d’approche</translation>
     </message>
     <message>
-        <source>Slower is more exact: the chip looks at its inputs only once per servo tick.</source>
-        <translation>Plus lent est plus exact&#xa0;: la puce ne lit ses entrées qu’une fois par période d’asservissement.</translation>
+        <source>Slower is more exact: the chip may look at its inputs only once per servo tick.</source>
+        <translation>Plus lent est plus exact&#xa0;: la puce ne lit peut-être ses entrées qu’une fois par période d’asservissement.</translation>
     </message>
     <message>
         <source>Times from each side</source>
@@ -10978,8 +10978,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Comprend l’hystérésis du capteur lui-même. Seulement avec le codeur sur le moteur et le capteur sur la charge, cela montre le jeu entre les deux.</translation>
     </message>
     <message>
-        <source>The motor moves %1 between two looks of the chip at its inputs. Measure more slowly.</source>
-        <translation>Le moteur se déplace de %1 entre deux lectures des entrées par la puce. Mesurez plus lentement.</translation>
+        <source>The motor moves up to %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <translation>Le moteur se déplace jusqu’à %1 entre deux lectures des entrées par la puce. Mesurez plus lentement.</translation>
     </message>
     <message>
         <source>Moves the motor to and fro across the switch or index, and reads where it was captured.</source>

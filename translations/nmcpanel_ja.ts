@@ -10883,8 +10883,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>接近速度</translation>
     </message>
     <message>
-        <source>Slower is more exact: the chip looks at its inputs only once per servo tick.</source>
-        <translation>遅いほど正確です。チップが入力を見るのはサーボ周期ごとに1回だけです。</translation>
+        <source>Slower is more exact: the chip may look at its inputs only once per servo tick.</source>
+        <translation>遅いほど正確です。チップが入力を見るのはサーボ周期ごとに1回だけかもしれません。</translation>
     </message>
     <message>
         <source>Times from each side</source>
@@ -10959,8 +10959,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>スイッチ自身のヒステリシスを含みます。エンコーダーがモーター側、スイッチが負荷側にある場合にのみ、その間のバックラッシを示します。</translation>
     </message>
     <message>
-        <source>The motor moves %1 between two looks of the chip at its inputs. Measure more slowly.</source>
-        <translation>チップが入力を見る間にモーターは%1動きます。もっと遅く測定してください。</translation>
+        <source>The motor moves up to %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <translation>チップが入力を見る間にモーターは最大%1動きます。もっと遅く測定してください。</translation>
     </message>
     <message>
         <source>Moves the motor to and fro across the switch or index, and reads where it was captured.</source>

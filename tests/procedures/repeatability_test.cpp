@@ -21,7 +21,8 @@ TEST(Repeatability, IsMeanDeviationAndRangeOfEachDirection) {
     EdgeCaptures edges;
     edges.forward = {10, 12, 11};
     edges.reverse = {-20, -20, -19};
-    edges.perLook = 0.5;
+    edges.perLook = 2;
+    edges.looks = 4;
     const auto found = repeatabilityOf(edges);
     ASSERT_TRUE(found);
     EXPECT_DOUBLE_EQ(found->forward.mean, 11 - 0.25) << "a capture is late by half a look on average";
@@ -32,7 +33,7 @@ TEST(Repeatability, IsMeanDeviationAndRangeOfEachDirection) {
     EXPECT_DOUBLE_EQ(found->reverse.range, 1.0);
     EXPECT_NEAR(found->backlash, 11 + 59.0 / 3 - 0.5, 1e-12);
     // The standard errors squared are 1/3 and 1/9; Student's t for 4 degrees of freedom is 2.776.
-    EXPECT_NEAR(found->uncertainty, 1 + 0.5 + 2.776 * 2 / 3, 0.01);
+    EXPECT_NEAR(found->uncertainty, 1 + 2 + 2.776 * 2 / 3, 0.01);
 }
 
 TEST(Repeatability, IsTheLessCertainTheFewerApproachesThereAre) {
@@ -146,6 +147,30 @@ TEST(Measurement, FindsRandomBacklashWithinOneCount) {
         bench.bus.expectNoViolations();
     }
     std::printf("42 backlashes: off by up to %.2f counts\n", worst);
+}
+
+/// The simulator looks at its inputs in each tick of 0.512 ms, whatever SR is; the data sheet does not say
+/// so.
+TEST_F(Measuring, IsAsExactAtALowerServoRate) {
+    for (const std::uint8_t sr : {std::uint8_t{4}, std::uint8_t{8}}) {
+        ServoBench slow;
+        slow.set(Input::HomeSwitchAt, 600.0);
+        slow.set(Input::LoadPlay, 40.0);
+        ASSERT_TRUE(slow.connect());
+        const servo::SetGain gains{
+            40, static_cast<std::uint16_t>(2'000 / sr), 0, 0, 255, 0, 4'000, sr, std::uint8_t{0}};
+        ASSERT_TRUE(slow.perform(intent::ApplyGains{gains}) && slow.perform(intent::Enable{}));
+        intent::MeasureRepeatability wanted = atLimit1(0.5 * sr, 5);  // half a count in 0.512 ms
+        wanted.recipe.acceleration = 0.01 * sr;
+        const ProcedureReport report = slow.run(wanted);
+        ASSERT_EQ(report.stage, ProcedureStage::Done);
+        const auto found = repeatabilityOf(report.edges);
+        ASSERT_TRUE(found);
+        EXPECT_NEAR(found->backlash, 40, 1.0) << "SR " << int{sr};
+        EXPECT_NEAR(found->forward.mean, 640, 1.5);
+        EXPECT_NEAR(found->reverse.mean, 600, 1.5);
+        EXPECT_GE(found->uncertainty, 1 + 0.5 * sr) << "it may look only once per servo tick";
+    }
 }
 
 /// The stop and the delay are longer, and the uncertainty says so.

@@ -43,8 +43,9 @@ std::optional<Repeatability> repeatabilityOf(const EdgeCaptures& edges) {
     if (edges.forward.size() < 2 || edges.reverse.size() < 2)
         return std::nullopt;
     const std::int32_t origin = edges.forward.front();
-    Repeatability found{.forward = spreadOf(edges.forward, origin, edges.perLook / 2.0),
-                        .reverse = spreadOf(edges.reverse, origin, -edges.perLook / 2.0)};
+    const double late = edges.perLook / edges.looks / 2.0;
+    Repeatability found{.forward = spreadOf(edges.forward, origin, late),
+                        .reverse = spreadOf(edges.reverse, origin, -late)};
     const auto forward = static_cast<double>(edges.forward.size());
     const auto reverse = static_cast<double>(edges.reverse.size());
     const double error = std::hypot(found.forward.deviation / std::sqrt(forward),

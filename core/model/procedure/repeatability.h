@@ -11,8 +11,10 @@ namespace nmc {
 struct EdgeCaptures {
     std::vector<std::int32_t> forward;  ///< counting up
     std::vector<std::int32_t> reverse;
-    double perLook = 0.0;  ///< counts that the motor moves between two looks of the chip at its inputs
-    bool index = false;    ///< of the encoder, not a switch
+    /// Counts that the motor moves between two looks of the chip at its inputs, at most.
+    double perLook = 0.0;
+    bool index = false;      ///< of the encoder, not a switch
+    std::uint8_t looks = 1;  ///< most likely, while the motor moves by perLook
 
     bool operator==(const EdgeCaptures&) const = default;
 };
