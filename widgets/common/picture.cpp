@@ -15,6 +15,8 @@
 
 namespace nmc {
 
+using namespace Qt::StringLiterals;
+
 namespace {
 
 constexpr double kPageMargin = 10.0;  ///< mm
@@ -55,6 +57,22 @@ void paint(QPainter& painter, const Picture& picture, const QSize& size) {
     picture.paint(painter);
 }
 
+/// As vector graphics.
+[[nodiscard]] QByteArray svgOf(const Picture& picture) {
+    QByteArray svg;
+    QBuffer buffer(&svg);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(sizeOf(picture));
+    generator.setViewBox(QRect(QPoint(), sizeOf(picture)));
+    generator.setResolution(kResolution);
+    generator.setTitle(picture.caption.value(0));
+    QPainter painter(&generator);
+    paint(painter, picture, picture.widget->size());
+    painter.end();
+    return svg;
+}
+
 }  // namespace
 
 OnPaper::OnPaper(QWidget& widget, const QSize& size) : m_widget(widget), m_place(widget.geometry()) {
@@ -90,21 +108,6 @@ QByteArray pngOf(const QImage& image) {
     return bytes;
 }
 
-QByteArray svgOf(const Picture& picture) {
-    QByteArray svg;
-    QBuffer buffer(&svg);
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setSize(sizeOf(picture));
-    generator.setViewBox(QRect(QPoint(), sizeOf(picture)));
-    generator.setResolution(kResolution);
-    generator.setTitle(picture.caption.value(0));
-    QPainter painter(&generator);
-    paint(painter, picture, picture.widget->size());
-    painter.end();
-    return svg;
-}
-
 QByteArray pdfOf(const Picture& picture) {
     QByteArray pdf;
     QBuffer buffer(&pdf);
@@ -121,6 +124,12 @@ QByteArray pdfOf(const Picture& picture) {
     paint(painter, picture, painter.viewport().size() - QSize(0, captionHeight(picture)));
     painter.end();
     return pdf;
+}
+
+FileContent fileOf(const Picture& picture, const QString& suffix) {
+    if (suffix == u"png"_s)
+        return [image = imageOf(picture)] { return pngOf(image).toStdString(); };
+    return [bytes = suffix == u"svg"_s ? svgOf(picture) : pdfOf(picture)] { return bytes.toStdString(); };
 }
 
 }  // namespace nmc

@@ -9,6 +9,8 @@
 #include <functional>
 #include <optional>
 
+#include "widgets/common/filedialog.h"
+
 class QPainter;
 class QWidget;
 
@@ -43,9 +45,9 @@ private:
 /// As large as the widget, and sharp enough to be printed.
 [[nodiscard]] QImage imageOf(const Picture& picture);
 [[nodiscard]] QByteArray pngOf(const QImage& image);
-/// As vector graphics.
-[[nodiscard]] QByteArray svgOf(const Picture& picture);
 /// As vector graphics on a page, laid out for the page.
 [[nodiscard]] QByteArray pdfOf(const Picture& picture);
+/// The file with this suffix: "png", "svg" for vector graphics, or "pdf". The picture is taken at once.
+[[nodiscard]] FileContent fileOf(const Picture& picture, const QString& suffix);
 
 }  // namespace nmc

@@ -87,11 +87,11 @@ void ResponseView::buildMenu() {
         connect(action, &QAction::triggered, this, act);
     };
     add(u"responsePngAction"_s, Common::tr("&Picture (PNG)…"), Common::tr("The visible plot as an image."),
-        [this] { choose(Kind::Png); });
+        [this] { choose(u"png"_s); });
     add(u"responseSvgAction"_s, Common::tr("&Vector picture (SVG)…"),
-        Common::tr("The visible plot as lines that stay sharp at any size."), [this] { choose(Kind::Svg); });
+        Common::tr("The visible plot as lines that stay sharp at any size."), [this] { choose(u"svg"_s); });
     add(u"responsePdfAction"_s, Common::tr("P&age (PDF)…"),
-        Common::tr("The visible plot on a page for printing or a report."), [this] { choose(Kind::Pdf); });
+        Common::tr("The visible plot on a page for printing or a report."), [this] { choose(u"pdf"_s); });
     m_menu->addSeparator();
     add(u"responsePrintAction"_s, Common::tr("P&rint…"),
         Common::tr("Prints the visible plot on one of this computer's printers."),
@@ -163,8 +163,7 @@ Picture ResponseView::picture() const {
     return {m_plot, caption, [this](QPainter& painter) { m_plot->renderTo(painter); }};
 }
 
-void ResponseView::choose(Kind kind) {
-    const QString suffix = kind == Kind::Png ? u"png"_s : kind == Kind::Svg ? u"svg"_s : u"pdf"_s;
+void ResponseView::choose(const QString& suffix) {
     askWhereToSave(
         this,
         {u"responsePicture%1Dialog"_s.arg(suffix),
@@ -172,20 +171,10 @@ void ResponseView::choose(Kind kind) {
          {Common::tr("%1 files (*.%2)").arg(suffix.toUpper(), suffix), Common::tr("All files (*)")},
          m_folder,
          tr("step")},
-        [this, kind](const QString& path) { save(kind, path); });
-}
-
-void ResponseView::save(Kind kind, const QString& path) {
-    m_folder = QFileInfo(path).absolutePath();
-    switch (kind) {
-        case Kind::Png:
-            return emit m_requests.save(path,
-                                        [image = imageOf(picture())] { return pngOf(image).toStdString(); });
-        case Kind::Svg:
-            return emit m_requests.save(path, [svg = svgOf(picture())] { return svg.toStdString(); });
-        case Kind::Pdf:
-            return emit m_requests.save(path, [pdf = pdfOf(picture())] { return pdf.toStdString(); });
-    }
+        [this, suffix](const QString& path) {
+            m_folder = QFileInfo(path).absolutePath();
+            emit m_requests.save(path, fileOf(picture(), suffix));
+        });
 }
 
 void ResponseView::copy() {

@@ -34,14 +34,11 @@ public:
     void addControl(QWidget* control);
 
 private:
-    enum class Kind : std::uint8_t { Png, Svg, Pdf };
-
     QToolButton* newButton(const QString& objectName, const QString& text, const QString& meaning);
     void buildMenu();
     void showCursors(bool shown);
     void showReadings();
-    void choose(Kind kind);
-    void save(Kind kind, const QString& path);
+    void choose(const QString& suffix);
     void copy();
     [[nodiscard]] Picture picture() const;
 

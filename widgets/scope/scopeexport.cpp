@@ -165,9 +165,10 @@ void ScopeExport::choose(Kind kind) {
         {u"scopeExport%1Dialog"_s.arg(suffix), tr("Export from the scope"), filters, m_folder, tr("scope")});
     if (dialog == nullptr)
         return;
-    connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, kind](const QString& path) {
+    connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, kind, suffix](const QString& path) {
         m_folder = QFileInfo(path).absolutePath();
-        want({kind, path, std::max(0, static_cast<int>(csvForms().indexOf(dialog->selectedNameFilter())))});
+        const auto form = static_cast<int>(csvForms().indexOf(dialog->selectedNameFilter()));
+        want({kind, path, suffix, std::max(0, form)});
     });
     dialog->show();
 }
@@ -193,14 +194,9 @@ void ScopeExport::take(ScopeStrips& strips, const History& history, double now, 
                                                         strips.modules(), origin, wanted.form));
             break;
         case Kind::Png:
-            emit m_requests.save(wanted.path,
-                                 [image = imageOf(picture)] { return pngOf(image).toStdString(); });
-            break;
         case Kind::Svg:
-            emit m_requests.save(wanted.path, [svg = svgOf(picture)] { return svg.toStdString(); });
-            break;
         case Kind::Pdf:
-            emit m_requests.save(wanted.path, [pdf = pdfOf(picture)] { return pdf.toStdString(); });
+            emit m_requests.save(wanted.path, fileOf(picture, wanted.suffix));
             break;
         case Kind::Printer:
             emit m_requests.print(pdfOf(picture));

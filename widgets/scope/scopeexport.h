@@ -42,6 +42,7 @@ private:
     struct Wanted {
         Kind kind = Kind::Csv;
         QString path{};
+        QString suffix{};
         int form = 0;  ///< of CSV: index of the filter chosen in the dialog
     };
 
