@@ -60,6 +60,7 @@ Discovery::Discovery(const EngineConfig& config, Start start)
     : m_config(config),
       m_look(usedRates(config), addressesOf(config.known)),
       m_phase(start == Start::Look ? Phase::Look : Phase::Restart),
+      m_expected(start == Start::Restart),
       m_progress(
           ConnectProgress{start == Start::Look ? ConnectStage::Looking : ConnectStage::Restarting, 0}) {}
 
@@ -155,6 +156,7 @@ Discovery::Next Discovery::lookedUp() {
         fail(ConnectFailure::Unaddressed);
         return m_failure;
     } else {
+        m_expected = m_look.unaddressed();
         enter(Phase::Set, ConnectStage::Addressing);
     }
     // The search may have ended at another rate, or with a module that received part of a command.
@@ -275,7 +277,8 @@ Ask Discovery::probe(BusAddress address, std::uint8_t repeats) const {
 
 /// The reply has the same length as the answers to Set Address, which are valid even when late.
 Ask Discovery::stillThere() const {
-    return question({m_modules.back().address, encode(Nop{}), {}}, 0, Quarantine::Full);
+    const BusAddress address = m_modules.empty() ? kUnaddressed : m_modules.back().address;
+    return question({address, encode(Nop{}), {}}, 0, Quarantine::Full);
 }
 
 Ask Discovery::askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const {
@@ -314,18 +317,20 @@ void Discovery::onProbe(const ReplyEnd& end) {
         case ReplyResult::Unresponsive:
             m_unheard.emplace_back(m_number);
             m_aliveInVain = 0;
-            return m_modules.empty() ? onNumberUnheard() : enter(Phase::Alive);
+            return m_modules.empty() && !m_expected ? onNumberUnheard() : enter(Phase::Alive);
     }
 }
 
 /// Silence means the end of the chain only if a module is heard right after it. Otherwise the number may have
-/// been taken, and the search waits for the line.
+/// been taken, and the search waits for the line. Of a chain none of whose modules is known yet, the one
+/// without an address is queried; if it stays silent, it has perhaps taken the number.
 void Discovery::onAlive(const ReplyEnd& end) {
     const bool heard = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
     if (!heard && ++m_aliveInVain < kAliveAttempts)
         return;
     if (!heard)
-        return fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
+        return m_modules.empty() ? endOfAddressing()
+                                 : fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
     if (m_aliveInVain > 0)
         return m_number < kLastNumber ? enter(Phase::Set) : fail(ConnectFailure::Disturbed);
     onNumberUnheard();
@@ -391,12 +396,14 @@ void Discovery::endOfChain() {
     for (std::size_t i = 0; i < m_modules.size(); ++i)
         m_modules[i].index = indexOf(i);
     m_at = 0;
+    m_aliveInVain = 0;
     enter(Phase::Identify, ConnectStage::Identifying);
 }
 
 /// Proceeds to the next module of this phase, or to the following phase.
 void Discovery::nextModule(Phase after) {
     ++m_at;
+    m_aliveInVain = 0;
     if (m_phase == Phase::Define || m_phase == Phase::Confirm)
         skipUnknown();
     if (m_at >= m_modules.size())
@@ -421,8 +428,11 @@ void Discovery::skipUnknown() {
         ++m_at;
 }
 
-/// A module that answered before no longer does, or keeps answering wrongly.
+/// A module that answered before no longer does, or keeps answering wrongly. One that has just been given its
+/// address and is silent is queried again: a new search might miss it.
 void Discovery::failAnswer(const ReplyEnd& end) {
+    if (!m_attached && end.bytes.empty() && ++m_aliveInVain < kAliveAttempts)
+        return;
     fail(end.bytes.empty() ? ConnectFailure::Garbled : ConnectFailure::Collision, {indexOf(m_at)});
 }
 

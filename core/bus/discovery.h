@@ -105,6 +105,7 @@ private:
     EngineConfig m_config;
     ChainLook m_look;
     Phase m_phase;
+    bool m_expected = false;  ///< there is a module to assign the first address to
     bool m_attached = false;  ///< once true, no address, rate or reset is sent
     std::vector<ModuleInfo> m_modules;
     std::vector<Heard> m_heard;
