@@ -252,6 +252,35 @@ TEST(Belief, RemembersThatAServoMayBeOn) {
     EXPECT_FALSE(module.belief.mayBeOn());
 }
 
+/// What the watch at a travel limit needs to know of a run.
+TEST(Belief, ExpectsTheFasterMotionAndTheLongerStopUntilAStartIsAnswered) {
+    const auto load = [](std::uint32_t velocity, std::uint32_t acceleration, bool startNow) {
+        servo::LoadTrajectory run;
+        run.velocity = CountsPerTick(velocity);
+        run.acceleration = CountsPerTickSquared(acceleration);
+        run.profile = servo::ProfileMode::Velocity;
+        run.startNow = startNow;
+        return toServo(0, run);
+    };
+    Module module = standing();
+    const auto expectRun = [&module](std::uint32_t velocity, std::uint32_t acceleration) {
+        EXPECT_EQ(module.belief.servoRegisters().runningVelocity, CountsPerTick(velocity));
+        EXPECT_EQ(module.belief.servoRegisters().runningAcceleration, CountsPerTickSquared(acceleration));
+    };
+    module.executed(load(40, 20, true));
+    module.executed(load(30, 10, false));
+    expectRun(40, 20);
+    const Belief before = module.belief;
+    module.unanswered(start(0));
+    expectRun(40, 10);
+    module.belief.onNotExecuted(before);
+    expectRun(40, 20);
+    module.executed(start(0));
+    expectRun(30, 10);
+    module.unanswered(load(50, 25, true));
+    expectRun(50, 10);
+}
+
 // docs/family.md, Path points: 30 and 60 Hz without fast path, 60 and 120 Hz with it.
 
 constexpr std::uint8_t kPathMode = 0x40;

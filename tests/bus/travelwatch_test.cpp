@@ -38,9 +38,9 @@ protected:
     [[nodiscard]] static Order loaded(std::uint32_t acceleration) {
         return toServo(0, twoPerTick(acceleration));
     }
-    /// Expects that a run with kSlow ends before 20 000 counts, and not farther before it than the 0.1 s that
+    /// Expects that a run ends before 20 000 counts, and not farther before it than the way in the 0.1 s that
     /// the stop may need.
-    static void expectSlowStopBeforeTheLimit(VirtualBus& chain) {
+    static void expectStopBeforeTheLimit(VirtualBus& chain) {
         chain.engine.setTravelLimits({{std::nullopt, 20'000}});
         chain.runFor(8s);
         EXPECT_EQ(chain.count<StoppedBeforeLimit>(), 1U);
@@ -79,7 +79,7 @@ TEST_F(TravelLimit, ARunThatWasBegunBeforeItsLimitsEndsBeforeThem) {
 TEST_F(TravelLimit, ALoadThatWaitsDoesNotShortenTheWayOfAStop) {
     enableFirst();
     ASSERT_EQ(bus.perform({run(), loaded(kHasty)}), Outcome::Done);
-    expectSlowStopBeforeTheLimit(bus);
+    expectStopBeforeTheLimit(bus);
 }
 
 /// From 40 counts/tick the motor would take 400 000 counts to come to rest.
@@ -88,24 +88,25 @@ TEST_F(TravelLimit, AFasterLoadThatWaitsDoesNotEndARunEarly) {
     servo::LoadTrajectory faster = twoPerTick(kSlow);
     faster.velocity = CountsPerTick(40 << 16);
     ASSERT_EQ(bus.perform({run(), toServo(0, faster)}), Outcome::Done);
-    expectSlowStopBeforeTheLimit(bus);
+    expectStopBeforeTheLimit(bus);
 }
 
-TEST_F(TravelLimit, StartMotionLengthensTheWayOfAStopToThatOfItsLoad) {
-    for (const bool toGroup : {false, true}) {
-        SCOPED_TRACE(toGroup);
-        GroupBus chain(servos(1));
-        ASSERT_TRUE(chain.connect());
-        ASSERT_EQ(chain.put(0, kGroup).outcome, Outcome::Done);
-        ASSERT_EQ(chain.perform({gains(0), enable(0), run(false, kHasty)}), Outcome::Done);
-        chain.runFor(500ms);
-        ASSERT_EQ(chain.perform({enable(0)}), Outcome::Done);
-        chain.runFor(500ms);
-        ASSERT_EQ(chain.perform({loaded(kSlow)}), Outcome::Done);
-        const auto started = toGroup ? chain.start(kGroup).outcome : chain.perform({start(0)});
-        ASSERT_EQ(started, Outcome::Done);
-        expectSlowStopBeforeTheLimit(chain);
-    }
+TEST_F(TravelLimit, StartMotionMakesTheAccelerationOfItsLoadThatOfAStop) {
+    for (const auto& [before, after] : {std::pair(kHasty, kSlow), {kSlow, kHasty}})
+        for (const bool toGroup : {false, true}) {
+            SCOPED_TRACE(testing::Message() << "to " << after << (toGroup ? ", by the group" : ""));
+            GroupBus chain(servos(1));
+            ASSERT_TRUE(chain.connect());
+            ASSERT_EQ(chain.put(0, kGroup).outcome, Outcome::Done);
+            ASSERT_EQ(chain.perform({gains(0), enable(0), run(false, before)}), Outcome::Done);
+            chain.runFor(500ms);
+            ASSERT_EQ(chain.perform({enable(0)}), Outcome::Done);
+            chain.runFor(500ms);
+            ASSERT_EQ(chain.perform({loaded(after)}), Outcome::Done);
+            const auto started = toGroup ? chain.start(kGroup).outcome : chain.perform({start(0)});
+            ASSERT_EQ(started, Outcome::Done);
+            expectStopBeforeTheLimit(chain);
+        }
 }
 
 TEST_F(TravelLimit, TheWayBackIsFree) {

@@ -60,7 +60,11 @@ public:
                 return {};
         return m_process.readLine().trimmed();
     }
-    void send(int signal) const { ::kill(static_cast<pid_t>(m_process.processId()), signal); }
+    void send(int signal) const {
+        const auto pid = static_cast<pid_t>(m_process.processId());
+        ASSERT_GT(pid, 0) << "0 would be the group of processes that these tests are in";
+        ::kill(pid, signal);
+    }
     void goOn() { m_process.write("now\n"); }
     [[nodiscard]] bool ends() {
         return m_process.state() == QProcess::NotRunning || m_process.waitForFinished(kPatienceMs);
