@@ -52,7 +52,7 @@ void printHelp() {
            "Commands NMC motor modules through a panel that lets programs in, or at a serial port of its own.\n"
            "\n"
            "AXIS is the name of an axis or its number from 1. Values are in the unit of the axis, which may\n"
-           "follow them: 12.5mm, 20mm/s, 100mm/s2. An axis in counts counts velocities per tick of its servo,\n"
+           "follow them: 12.5mm, 20mm/s, 100mm/s2. For an axis in counts, velocities are per tick of its servo,\n"
            "not per second: 1counts/tick, 0.01counts/tick2; a PIC-STEP has steps, steps/s and steps/s2. At a\n"
            "port of its own, a command ends when its motion does.\n"
            "\n"
