@@ -1,0 +1,24 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sourced by run, test and bench: sets a build folder up, and says in one sentence what prevents it.
+fail() {
+    echo "scripts/${0##*/}: $*" >&2
+    exit 1
+}
+
+# Before a build that has not been made yet.
+expect() { # program megabytes what-is-said
+    [ ! -e "$1" ] || return 0
+    local free=$(($(df --output=avail -k . | tail -n 1) / 1024))
+    [ "$free" -ge "$2" ] || fail "building takes $2 MB, and this disk has $free MB left. Make room, and start again."
+    echo "$3"
+}
+
+configure() { # preset [cmake arguments]
+    cmake --preset "$@" >/dev/null ||
+        fail "the build folder could not be set up. If it is of an older version or was moved here, remove it (rm -r build/$1), and start again."
+}
+
+build() { # preset [cmake arguments]
+    cmake --build --preset "$@" || fail "not everything could be built; what stopped it is above."
+}
