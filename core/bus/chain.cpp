@@ -9,6 +9,18 @@
 
 namespace nmc::bus {
 
+namespace {
+
+/// The manner that ends more: off more than an abrupt stop, and that more than a smooth one.
+[[nodiscard]] StopManner firmer(StopManner one, StopManner other) {
+    for (const StopManner firm : {StopManner::Off, StopManner::Abruptly})
+        if (one == firm || other == firm)
+            return firm;
+    return StopManner::Smoothly;
+}
+
+}  // namespace
+
 Chain::Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate, bool readOnly)
     : m_rate(rate), m_readOnly(readOnly), m_schedule(modules.size()) {
     for (const ModuleInfo& info : modules) {
@@ -144,6 +156,8 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
         return;  // it has no stop command
     if (m_readOnly && cause != StopCause::StopAll)
         return;  // nobody asked
+    if (module.owed && !ofOperator(module.owed->cause))
+        manner = firmer(manner, module.owed->target.manner());
     const auto before = std::exchange(module.owed, OwedStop{StopTarget(module.belief, manner), cause});
     if (before && before->standsAlone()) {
         module.owed->cause = before->cause;

@@ -119,6 +119,31 @@ TEST(M17_MotorRunsAway, IsSwitchedOffByAStopOfAllModulesAsWell) {
     EXPECT_EQ(bus.sends("AA 01 17 05", from), 0U) << "stop abruptly, amplifier on (DS-V 5.2)";
 }
 
+TEST(M17_MotorRunsAway, IsSwitchedOffWhateverStopIsAskedForDuringASearch) {
+    FaultyBus bus(servos(1), kFast);
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({toServo(0, servo::SetGain{200, 2000, 20, 200, 255, 0, 0x3FFF, 1, std::uint8_t{0}}),
+                           enable(0)}),
+              Outcome::Done);
+    bus.fault("module 1 reverse");
+    bus.submit({loadVelocity(0, kOnePerTick, true)});
+    bool arrives = false;
+    bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+        if (!arrives && command.size() > 2 && command[2] == 0x17)
+            command.clear();  // no stop
+    };
+    ASSERT_TRUE(bus.runUntil([&] { return bus.motionSuspects(0) > 0; }, 3s));
+    const std::size_t from = bus.sent.size();
+    bus.engine.connect(bus.now);
+    ASSERT_EQ(bus.perform({toServo(0, servo::StopMotor{true, servo::StopManner::Smoothly, {}})}),
+              Outcome::Done);
+    arrives = true;
+    bus.runFor(1s);
+    EXPECT_FALSE(bus.servo(0).servoOn);
+    EXPECT_GE(bus.sends("AA 01 17 02", from), 1U) << "motor off (DS-V 5.2)";
+    EXPECT_EQ(bus.sends("AA 01 17 09", from), 0U) << "stop smoothly, amplifier on";
+}
+
 TEST(M17_MotorRunsAway, IsNotSaidOfAMotorThatDoesAsItIsTold) {
     FaultyBus bus(servos(2), kFast);
     ASSERT_TRUE(bus.connectAndEnable());
