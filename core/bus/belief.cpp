@@ -18,6 +18,11 @@ namespace {
 [[nodiscard]] bool runs(const servo::LoadTrajectory& load) {
     return load.isVelocityMode() && load.velocity.value_or(CountsPerTick(1)).value() != 0;
 }
+/// PIC-STEP: the longer of two acceleration times, with the longer way of a stop; empty if one is unknown.
+[[nodiscard]] std::optional<std::uint8_t> longer(std::optional<std::uint8_t> one,
+                                                 std::optional<std::uint8_t> other) {
+    return one && other ? std::optional(std::max(*one, *other)) : std::nullopt;
+}
 
 }  // namespace
 
@@ -35,21 +40,20 @@ struct Belief::Sent {
     }
     void operator()(const stepper::LoadTrajectory& load) const {
         b.m_stepper.waiting.reset();
+        if (load.accelerationTime)
+            b.m_stepper.loadedTime = longer(b.m_stepper.loadedTime, load.accelerationTime);
         if (!load.startNow)
             return;
         b.m_lastMotion = latched;
-        b.m_may.stepperRun.start(load, b.stepperMode(), b.m_position);
+        b.mayStart(load);
     }
     void operator()(const StartMotion&) const {
         b.m_lastMotion = latched;
         b.m_may.starting = b.servoLoad();
         if (b.m_may.starting)
             b.mayStart(*b.m_may.starting);
-        if (const auto& waiting = b.m_stepper.waiting) {
-            b.m_may.stepperRun.start(*waiting, b.stepperMode(), b.m_position);
-            if (waiting->accelerationTime)
-                b.m_stepper.accelerationTime = waiting->accelerationTime;
-        }
+        if (b.m_stepper.waiting)
+            b.mayStart(*b.m_stepper.waiting);
         b.forgetLoad();
     }
     void operator()(const servo::StopMotor& stop) const {
@@ -131,6 +135,7 @@ void Belief::onExecuted(const ModuleCommand& command) {
 void Belief::onNotExecuted(const Belief& before) {
     m_may = before.m_may;
     m_stepper.waiting = before.m_stepper.waiting;
+    m_stepper.accelerationTime = before.m_stepper.accelerationTime;
     m_servo.loadWaiting = before.m_servo.loadWaiting;
     m_servo.runningVelocity = before.m_servo.runningVelocity;
     m_servo.runningAcceleration = before.m_servo.runningAcceleration;
@@ -238,6 +243,12 @@ void Belief::mayStart(const servo::LoadTrajectory& load) {
         return;
     m_may.enable = true;
     m_may.runReverse = load.reverse;
+}
+
+/// Until the answer, the old motion may go on or the new one, as with a PIC-SERVO.
+void Belief::mayStart(const stepper::LoadTrajectory& load) {
+    m_may.stepperRun.start(load, stepperMode(), m_position);
+    m_stepper.accelerationTime = longer(m_stepper.accelerationTime, m_stepper.loadedTime);
 }
 
 void Belief::started(const servo::LoadTrajectory& load) {

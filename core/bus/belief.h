@@ -136,6 +136,7 @@ private:
     struct Sent;
     struct Executed;
     void mayStart(const servo::LoadTrajectory& load);
+    void mayStart(const stepper::LoadTrajectory& load);
     void started(const servo::LoadTrajectory& load);
     void rename();
     /// `servo`: what else than a clear move_done shows that a PIC-SERVO moves.

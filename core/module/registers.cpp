@@ -66,14 +66,15 @@ void StepperRegisters::apply(const StepperCommand& command) {
     std::visit(Overloaded{
                    [this](const stepper::LoadTrajectory& load) {
                        waiting.reset();
-                       if (!load.startNow)
+                       if (load.accelerationTime)
+                           loadedTime = load.accelerationTime;
+                       if (load.startNow)
+                           accelerationTime = loadedTime;
+                       else
                            waiting = load;
-                       else if (load.accelerationTime)
-                           accelerationTime = load.accelerationTime;
                    },
                    [this](const StartMotion&) {
-                       if (waiting && waiting->accelerationTime)
-                           accelerationTime = waiting->accelerationTime;
+                       accelerationTime = loadedTime;
                        waiting.reset();
                    },
                    [this](const stepper::SetParameters& set) {

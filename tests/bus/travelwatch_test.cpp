@@ -183,6 +183,60 @@ TEST_F(TravelLimit, LeavesAnotherHostsRunAlone) {
     EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 0U);
 }
 
+/// A PIC-STEP that makes 25 steps/s for each unit of speed. From 1000 steps/s, it takes some 1220 steps to
+/// come to rest with an acceleration time of 255, and 10 with one of 2.
+class TravelLimitOfAStepper : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(bus.connect());
+        ASSERT_EQ(bus.perform({told(stepper::SetParameters{stepper::SpeedMode::X1, false, false, false, 10,
+                                                           200, 50, 0}),
+                               told(stepper::StopMotor{true, stepper::StopManner::AmplifierOnly})}),
+                  Outcome::Done);
+    }
+    [[nodiscard]] static Order told(const StepperCommand& command) { return {ModuleIndex(0), command}; }
+    [[nodiscard]] static stepper::LoadTrajectory profile(std::uint8_t accelerationTime, bool startNow) {
+        stepper::LoadTrajectory load;
+        load.speed = std::uint8_t{40};
+        load.accelerationTime = accelerationTime;
+        load.startNow = startNow;
+        return load;
+    }
+    void expectStopBeforeTheLimit() {
+        bus.engine.setTravelLimits({{std::nullopt, 5'000}});
+        bus.runFor(10s);
+        const sim::StepperSnapshot motor = *bus.chain.snapshot(ModuleIndex(0), bus.now).stepper;
+        EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 1U);
+        EXPECT_FALSE(motor.moving);
+        EXPECT_LE(motor.position, 5'000);
+        EXPECT_GT(motor.position, 4'000);
+        bus.expectNoViolations();
+    }
+    VirtualBus bus{std::vector<ModuleIdentity>(1, ModuleIdentity{ModuleType::Stepper, 1})};
+};
+
+/// DS-S 5.1: a start takes what was loaded last, even by a load that was never started itself.
+TEST_F(TravelLimitOfAStepper, ARunTakesTheAccelerationTimeOfALoadThatWasReplaced) {
+    ASSERT_EQ(
+        bus.perform({told(profile(2, true)), told(stepper::StopMotor{true, stepper::StopManner::Abruptly})}),
+        Outcome::Done);
+    stepper::LoadTrajectory timed;  // 1000 steps/s
+    timed.timer = stepper::TimerCount{64'913, 40};
+    timed.startNow = true;
+    ASSERT_EQ(bus.perform({told(profile(255, false)), told(timed)}), Outcome::Done);
+    expectStopBeforeTheLimit();
+}
+
+/// It may have been started, or the run before may go on.
+TEST_F(TravelLimitOfAStepper, ARunWhoseAnswerWasLostHasTheLongerWayOfAStop) {
+    ASSERT_EQ(bus.perform({told(profile(2, true))}), Outcome::Done);
+    bus.runFor(200ms);
+    bus.losesReply = [](ByteSpan command) { return command.size() > 2 && command[2] == 0x34; };
+    ASSERT_EQ(bus.perform({told(profile(255, true))}), Outcome::NoAnswer);
+    bus.losesReply = nullptr;
+    expectStopBeforeTheLimit();
+}
+
 }  // namespace
 
 }  // namespace nmc::test

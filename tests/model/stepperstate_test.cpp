@@ -262,6 +262,18 @@ TEST(StepperState, ForgetsALoadWhenTheSpeedModeChanges) {
     EXPECT_FALSE(stepper.module.loadWaiting);
 }
 
+// DS-S 5.1: a start takes what was loaded last, even by a load that was never started itself.
+TEST(StepperState, AStartTakesOverTheAccelerationTimeThatWasLoadedLast) {
+    Stepper stepper = Stepper::holding();
+    stepper.was(Stepper::trapezoid(1'000));
+    EXPECT_EQ(stepper.module.stepper.accelerationTime, std::nullopt) << "it is only loaded";
+    stepper::LoadTrajectory run;
+    run.timer = stepper::TimerCount{60'000, 20};
+    stepper.was(run);
+    stepper.was(StartMotion{});
+    EXPECT_EQ(stepper.module.stepper.accelerationTime, std::uint8_t{4});
+}
+
 TEST(StepperState, HomeGoesAlongWithTheCounter) {
     Stepper stepper = Stepper::holding();
     stepper.position = -300;
