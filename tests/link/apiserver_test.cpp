@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The socket at which programs are let in: who may open it, and what stands in its place.
+// The socket at which programs are let in: who may open it, what stands in its place, and a program's end.
 #include "link/api/apiserver.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,10 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <QTest>
 #include <cstring>
 
+#include "link/api/apiclient.h"
 #include "tests/support/runtimefolder.h"
 
 namespace nmc {
@@ -62,6 +64,29 @@ TEST(ApiSocket, TrustsNeitherLinksNorOpenFolders) {
     refused = server.listen(path);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, ApiServerProblem::Kind::NotPrivate);
+}
+
+/// The answer to one call and Ctrl+C may arrive together, before the call that would move a motor.
+TEST(ApiClient, CallsNothingOnceItIsInterrupted) {
+    const RuntimeFolder runtime;
+    const QString path = ApiServer::pathFor(u"/dev/ttyUSB0"_s);
+    ApiServer server;
+    ASSERT_TRUE(server.listen(path));
+    int lines = 0;
+    QObject::connect(&server, &ApiServer::received, &server,
+                     [&](ApiServer::Client client, const QByteArray& /*line*/) {
+                         ++lines;
+                         server.send(client, R"({"jsonrpc":"2.0","id":1,"result":{}})");
+                     });
+    const auto client = ApiClient::connectTo(path, u"test"_s);
+    ASSERT_TRUE(client);
+    ASSERT_EQ(lines, 1) << "hello";
+    (*client)->interrupt();
+    const auto moved = (*client)->call("move", {{"axis", 1}, {"to", 10}});
+    ASSERT_FALSE(moved);
+    EXPECT_EQ(moved.error().kind, ApiClient::Error::Kind::Interrupted);
+    QTest::qWait(100);
+    EXPECT_EQ(lines, 1);
 }
 
 }  // namespace

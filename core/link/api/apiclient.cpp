@@ -42,6 +42,8 @@ ApiClient::Or<std::unique_ptr<ApiClient>> ApiClient::connectTo(const QString& pa
 }
 
 ApiClient::Or<ApiClient::Json> ApiClient::call(const std::string& method, const Json& parameters) {
+    if (m_interrupted)
+        return unexpected(Error::Kind::Interrupted);
     const Json request{{"jsonrpc", "2.0"}, {"id", ++m_lastId}, {"method", method}, {"params", parameters}};
     m_socket.write(QByteArray::fromStdString(request.dump()) + '\n');
     while (true) {

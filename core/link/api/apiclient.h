@@ -50,7 +50,7 @@ public:
     [[nodiscard]] Or<Json> call(const std::string& method, const Json& parameters = Json::object());
     /// The next notification that was subscribed to, in order of arrival; empty if none came until then.
     [[nodiscard]] Or<std::optional<Json>> next(const QDeadlineTimer& until = QDeadlineTimer::Forever);
-    /// Ends the wait that is in progress, and every later one.
+    /// Ends the wait that is in progress, and every later one; no method is called any more.
     void interrupt() { m_interrupted = true; }
 
 private:
