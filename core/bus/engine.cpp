@@ -326,17 +326,27 @@ void Engine::watch(const std::vector<ModuleIndex>& modules) {
 
 void Engine::setStopOutputs(const std::vector<StopOutputs>& outputs) {
     m_stopOutputs = outputs;
-    for (Chain::Module& module : m_chain.modules()) {
+    setForAll([&](Chain::Memory& module) {
         const std::size_t index = module.belief.info().index.value();
         module.belief.setStopOutputs(index < outputs.size() ? outputs[index] : StopOutputs{});
-    }
+    });
 }
 
 void Engine::setTravelLimits(const std::vector<TravelLimits>& limits) {
-    for (Chain::Module& module : m_chain.modules()) {
+    setForAll([&](Chain::Memory& module) {
         const std::size_t index = module.belief.info().index.value();
         module.travel.setLimits(index < limits.size() ? limits[index] : TravelLimits{});
-    }
+    });
+}
+
+/// Also where the state before a command in flight is kept, which applies again if the module refuses it.
+template <typename Set>
+void Engine::setForAll(Set set) {
+    for (Chain::Module& module : m_chain.modules())
+        set(module);
+    for (Work& work : m_works)
+        if (work.before)
+            set(*work.before);
 }
 
 void Engine::focus(std::optional<ModuleIndex> module, TimePoint now) {

@@ -192,6 +192,9 @@ private:
     };
 
     void begin(Discovery::Start start, TimePoint now);
+    /// Calls `set` for each module.
+    template <typename Set>
+    void setForAll(Set set);
     [[nodiscard]] GroupFinished stopGroup(const GroupOperation& operation, const GroupCommand& command);
     void beginPath(const Operation& operation, TimePoint now);
     [[nodiscard]] bool oweStops(const Operation& operation);

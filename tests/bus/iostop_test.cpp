@@ -65,6 +65,22 @@ TEST_F(StopsAnIoModule, WhatIsMarkedGoesLowAndTheRestStays) {
     EXPECT_EQ(truth().pwm, (std::array<std::uint8_t, 2>{100, 0}));
 }
 
+/// It is marked while a No Operation is on its way, which the module refuses because its sum was damaged.
+TEST_F(StopsAnIoModule, WhatIsMarkedWhileACommandIsRefusedGoesLow) {
+    switchOn();
+    bool marked = false;
+    bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+        if (command.size() != 4 || command[1] != kIo + 1 || std::exchange(marked, true))
+            return;
+        command.back() = static_cast<std::uint8_t>(command.back() + 1);
+        bus.engine.setStopOutputs({{}, {0x0005, 0x02}, {}});
+    };
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<CommandRefused>() == 1; }, 2s));
+    ASSERT_TRUE(bus.stopAll());
+    EXPECT_EQ(truth().outputs, 0x000A);
+    EXPECT_EQ(truth().pwm, (std::array<std::uint8_t, 2>{100, 0}));
+}
+
 /// The bytes for a process that is about to die contain all of it.
 TEST_F(StopsAnIoModule, TheBurstHasThePinsAndThePwm) {
     bus.engine.setStopOutputs({{}, {0x0005, 0x02}, {}});
