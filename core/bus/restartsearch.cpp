@@ -36,6 +36,7 @@ Next RestartSearch::next(TimePoint /*now*/) {
             if (m_line.baud() != kPowerUpBaud)
                 return Line::toRate(kPowerUpBaud);
             m_stage = Stage::Back;
+            m_unaddressed.reset();  // the answer to an earlier query; this one may be dropped by a stop
             bus::Ask ask;
             ask.purpose = Purpose::Challenge;
             ask.request = {BusAddress(0), encode(ReadStatus{kIdentityItems}), {{}, kIdentityItems}};
@@ -84,7 +85,6 @@ Line::Script RestartSearch::onEnd(const bus::Ask& ask, const ReplyEnd& end, Time
 
 void RestartSearch::onUnaddressed(const ReplyEnd& end) {
     m_asks = 0;
-    m_unaddressed.reset();
     if (unanswered(end.result) || m_chain.anyRestarted())
         return;
     m_unaddressed = end.report.identity;

@@ -84,6 +84,31 @@ TEST(F15_ModulePowerCycledAlone, IsWellAgainAfterARestart) {
     EXPECT_EQ(bus.chain.snapshot(ModuleIndex(1), bus.now).address, 2);
 }
 
+/// The answer about another module, from before the chain was searched for again, says nothing of this one.
+TEST(F15_ModuleSilentAfterAnotherRestarted, IsNotCalledRestartedWhenAStopCutsTheQueryOff) {
+    const std::string query = "AA 00 13 20 33";  // to a module without an address
+    FaultyBus bus(servos(2));
+    ASSERT_TRUE(bus.connectAndEnable());
+    std::size_t from = bus.sent.size();
+    bus.fault("module 2 powercycle");
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends(query, from) > 0; }, 10s));
+    from = bus.sent.size();
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends("AA 01 13 20 34", from) > 0; }, 1s))
+        << "the other module is asked whether it still answers";
+    ASSERT_EQ(bus.count<ModuleRestarted>(), 0U);
+    ASSERT_TRUE(bus.connect());
+    bus.engine.readdress(ModuleIndex(1), bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<Readdressed>() == 1; }, 5s));
+    bus.runFor(500ms);
+    const std::size_t restarts = bus.count<ModuleRestarted>();
+    from = bus.sent.size();
+    bus.fault("module 1 silent");
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends(query, from) > 0; }, 10s));
+    ASSERT_TRUE(bus.stopAll());
+    bus.runFor(5s);
+    EXPECT_EQ(bus.count<ModuleRestarted>(), restarts);
+}
+
 TEST(F16_PowerCycledAtTheHigherRate, IsRecognisedAndTheBusGoesQuiet) {
     FaultyBus bus(servos(2), kFast);
     ASSERT_TRUE(bus.connectAndEnable());
