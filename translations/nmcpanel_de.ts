@@ -112,7 +112,7 @@
     <name>CommandLine</name>
     <message>
         <source>Control panel for Networked Modular Control motor modules.</source>
-        <translation>Bedienprogramm für Motormodule nach Networked Modular Control (NMC).</translation>
+        <translation>Bedienprogramm für Module nach Networked Modular Control (NMC).</translation>
     </message>
     <message>
         <source>NAME</source>
@@ -1196,10 +1196,10 @@
         <translation>Über NMC Panel</translation>
     </message>
     <message>
-        <source>A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.
+        <source>A control panel for PIC-SERVO, PIC-STEP and PIC-I/O modules on one serial line.
 
 Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.</source>
-        <translation>Bedienprogramm für Motormodule PIC-SERVO und PIC-STEP an einer seriellen Leitung.
+        <translation>Bedienprogramm für Module PIC-SERVO, PIC-STEP und PIC-I/O an einer seriellen Leitung.
 
 Freie Software unter der GNU General Public License, Version 3 oder später. Symbole: Tabler, MIT-Lizenz. Erstellt mit Qt %1.</translation>
     </message>
@@ -10902,7 +10902,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Geschwindigkeit der Anfahrt</translation>
     </message>
     <message>
-        <source>Slower is more exact: the chip may look at its inputs only once per servo tick.</source>
+        <source>Slower is more exact: the chip may read its inputs only once per servo tick.</source>
         <translation>Langsamer ist genauer: Der Chip liest seine Eingänge vielleicht nur einmal je Servotakt.</translation>
     </message>
     <message>
@@ -10978,7 +10978,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Enthält die Hysterese des Schalters selbst. Nur mit dem Encoder am Motor und dem Schalter an der Last zeigt es das Spiel dazwischen.</translation>
     </message>
     <message>
-        <source>The motor moves up to %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <source>The motor moves up to %1 between two readings of the inputs. Measure more slowly.</source>
         <translation>Der Motor bewegt sich um bis zu %1, bis der Chip seine Eingänge wieder liest. Langsamer messen.</translation>
     </message>
     <message>

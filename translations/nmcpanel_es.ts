@@ -1196,10 +1196,10 @@
         <translation>Acerca de NMC Panel</translation>
     </message>
     <message>
-        <source>A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.
+        <source>A control panel for PIC-SERVO, PIC-STEP and PIC-I/O modules on one serial line.
 
 Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.</source>
-        <translation>Panel de control para módulos de motor PIC-SERVO y PIC-STEP en una línea serie.
+        <translation>Panel de control para módulos PIC-SERVO, PIC-STEP y PIC-I/O en una línea serie.
 
 Software libre con licencia GNU General Public License, versión 3 o posterior. Iconos: Tabler, licencia MIT. Desarrollado con Qt %1.</translation>
     </message>
@@ -10902,7 +10902,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Velocidad de aproximación</translation>
     </message>
     <message>
-        <source>Slower is more exact: the chip may look at its inputs only once per servo tick.</source>
+        <source>Slower is more exact: the chip may read its inputs only once per servo tick.</source>
         <translation>Más despacio es más exacto: puede que el chip lea sus entradas solo una vez por período del servo.</translation>
     </message>
     <message>
@@ -10978,7 +10978,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Incluye la histéresis del propio interruptor. Solo con el encoder en el motor y el interruptor en la carga muestra la holgura entre ambos.</translation>
     </message>
     <message>
-        <source>The motor moves up to %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <source>The motor moves up to %1 between two readings of the inputs. Measure more slowly.</source>
         <translation>El motor se mueve hasta %1 entre dos lecturas de las entradas por el chip. Mida más despacio.</translation>
     </message>
     <message>

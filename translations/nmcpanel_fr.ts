@@ -1196,10 +1196,10 @@
         <translation>À propos de NMC Panel</translation>
     </message>
     <message>
-        <source>A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.
+        <source>A control panel for PIC-SERVO, PIC-STEP and PIC-I/O modules on one serial line.
 
 Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.</source>
-        <translation>Programme de commande pour modules moteurs PIC-SERVO et PIC-STEP sur une liaison série.
+        <translation>Programme de commande pour modules PIC-SERVO, PIC-STEP et PIC-I/O sur une liaison série.
 
 Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure. Icônes&#xa0;: Tabler, licence MIT. Réalisé avec Qt %1.</translation>
     </message>
@@ -10902,7 +10902,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Vitesse d’approche</translation>
     </message>
     <message>
-        <source>Slower is more exact: the chip may look at its inputs only once per servo tick.</source>
+        <source>Slower is more exact: the chip may read its inputs only once per servo tick.</source>
         <translation>Plus lent est plus exact&#xa0;: la puce ne lit peut-être ses entrées qu’une fois par période d’asservissement.</translation>
     </message>
     <message>
@@ -10978,7 +10978,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Comprend l’hystérésis du capteur lui-même. Seulement avec le codeur sur le moteur et le capteur sur la charge, cela montre le jeu entre les deux.</translation>
     </message>
     <message>
-        <source>The motor moves up to %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <source>The motor moves up to %1 between two readings of the inputs. Measure more slowly.</source>
         <translation>Le moteur se déplace jusqu’à %1 entre deux lectures des entrées par la puce. Mesurez plus lentement.</translation>
     </message>
     <message>

@@ -1195,10 +1195,10 @@
         <translation>NMC Panelについて</translation>
     </message>
     <message>
-        <source>A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.
+        <source>A control panel for PIC-SERVO, PIC-STEP and PIC-I/O modules on one serial line.
 
 Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.</source>
-        <translation>1本のシリアル回線につながったPIC-SERVOおよびPIC-STEPモーターモジュール用の操作パネルです。
+        <translation>1本のシリアル回線につながったPIC-SERVO、PIC-STEPおよびPIC-I/Oモジュール用の操作パネルです。
 
 GNU General Public Licenseバージョン3以降に基づくフリーソフトウェアです。アイコン：Tabler、MITライセンス。Qt %1でビルド。</translation>
     </message>
@@ -10883,7 +10883,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>接近速度</translation>
     </message>
     <message>
-        <source>Slower is more exact: the chip may look at its inputs only once per servo tick.</source>
+        <source>Slower is more exact: the chip may read its inputs only once per servo tick.</source>
         <translation>遅いほど正確です。チップが入力を見るのはサーボ周期ごとに1回だけかもしれません。</translation>
     </message>
     <message>
@@ -10959,7 +10959,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>スイッチ自身のヒステリシスを含みます。エンコーダーがモーター側、スイッチが負荷側にある場合にのみ、その間のバックラッシを示します。</translation>
     </message>
     <message>
-        <source>The motor moves up to %1 between two looks of the chip at its inputs. Measure more slowly.</source>
+        <source>The motor moves up to %1 between two readings of the inputs. Measure more slowly.</source>
         <translation>チップが入力を見る間にモーターは最大%1動きます。もっと遅く測定してください。</translation>
     </message>
     <message>

@@ -21,11 +21,11 @@ TEST(Repeatability, IsMeanDeviationAndRangeOfEachDirection) {
     EdgeCaptures edges;
     edges.forward = {10, 12, 11};
     edges.reverse = {-20, -20, -19};
-    edges.perLook = 2;
-    edges.looks = 4;
+    edges.perReading = 2;
+    edges.readings = 4;
     const auto found = repeatabilityOf(edges);
     ASSERT_TRUE(found);
-    EXPECT_DOUBLE_EQ(found->forward.mean, 11 - 0.25) << "a capture is late by half a look on average";
+    EXPECT_DOUBLE_EQ(found->forward.mean, 11 - 0.25) << "a capture is late by half a reading on average";
     EXPECT_DOUBLE_EQ(found->forward.deviation, 1.0);
     EXPECT_DOUBLE_EQ(found->forward.range, 2.0);
     EXPECT_NEAR(found->reverse.mean, -59.0 / 3 + 0.25, 1e-12);
@@ -149,7 +149,7 @@ TEST(Measurement, FindsRandomBacklashWithinOneCount) {
     std::printf("42 backlashes: off by up to %.2f counts\n", worst);
 }
 
-/// The simulator looks at its inputs in each tick of 0.512 ms, whatever SR is; the data sheet does not say
+/// The simulator reads its inputs in each tick of 0.512 ms, whatever SR is; the data sheet does not say
 /// so.
 TEST_F(Measuring, IsAsExactAtALowerServoRate) {
     for (const std::uint8_t sr : {std::uint8_t{4}, std::uint8_t{8}}) {
@@ -169,7 +169,7 @@ TEST_F(Measuring, IsAsExactAtALowerServoRate) {
         EXPECT_NEAR(found->backlash, 40, 1.0) << "SR " << int{sr};
         EXPECT_NEAR(found->forward.mean, 640, 1.5);
         EXPECT_NEAR(found->reverse.mean, 600, 1.5);
-        EXPECT_GE(found->uncertainty, 1 + 0.5 * sr) << "it may look only once per servo tick";
+        EXPECT_GE(found->uncertainty, 1 + 0.5 * sr) << "it may read only once per servo tick";
     }
 }
 

@@ -33,7 +33,7 @@ protected:
         EdgeCaptures edges;
         edges.forward = {1'031, 1'032, 1'030};
         edges.reverse = {1'000, 1'000, 1'000};
-        edges.perLook = 0.5;
+        edges.perReading = 0.5;
         return edges;
     }
     QString result() { return text(u"repeatabilityResult"_s); }
@@ -160,7 +160,7 @@ TEST_F(RepeatabilityPage, SaysWhatADifferenceDoesNotShow) {
     EXPECT_TRUE(result().contains(u"not backlash"_s)) << result().toStdString();
     EXPECT_TRUE(reason(u"useBacklashButton"_s).contains(u"exceeds its uncertainty"_s));
     edges = captures();
-    edges.perLook = 40;
+    edges.perReading = 40;
     report(ProcedureStage::Done, edges);
     EXPECT_TRUE(result().contains(u"moves up to 40.0 counts between two looks"_s)) << result().toStdString();
     EXPECT_FALSE(button(u"useBacklashButton"_s)->isEnabled());

@@ -49,7 +49,7 @@ void openAbout(MainWindow& window) {
         window, u"aboutDialog"_s, Menus::tr("About NMC Panel"),
         Common::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()),
         Menus::tr(
-            "A control panel for PIC-SERVO and PIC-STEP motor modules on one serial line.\n\n"
+            "A control panel for PIC-SERVO, PIC-STEP and PIC-I/O modules on one serial line.\n\n"
             "Free software under the GNU General Public License, version 3 or later. Icons: Tabler, MIT licence. Built with Qt %1.")
             .arg(QLatin1StringView(qVersion())));
 }

@@ -70,7 +70,7 @@ void RepeatabilityBox::buildFields() {
          .words = Common::tr("Velocity"),
          .min = 1.0 / kFixedPointOne,
          .max = kFastest,
-         .meaning = tr("Slower is more exact: the chip may look at its inputs only once per servo tick.")},
+         .meaning = tr("Slower is more exact: the chip may read its inputs only once per servo tick.")},
         this);
     m_velocity->setScale(m_context.scale());
     m_velocity->showNative(firstRecipe(chip).velocity);
@@ -183,10 +183,9 @@ QStringList RepeatabilityBox::found() const {
     else
         lines << tr(
             "Includes the hysteresis of the switch itself. Only with the encoder on the motor and the switch on the load does it show the backlash between them.");
-    if (edges.perLook > 1.0)
-        lines
-            << tr("The motor moves up to %1 between two looks of the chip at its inputs. Measure more slowly.")
-                   .arg(amount(edges.perLook));
+    if (edges.perReading > 1.0)
+        lines << tr("The motor moves up to %1 between two readings of the inputs. Measure more slowly.")
+                     .arg(amount(edges.perReading));
     return lines;
 }
 

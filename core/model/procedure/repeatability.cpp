@@ -43,7 +43,7 @@ std::optional<Repeatability> repeatabilityOf(const EdgeCaptures& edges) {
     if (edges.forward.size() < 2 || edges.reverse.size() < 2)
         return std::nullopt;
     const std::int32_t origin = edges.forward.front();
-    const double late = edges.perLook / edges.looks / 2.0;
+    const double late = edges.perReading / edges.readings / 2.0;
     Repeatability found{.forward = spreadOf(edges.forward, origin, late),
                         .reverse = spreadOf(edges.reverse, origin, -late)};
     const auto forward = static_cast<double>(edges.forward.size());
@@ -51,7 +51,7 @@ std::optional<Repeatability> repeatabilityOf(const EdgeCaptures& edges) {
     const double error = std::hypot(found.forward.deviation / std::sqrt(forward),
                                     found.reverse.deviation / std::sqrt(reverse));
     found.backlash = found.forward.mean - found.reverse.mean;
-    found.uncertainty = 1.0 + edges.perLook + student(forward + reverse - 2.0) * error;
+    found.uncertainty = 1.0 + edges.perReading + student(forward + reverse - 2.0) * error;
     return found;
 }
 

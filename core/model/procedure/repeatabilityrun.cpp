@@ -22,11 +22,11 @@ RepeatabilityRun::RepeatabilityRun(const intent::MeasureRepeatability& wanted, c
     m_report.rounds = wanted.times;
     m_report.round = 1;
     m_report.edges.index = wanted.recipe.onIndex;
-    // DS-V does not say whether a PIC-SERVO looks once per servo tick or in each tick of 0.512 ms, and DS-S
-    // nothing at all: of a PIC-STEP, whose velocity is per second, the latter is assumed.
-    m_report.edges.perLook = wanted.recipe.velocity / (module.isServo() ? 1.0 : ticksPerSecond(1));
+    // DS-V does not say whether a PIC-SERVO reads its inputs once per servo tick or in each tick of 0.512 ms,
+    // and DS-S nothing at all: of a PIC-STEP, whose velocity is per second, the latter is assumed.
+    m_report.edges.perReading = wanted.recipe.velocity / (module.isServo() ? 1.0 : ticksPerSecond(1));
     if (module.isServo() && module.gains)
-        m_report.edges.looks = std::max(module.gains->sr, std::uint8_t{1});
+        m_report.edges.readings = std::max(module.gains->sr, std::uint8_t{1});
     if (const auto seen = HomingChip(module).look(module); seen && !wanted.recipe.onIndex && anyActive(*seen))
         turnRound();
 }
