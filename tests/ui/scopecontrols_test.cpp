@@ -487,6 +487,26 @@ TEST_F(ScopeControls, ATraceOfOnesOwnIsDefinedShownAndRemembered) {
     EXPECT_EQ(MainWindow(settings).findChild<ScopePanel*>()->setup(), kept);
 }
 
+TEST_F(ScopeControls, TheWindowOfCustomTracesShowsThoseThatThereAre) {
+    auto* panel = find<ScopePanel>(u"scopePanel"_s);
+    ScopeSetup setup = panel->setup();
+    setup.custom[1] = TraceDefinition{u"skew"_s,
+                                      u"counts"_s,
+                                      {{ModuleIndex(0), ScopeSignal::Position}, 2},
+                                      TraceDefinition::Part{{ModuleIndex(1), ScopeSignal::Position}, -1}};
+    panel->setSetup(setup);
+    click(u"scopeSignalsButton"_s);
+    click(u"scopeCustomTracesButton"_s);
+    auto* traces = find<TracesDialog>(u"customTracesDialog"_s);
+    EXPECT_EQ(traces->findChild<QLineEdit*>(u"customTrace2Name"_s)->text(), u"skew"_s);
+    EXPECT_EQ(traces->findChild<QComboBox*>(u"customTrace2SecondSignal"_s)->currentText(),
+              u"Module 2: position"_s);
+    EXPECT_EQ(traces->findChild<QLineEdit*>(u"customTrace2SecondFactor"_s)->text(), u"-1"_s);
+    click(u"customTracesApplyButton"_s);
+    find<SignalsDialog>(u"scopeSignalsDialog"_s)->reject();
+    EXPECT_EQ(panel->setup(), setup);
+}
+
 TEST_F(ScopeControls, TheListOfSignalsIsFiltered) {
     click(u"scopeSignalsButton"_s);
     auto* dialog = find<SignalsDialog>(u"scopeSignalsDialog"_s);

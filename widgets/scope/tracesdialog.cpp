@@ -59,7 +59,6 @@ TracesDialog::TracesDialog(const TraceDefinitions& traces, const std::vector<Sco
         const Row& row = m_rows[i];
         grid->addLine({row.name, row.first.signal, row.first.factor, row.second.signal, row.second.factor,
                        row.cutoff, row.unit});
-        fill(row, traces[i].value_or(TraceDefinition{}));
     }
     m_problem = form::newParagraph(u"customTracesProblem"_s, {}, this, 1);
     auto* cancel = form::newPush({u"customTracesCancelButton"_s, Common::tr("Cancel")}, this);
@@ -77,6 +76,9 @@ TracesDialog::TracesDialog(const TraceDefinitions& traces, const std::vector<Sco
     form::fill(
         this,
         form::newColumn(this, {about, table, m_problem, form::newLine(this, {nullptr, cancel, m_apply})}), 1);
+    // Only now: what changes in a row is judged together with all other rows.
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        fill(m_rows[i], traces[i].value_or(TraceDefinition{}));
     refresh();
     m_rows.front().name->setFocus();
 }
