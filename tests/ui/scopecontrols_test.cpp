@@ -507,6 +507,26 @@ TEST_F(ScopeControls, TheWindowOfCustomTracesShowsThoseThatThereAre) {
     EXPECT_EQ(panel->setup(), setup);
 }
 
+TEST_F(ScopeControls, ATraceOfModulesThatAreNotThereStaysAsItWasWhenTracesAreApplied) {
+    auto* panel = find<ScopePanel>(u"scopePanel"_s);
+    ScopeSetup setup = panel->setup();
+    setup.custom[0] = TraceDefinition{u"skew"_s,
+                                      u"counts"_s,
+                                      {{ModuleIndex(2), ScopeSignal::Velocity}, 2},
+                                      TraceDefinition::Part{{ModuleIndex(3), ScopeSignal::Velocity}, -1}};
+    panel->setSetup(setup);
+    click(u"scopeSignalsButton"_s);
+    click(u"scopeCustomTracesButton"_s);
+    auto* traces = find<TracesDialog>(u"customTracesDialog"_s);
+    EXPECT_EQ(traces->findChild<QComboBox*>(u"customTrace1FirstSignal"_s)->currentText(),
+              u"Module 3: velocity"_s);
+    EXPECT_EQ(traces->findChild<QComboBox*>(u"customTrace1SecondSignal"_s)->currentText(),
+              u"Module 4: velocity"_s);
+    click(u"customTracesApplyButton"_s);
+    find<SignalsDialog>(u"scopeSignalsDialog"_s)->reject();
+    EXPECT_EQ(panel->setup(), setup);
+}
+
 TEST_F(ScopeControls, TheListOfSignalsIsFiltered) {
     click(u"scopeSignalsButton"_s);
     auto* dialog = find<SignalsDialog>(u"scopeSignalsDialog"_s);

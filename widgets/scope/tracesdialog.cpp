@@ -9,6 +9,7 @@
 
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
+#include "widgets/common/words.h"
 #include "widgets/scope/scopewords.h"
 
 namespace nmc {
@@ -141,8 +142,13 @@ void TracesDialog::fill(const Row& row, const TraceDefinition& trace) {
     if (trace.cutoff > 0)
         row.cutoff->showValue(trace.cutoff);
     const auto show = [](const Part& part, const std::optional<TraceDefinition::Part>& of) {
-        part.signal->setCurrentIndex(
-            std::max(0, part.signal->findData(of ? of->signal.toText() : QString())));
+        const QString signal = of ? of->signal.toText() : QString();
+        // Its module may not be there now; another signal in its place would be taken when the user applies.
+        if (of && of->signal.module && part.signal->findData(signal) < 0)
+            part.signal->addItem(Common::tr("%1: %2").arg(texts::moduleName(*of->signal.module),
+                                                          texts::signalName(of->signal.signal)),
+                                 signal);
+        part.signal->setCurrentIndex(std::max(0, part.signal->findData(signal)));
         part.factor->showValue(of ? of->factor : 1);
     };
     show(row.first, trace.first);
