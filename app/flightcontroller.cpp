@@ -3,6 +3,7 @@
 
 #include <QTime>
 
+#include "link/clock.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -10,8 +11,11 @@ namespace nmc {
 void FlightController::note(const QString& key, const QString& what, std::optional<ModuleIndex> module,
                             TimePoint at) {
     m_recorder.note(key.toStdString(), module, at);
-    m_circumstances[key.toStdString()] = {texts::recordTitle(what, QTime::currentTime()),
-                                          m_window.scopeModules(), m_store.link().simulated};
+    const LinkState& link = m_store.link();
+    m_circumstances[key.toStdString()] = {
+        texts::recordTitle(what, QTime::currentTime()), m_window.scopeModules(),
+        QString::fromStdString(link.port), link.simulated,
+        QDateTime::currentDateTime().addMSecs(-qRound64(toSeconds(monotonicNow() - at) * 1e3))};
 }
 
 bool FlightController::show(const QString& key) {
@@ -19,8 +23,10 @@ bool FlightController::show(const QString& key) {
     if (incident == nullptr || incident->history.empty())
         return false;
     const Circumstances& then = m_circumstances[incident->key];
+    const double at = toSeconds(incident->at - *incident->history.zero());
     m_window.showRecord(std::make_shared<const ScopeRecord>(ScopeRecord{
-        then.title, incident->history, then.modules, then.simulated, incident->module, incident->at}));
+        then.title, incident->history, then.modules, then.simulated, incident->module, incident->at,
+        ScopeOrigin{then.port, then.simulated, then.date.addMSecs(-qRound64(at * 1e3))}}));
     return true;
 }
 

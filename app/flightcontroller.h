@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDateTime>
 #include <QString>
 #include <map>
 #include <optional>
@@ -32,7 +33,9 @@ private:
     struct Circumstances {
         QString title;
         std::vector<ScopeModule> modules;
+        QString port;
         bool simulated = false;
+        QDateTime date;
     };
 
     MainWindow& m_window;

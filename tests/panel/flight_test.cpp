@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAction>
+#include <QFileDialog>
 #include <QLabel>
+#include <QSignalSpy>
+#include <QTemporaryDir>
 
 #include "tests/support/virtualpanel.h"
+#include "widgets/common/requests.h"
 #include "widgets/messages/banner.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopestrips.h"
@@ -39,6 +44,7 @@ protected:
     QString title() { return panel.window().findChild<QLabel*>(QStringLiteral("scopeRecordLabel"))->text(); }
 
     VirtualChain sim{QStringLiteral("servo,servo")};
+    VirtualChain other{QStringLiteral("servo,servo")};
     VirtualPanel panel;
 };
 
@@ -73,6 +79,26 @@ TEST_F(Flight, APowerLossCanStillBeShownWhenThePortIsClosed) {
     ASSERT_TRUE(clickShow(QStringLiteral("motor power")));
     EXPECT_TRUE(scope().showsRecord());
     EXPECT_TRUE(title().contains(QLatin1String("motor power"))) << title().toStdString();
+}
+
+TEST_F(Flight, WhatIsExportedSaysWhereItHappenedWhateverIsConnectedNow) {
+    begin();
+    (void)sim.control(QStringLiteral("set 1 power 0"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("motor power")) > 0; }));
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(other.terminal()));
+    ASSERT_TRUE(clickShow(QStringLiteral("motor power")));
+    ASSERT_TRUE(scope().showsRecord());
+    const QTemporaryDir directory;
+    QSignalSpy saved(&panel.window().requests(), &Requests::save);
+    panel.window().findChild<QAction*>(QStringLiteral("scopeExportCsvAction"))->trigger();
+    auto* dialog = panel.window().findChild<QFileDialog*>(QStringLiteral("scopeExportcsvDialog"));
+    ASSERT_NE(dialog, nullptr);
+    emit dialog->fileSelected(directory.filePath(QStringLiteral("fault.csv")));
+    dialog->close();
+    ASSERT_TRUE(panel.waitFor([&] { return saved.count() == 1; }));
+    const QString file = QString::fromStdString(saved[0][1].value<FileContent>()());
+    EXPECT_TRUE(file.contains(sim.terminal())) << file.left(500).toStdString();
+    EXPECT_FALSE(file.contains(other.terminal())) << file.left(500).toStdString();
 }
 
 TEST_F(Flight, TheHistoryIsStillThereAfterThePortIsClosed) {

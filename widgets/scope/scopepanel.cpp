@@ -420,8 +420,7 @@ void ScopePanel::draw(const History& history, double now) {
     const QString title = m_record  ? m_record->title
                           : m_under ? Common::tr("Overlay: %1").arg(m_under->record().title)
                                     : QString();
-    m_files->exporting().take(*m_strips, history, now,
-                              m_record && m_record->origin ? *m_record->origin : m_origin, title);
+    m_files->exporting().take(*m_strips, history, now, m_record ? m_record->origin : m_origin, title);
 }
 
 void ScopePanel::showRecord(std::shared_ptr<const ScopeRecord> record) {

@@ -25,7 +25,7 @@ struct ScopeRecord {
     bool simulated = false;
     std::optional<ModuleIndex> module{};  ///< the module that it is about
     std::optional<TimePoint> event{};     ///< time of the event that it is about
-    std::optional<ScopeOrigin> origin{};  ///< empty: this session
+    ScopeOrigin origin{};
 };
 
 /// ISO 8601 with the offset of the time zone; empty for an invalid date.
