@@ -7339,10 +7339,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>想定モジュールと検出モジュール（PCから最も遠いものが先頭）</translation>
     </message>
     <message>
-        <source>Address</source>
-        <translation>アドレス</translation>
-    </message>
-    <message>
         <source>Expected</source>
         <translation>想定</translation>
     </message>

@@ -59,6 +59,16 @@ TEST_F(ChainWindow, TheDoctorNamesThePlaceToLookAt) {
     EXPECT_EQ(cell(3, 4), u"missing"_s);
 }
 
+TEST_F(ChainWindow, TheDoctorNumbersTheModulesWhateverTheirAddressesAre) {
+    showGrouped({bus::GroupPlace{}, bus::GroupPlace{}});
+    link.modules[0].info.address = BusAddress(40);
+    window->showLink(link);
+    open("chainDoctorAction");
+    EXPECT_EQ(find<QTableWidget>(u"chainTable"_s)->horizontalHeaderItem(0)->text(), u"Module"_s);
+    EXPECT_EQ(cell(0, 0), u"1"_s);
+    EXPECT_EQ(cell(1, 0), u"2"_s);
+}
+
 TEST_F(ChainWindow, OfAnotherModuleTheDoctorSaysThatItIsUsedWithTheSettingsOfItsPlace) {
     expect(2);
     machine.axes[0].expected = ModuleIdentity{ModuleType::Servo, 3};

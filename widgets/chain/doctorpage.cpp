@@ -37,7 +37,7 @@ void DoctorPage::build(const Requests& requests) {
     m_table = new QTableWidget(0, Columns, this);
     look::name(m_table, u"chainTable"_s, tr("Modules expected and found, the farthest from the PC first"));
     m_table->setHorizontalHeaderLabels(
-        {tr("Address"), Common::tr("Name"), tr("Expected"), tr("Found"), tr("State")});
+        {Common::tr("Module"), Common::tr("Name"), tr("Expected"), tr("Found"), tr("State")});
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);

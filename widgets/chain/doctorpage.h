@@ -30,7 +30,7 @@ public:
                    std::optional<Refusal> whyNotEdited);
 
 private:
-    enum Column { Address, Name, Expected, Found, Verdict, Columns };
+    enum Column { Module, Name, Expected, Found, Verdict, Columns };
 
     void build(const Requests& requests);
     void fill();
