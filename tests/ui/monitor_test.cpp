@@ -151,6 +151,16 @@ TEST_F(Monitor, FiltersByModuleAndByKind) {
     EXPECT_EQ(purposesOf(u"All kinds"_s).size(), 5);
 }
 
+TEST_F(Monitor, OffersTheModulesUnderTheirPresentNames) {
+    showServos({{}, {}});
+    open();
+    EXPECT_EQ(box(u"packetModuleBox"_s)->itemText(2), u"Module 2"_s);
+    machine.axes.resize(2);
+    machine.axes[1].name = "Z axis";
+    window->showMachine(machine);
+    EXPECT_EQ(box(u"packetModuleBox"_s)->itemText(2), u"Module 2 \"Z axis\""_s);
+}
+
 TEST_F(Monitor, FollowsTheNewestUntilTheUserScrollsUp) {
     open();
     showPolls(500);

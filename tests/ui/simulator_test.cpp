@@ -298,6 +298,15 @@ TEST_F(Simulator, FollowsTheListOfModules) {
     EXPECT_EQ(find<QComboBox>(u"simModuleBox"_s)->currentIndex(), 0) << "its own selection stays";
 }
 
+TEST_F(Simulator, TheModulesHaveTheirPresentNames) {
+    attach();
+    EXPECT_EQ(find<QComboBox>(u"simModuleBox"_s)->itemText(1), u"Module 2"_s);
+    machine.axes.resize(2);
+    machine.axes[1].name = "Z axis";
+    window->showMachine(machine);
+    EXPECT_EQ(find<QComboBox>(u"simModuleBox"_s)->itemText(1), u"Module 2 \"Z axis\""_s);
+}
+
 TEST_F(Simulator, ViolationsAreCounted) {
     attach();
     answer(u"stats"_s, {{u"modules"_s, QJsonArray{1, 2}},

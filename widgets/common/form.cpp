@@ -5,10 +5,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSignalBlocker>
 #include <algorithm>
 #include <vector>
 
 #include "widgets/common/look.h"
+#include "widgets/common/words.h"
 
 namespace nmc {
 
@@ -84,6 +86,17 @@ QComboBox* newChoice(const Choice& choice, QWidget* box) {
         field->addItem(option.text, option.value);
     field->setToolTip(choice.meaning);
     return field;
+}
+
+void offerModules(QComboBox* choice, int others, int modules) {
+    const QSignalBlocker quiet(choice);
+    for (int i = 0; i < modules; ++i) {
+        const QString name = texts::moduleName(ModuleIndex(static_cast<std::uint8_t>(i)));
+        if (choice->count() == others + i)
+            choice->addItem(name);
+        else if (choice->itemText(others + i) != name)
+            choice->setItemText(others + i, name);
+    }
 }
 
 QLineEdit* newText(const Text& text, QWidget* box) {

@@ -85,6 +85,9 @@ void choose(QComboBox* choice, T value) {
     choice->setCurrentIndex(choice->findData(static_cast<int>(value)));
 }
 
+/// Offers that many modules, under their present names, after the first `others` options. Emits nothing.
+void offerModules(QComboBox* choice, int others, int modules);
+
 /// A field for a text.
 struct Text {
     QString name;        ///< object name

@@ -55,11 +55,9 @@ void MonitorDock::showPackets(std::vector<bus::ExchangeRecord> records) {
 }
 
 void MonitorDock::showLink(const LinkState& link) {
-    const int modules = qMax(m_modules, static_cast<int>(link.modules.size()));
-    if (modules == std::exchange(m_modules, modules))
-        return;
+    m_modules = qMax(m_modules, static_cast<int>(link.modules.size()));
     if (m_page != nullptr)
-        m_page->offerModules(modules);
+        m_page->offerModules(m_modules);
 }
 
 void MonitorDock::showFigures(const LinkFigures& figures) {

@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QShortcut>
-#include <QSignalBlocker>
 #include <QTabWidget>
 
 #include "widgets/common/flowlayout.h"
@@ -134,9 +133,7 @@ void PacketMonitor::setSeen(bool seen) {
 }
 
 void PacketMonitor::offerModules(int count) {
-    const QSignalBlocker blocker(m_module);
-    while (m_module->count() < count + 1)
-        m_module->addItem(texts::moduleName(ModuleIndex(static_cast<std::uint8_t>(m_module->count() - 1))));
+    form::offerModules(m_module, 1, count);
 }
 
 void PacketMonitor::showFigures(const LinkFigures& figures) {

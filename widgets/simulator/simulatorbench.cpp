@@ -104,14 +104,13 @@ void SimulatorBench::offerModules(int count) {
 }
 
 void SimulatorBench::setModules(int count) {
-    if (count == m_module->count())
-        return;
+    const bool others = count != m_module->count();
     const QSignalBlocker blocker(m_module);
     while (m_module->count() > count)
         m_module->removeItem(m_module->count() - 1);
-    while (m_module->count() < count)
-        m_module->addItem(texts::moduleName(ModuleIndex(static_cast<std::uint8_t>(m_module->count()))));
-    chooseModule();
+    form::offerModules(m_module, 0, count);
+    if (others)
+        chooseModule();
 }
 
 void SimulatorBench::showSelected(std::optional<ModuleIndex> module) {
