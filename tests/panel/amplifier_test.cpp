@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDialog>
 #include <QLabel>
 
 #include "tests/support/virtualpanel.h"
@@ -158,6 +159,25 @@ TEST_F(AmplifierPage, NothingIsSentWithoutAYes) {
     EXPECT_TRUE(panel.answersFor(0.3));
     EXPECT_FALSE(sim.state(1)[u"three_phase"_s].toBool());
     EXPECT_FALSE(panel.module().scIo);
+}
+
+TEST_F(AmplifierPage, AQuestionIsAboutWhatThePageSaysWhenItIsAnswered) {
+    ASSERT_NO_FATAL_FAILURE(chooseLimits(0));
+    ASSERT_NO_FATAL_FAILURE(press("threePhaseBox"));
+    ASSERT_NO_FATAL_FAILURE(press("applyAmplifierButton"));
+    ASSERT_NO_FATAL_FAILURE(press("threePhaseBox"));
+    ASSERT_NO_FATAL_FAILURE(press("antiphaseBox"));
+    ASSERT_NO_FATAL_FAILURE(apply());
+    EXPECT_FALSE(sim.state(1)[u"three_phase"_s].toBool());
+    EXPECT_TRUE(sim.state(1)[u"antiphase"_s].toBool());
+    const auto told = [this] {
+        return panel.window().findChild<QDialog*>(u"saveConfigurationQuestion"_s)->accessibleDescription();
+    };
+    ASSERT_NO_FATAL_FAILURE(press("saveServoBox"));
+    ASSERT_NO_FATAL_FAILURE(press("saveConfigurationButton"));
+    EXPECT_TRUE(told().contains(u"driven right after power-up"_s)) << told().toStdString();
+    ASSERT_NO_FATAL_FAILURE(press("saveServoBox"));
+    EXPECT_FALSE(told().contains(u"driven right after power-up"_s)) << told().toStdString();
 }
 
 TEST_F(AmplifierPage, WhatIsSavedComesBackAtPowerUp) {

@@ -209,7 +209,6 @@ QString AmplifierBox::stateText() const {
 }
 
 void AmplifierBox::refreshRest() {
-    AskDialog::reviewAll(*this);
     look::setText(m_state, stateText());
     const QString now = context().reasonNow(IntentKind::ControlSc);
     const auto wanted = this->wanted();
@@ -231,48 +230,51 @@ void AmplifierBox::refreshRest() {
         save = tr("Apply the amplifier settings first: the module's present settings are unknown.");
     m_save->setPossible(save, tr("Saves the module's present settings and restarts it."));
     m_erase->setPossible(now, tr("Erases the module's saved configuration and restarts it."));
+    AskDialog::reviewAll(*this);
 }
 
-void AmplifierBox::question(const QString& name, const QString& title, const QString& text,
-                            const QString& verb, const Intent& intent) {
-    AskDialog::ask(
-        {.name = name,
-         .title = title,
-         .text = [this, text] { return context().whyNot(IntentKind::ControlSc) ? QString() : text; },
-         .stay = Common::tr("Cancel"),
-         .stayName = name + u"Cancel"_s,
-         .stayIsDefault = true},
-        {{verb, name + u"Go"_s, [this, intent] { context().ask(intent); }}}, this);
+void AmplifierBox::question(const QString& name, const QString& title, const Command& of,
+                            const std::function<QString()>& text, const QString& verb,
+                            const std::function<Intent()>& intent) {
+    AskDialog::ask({.name = name,
+                    .title = title,
+                    .text = [&of, text] { return of.isEnabled() ? text() : QString(); },
+                    .stay = Common::tr("Cancel"),
+                    .stayName = name + u"Cancel"_s,
+                    .stayIsDefault = true},
+                   {{verb, name + u"Go"_s, [this, intent] { context().ask(intent()); }}}, this);
 }
 
 void AmplifierBox::apply() {
-    const auto wanted = this->wanted();
-    if (!wanted)
-        return;
-    question(
-        u"applyAmplifierQuestion"_s, tr("Apply amplifier settings"),
-        tr("Apply these settings to %1? If 3-phase, antiphase or step and direction do not match the amplifier and its wiring, the amplifier can be destroyed, or the motor can run away once it is enabled.")
-            .arg(texts::moduleName(context().state().info.index)),
-        tr("Apply settings"), intent::ControlSc{*wanted});
+    const auto text = [this] {
+        return tr("Apply these settings to %1? If 3-phase, antiphase or step and direction do not match the amplifier and its wiring, the amplifier can be destroyed, or the motor can run away once it is enabled.")
+            .arg(texts::moduleName(context().state().info.index));
+    };
+    question(u"applyAmplifierQuestion"_s, tr("Apply amplifier settings"), *m_apply, text,
+             tr("Apply settings"), [this] { return intent::ControlSc{*wanted()}; });
 }
 
 void AmplifierBox::save() {
-    const servo::HardReset saved = wantedSaved();
-    QString text =
-        tr("Save the configuration of %1? It takes effect at each power-up, whatever is connected then. The module restarts now: its motor switches off, and it needs its gains again.")
-            .arg(texts::moduleName(context().state().info.index));
-    if (saved.amplifierOn || saved.servoOn)
-        text += u' ' + tr("Its motor will be driven right after power-up, without a command.");
-    question(u"saveConfigurationQuestion"_s, tr("Save in module"), text, tr("Save and restart"),
-             intent::SaveConfiguration{saved});
+    const auto text = [this] {
+        const servo::HardReset saved = wantedSaved();
+        QString words =
+            tr("Save the configuration of %1? It takes effect at each power-up, whatever is connected then. The module restarts now: its motor switches off, and it needs its gains again.")
+                .arg(texts::moduleName(context().state().info.index));
+        if (saved.amplifierOn || saved.servoOn)
+            words += u' ' + tr("Its motor will be driven right after power-up, without a command.");
+        return words;
+    };
+    question(u"saveConfigurationQuestion"_s, tr("Save in module"), *m_save, text, tr("Save and restart"),
+             [this] { return intent::SaveConfiguration{wantedSaved()}; });
 }
 
 void AmplifierBox::erase() {
-    question(
-        u"eraseConfigurationQuestion"_s, tr("Erase saved configuration"),
-        tr("Erase the saved configuration of %1? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.")
-            .arg(texts::moduleName(context().state().info.index)),
-        tr("Erase and restart"), intent::SaveConfiguration{servo::HardReset{}});
+    const auto text = [this] {
+        return tr("Erase the saved configuration of %1? From the next power-up it starts with its default settings. It restarts now: its motor switches off, and it needs its gains again.")
+            .arg(texts::moduleName(context().state().info.index));
+    };
+    question(u"eraseConfigurationQuestion"_s, tr("Erase saved configuration"), *m_erase, text,
+             tr("Erase and restart"), [] { return intent::SaveConfiguration{servo::HardReset{}}; });
 }
 
 void AmplifierBox::setMultiplier() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "widgets/panels/stagedform.h"
@@ -34,9 +35,12 @@ private:
     void save();
     void erase();
     void setMultiplier();
-    /// Asks for confirmation before anything that outlives this panel or could destroy something.
-    void question(const QString& name, const QString& title, const QString& text, const QString& verb,
-                  const Intent& intent);
+    /// Asks for confirmation before anything that outlives this panel or could destroy something. The
+    /// question is about what the page says when it is answered, and is withdrawn when `of` is no longer
+    /// possible.
+    void question(const QString& name, const QString& title, const Command& of,
+                  const std::function<QString()>& text, const QString& verb,
+                  const std::function<Intent()>& intent);
     [[nodiscard]] QString stateText() const;
 
     QComboBox* m_limits;
