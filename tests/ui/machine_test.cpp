@@ -329,6 +329,17 @@ TEST_F(MachineWindow, NewAndOpenAskFirstAndNameTheLoss) {
     EXPECT_EQ(begun.count(), 1);
 }
 
+TEST_F(MachineWindow, WhatWasAskedForLastIsDoneWhenTheQuestionIsAnswered) {
+    const QSignalSpy begun(&menu(), &MachineMenu::newRequested);
+    const QSignalSpy opened(&menu(), &MachineMenu::openRequested);
+    menu().showFile({{}, {}, true, {u"/home/anna/mill.json"_s}});
+    trigger(u"newMachineAction"_s);
+    trigger(u"recentMachine1Action"_s);
+    click(u"goOnUnsavedButton"_s);
+    EXPECT_EQ(begun.count(), 0);
+    EXPECT_EQ(opened.count(), 1);
+}
+
 TEST_F(MachineWindow, EscInTheQuestionStaysAndStops) {
     showServo();
     const QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);
