@@ -324,6 +324,12 @@ TEST_F(UnsentGains, OrTheStepIsMadeWithThoseThatItHas) {
     EXPECT_FALSE(last<intent::StepResponse>().gains);
 }
 
+TEST_F(UnsentGains, AndTheQuestionIsWithdrawnWhenTheStepIsAnotherOne) {
+    type(u"responseDistanceField"_s, u"50"_s);
+    click(u"stepWithoutButton"_s);
+    EXPECT_TRUE(intents.isEmpty()) << "it was asked about 100 counts";
+}
+
 TEST_F(UnsentGains, OrNothingIsDone) {
     click(u"cancelStepButton"_s);
     EXPECT_TRUE(intents.isEmpty());

@@ -344,9 +344,11 @@ void ResponseForm::askWhichGains(const intent::StepSeries& wanted, const std::ve
                 self->ask(index, steps, own);
         };
     };
-    const auto text = [self = QPointer(this), index = m_module->info.index, before = unsentGains(), series] {
+    const auto text = [self = QPointer(this), index = m_module->info.index, before = unsentGains(), series,
+                       wanted] {
         const bool stands = self && self->m_module && self->m_module->info.index == index &&
-                            self->unsentGains() == before && self->whyNotNow(series).isEmpty();
+                            self->unsentGains() == before && self->entered(series) == wanted &&
+                            self->whyNotNow(series).isEmpty();
         return stands ? tr("Some gains in the fields were not sent: %1. Which gains should the step use?")
                             .arg(before)
                       : QString();

@@ -109,11 +109,13 @@ struct StepResponse {
     double record = 0.0;                    ///< s, from the step or the end of the profile on
     std::optional<servo::SetGain> gains{};  ///< sent before the step; empty: the present gains are used
     ServoPace pace{};                       ///< ResponseMethod::Move
+    bool operator==(const StepResponse&) const = default;
 };
 /// Makes a series of step responses, from which a motor can be identified (looptestplan.h). A procedure.
 struct StepSeries {
     StepResponse each;                 ///< except for its distance
     std::vector<std::int32_t> counts;  ///< distance of each, from the end of the previous one
+    bool operator==(const StepSeries&) const = default;
 };
 /// Makes the command position jump to and fro about the one held, by half of `counts` to either side
 /// (looptestplan.h). A procedure, which accepts new gains for the following edges.
