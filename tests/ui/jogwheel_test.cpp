@@ -41,10 +41,13 @@ protected:
 };
 
 TEST_F(JogWheels, AnotherInputDeviceIsNoJogWheel) {
-    const VirtualInput keyboard("046d", "c31c");
-    wheel.setOn(true);
-    EXPECT_FALSE(wheel.isThere());
-    EXPECT_FALSE(wheel.isForbidden());
+    for (const auto& [vendor, product] : {std::pair("046d", "c31c"), {"0b33", "1000"}}) {  // keyboard, mouse
+        const VirtualInput other(vendor, product);
+        wheel.setOn(true);
+        EXPECT_FALSE(wheel.isThere());
+        EXPECT_FALSE(wheel.isForbidden());
+        wheel.setOn(false);
+    }
 }
 
 TEST_F(JogWheels, TheRingMovesAtASpeedWhileAButtonIsHeld) {

@@ -73,9 +73,10 @@ std::optional<JogWheel::Kind> JogWheel::kindOf(const QString& device) {
         return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().toInt(nullptr, 16) : 0;
     };
     constexpr int kContour = 0x0b33, kLogitech = 0x046d, k3dConnexion = 0x256f;
+    constexpr std::array kShuttles{0x0010, 0x0020, 0x0030};  // PRO, Xpress, PRO v2; Contour makes mice, too
     const int vendor = number(u"vendor"_s);
     const int product = number(u"product"_s);
-    if (vendor == kContour)
+    if (vendor == kContour && std::ranges::find(kShuttles, product) != kShuttles.end())
         return Kind::Shuttle;
     if (vendor == k3dConnexion || (vendor == kLogitech && product >= 0xc621 && product <= 0xc62b))
         return Kind::Cap;
