@@ -5775,8 +5775,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>? Unbekannt: In dieser Verbindung wurde nichts angewendet, und die Einstellungen sind nicht auslesbar. Das Modul kann gespeicherte Einstellungen haben.</translation>
     </message>
     <message>
-        <source>● Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.</source>
-        <translation>● Angewendet: 3 Phasen %1, Gegenphase %2, Takt und Richtung %3, Endschalter %4.</translation>
+        <source>✓ Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.</source>
+        <translation>✓ Angewendet: 3 Phasen %1, Gegenphase %2, Takt und Richtung %3, Endschalter %4.</translation>
     </message>
     <message>
         <source>Step and direction uses the limit pins: set the limit inputs to do nothing.</source>
@@ -7994,16 +7994,16 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Geladene Fahrten s&amp;tarten</translation>
     </message>
     <message>
-        <source>Start the loaded moves of this group</source>
-        <translation>Die geladenen Fahrten dieser Gruppe starten</translation>
+        <source>Start loaded moves of this group</source>
+        <translation>Geladene Fahrten starten: diese Gruppe</translation>
     </message>
     <message>
         <source>Save &amp;home</source>
         <translation>&amp;Referenz speichern</translation>
     </message>
     <message>
-        <source>Save the present positions of this group as home</source>
-        <translation>Die jetzigen Positionen dieser Gruppe als Referenz speichern</translation>
+        <source>Save home: the present positions of this group</source>
+        <translation>Referenz speichern: die jetzigen Positionen dieser Gruppe</translation>
     </message>
     <message>
         <source>Group of module %1</source>
@@ -8070,7 +8070,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>&amp;Sanft stoppen</translation>
     </message>
     <message>
-        <source>Stop this group smoothly</source>
+        <source>Stop smoothly: this group</source>
         <translation>Sanft stoppen: diese Gruppe</translation>
     </message>
     <message>
@@ -8078,7 +8078,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>S&amp;ofort stoppen</translation>
     </message>
     <message>
-        <source>Stop this group at once</source>
+        <source>Stop at once: this group</source>
         <translation>Sofort stoppen: diese Gruppe</translation>
     </message>
     <message>
@@ -8087,15 +8087,15 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>Motors off in this group</source>
-        <translation>Motoren dieser Gruppe aus</translation>
+        <translation>Motoren aus: diese Gruppe</translation>
     </message>
     <message>
         <source>C&amp;lear sticky bits</source>
         <translation>Sticky-Bits &amp;löschen</translation>
     </message>
     <message>
-        <source>Clear the sticky bits of this group</source>
-        <translation>Die Sticky-Bits dieser Gruppe löschen</translation>
+        <source>Clear sticky bits of this group</source>
+        <translation>Sticky-Bits löschen: diese Gruppe</translation>
     </message>
     <message>
         <source>Set &amp;position to 0…</source>

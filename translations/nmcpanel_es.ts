@@ -5775,8 +5775,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>? Desconocido: no se aplicó nada en esta conexión, y el módulo no lo indica. Puede tener ajustes guardados.</translation>
     </message>
     <message>
-        <source>● Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.</source>
-        <translation>● Aplicado: trifásico %1, contrafase %2, paso y dirección %3, finales de carrera: %4.</translation>
+        <source>✓ Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.</source>
+        <translation>✓ Aplicado: trifásico %1, contrafase %2, paso y dirección %3, finales de carrera: %4.</translation>
     </message>
     <message>
         <source>Step and direction uses the limit pins: set the limit inputs to do nothing.</source>
@@ -7994,16 +7994,16 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Inici&amp;ar movimientos cargados</translation>
     </message>
     <message>
-        <source>Start the loaded moves of this group</source>
-        <translation>Iniciar los movimientos cargados de este grupo</translation>
+        <source>Start loaded moves of this group</source>
+        <translation>Iniciar movimientos cargados: este grupo</translation>
     </message>
     <message>
         <source>Save &amp;home</source>
         <translation>Guardar &amp;referencia</translation>
     </message>
     <message>
-        <source>Save the present positions of this group as home</source>
-        <translation>Guardar las posiciones actuales de este grupo como referencia</translation>
+        <source>Save home: the present positions of this group</source>
+        <translation>Guardar referencia: las posiciones actuales de este grupo</translation>
     </message>
     <message>
         <source>Group of module %1</source>
@@ -8070,7 +8070,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Parar suave&amp;mente</translation>
     </message>
     <message>
-        <source>Stop this group smoothly</source>
+        <source>Stop smoothly: this group</source>
         <translation>Parar suavemente este grupo</translation>
     </message>
     <message>
@@ -8078,7 +8078,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Parar de &amp;inmediato</translation>
     </message>
     <message>
-        <source>Stop this group at once</source>
+        <source>Stop at once: this group</source>
         <translation>Parar de inmediato este grupo</translation>
     </message>
     <message>
@@ -8094,8 +8094,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Borrar bit&amp;s enclavados</translation>
     </message>
     <message>
-        <source>Clear the sticky bits of this group</source>
-        <translation>Borrar los bits enclavados de este grupo</translation>
+        <source>Clear sticky bits of this group</source>
+        <translation>Borrar bits enclavados: este grupo</translation>
     </message>
     <message>
         <source>Set &amp;position to 0…</source>

@@ -5775,8 +5775,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>? Inconnu&#xa0;: rien n’a été appliqué pendant cette connexion, et le module ne le dit pas. Il peut avoir des réglages enregistrés.</translation>
     </message>
     <message>
-        <source>● Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.</source>
-        <translation>● Appliqué&#xa0;: triphasé %1, antiphase %2, pas et direction %3, fins de course %4.</translation>
+        <source>✓ Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.</source>
+        <translation>✓ Appliqué&#xa0;: triphasé %1, antiphase %2, pas et direction %3, fins de course %4.</translation>
     </message>
     <message>
         <source>Step and direction uses the limit pins: set the limit inputs to do nothing.</source>
@@ -7994,7 +7994,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Lancer les déplacements ch&amp;argés</translation>
     </message>
     <message>
-        <source>Start the loaded moves of this group</source>
+        <source>Start loaded moves of this group</source>
         <translation>Lancer les déplacements chargés de ce groupe</translation>
     </message>
     <message>
@@ -8002,7 +8002,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Enregistrer l’&amp;origine</translation>
     </message>
     <message>
-        <source>Save the present positions of this group as home</source>
+        <source>Save home: the present positions of this group</source>
         <translation>Enregistrer l’origine&#xa0;: les positions actuelles de ce groupe</translation>
     </message>
     <message>
@@ -8070,7 +8070,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Arrêt &amp;progressif</translation>
     </message>
     <message>
-        <source>Stop this group smoothly</source>
+        <source>Stop smoothly: this group</source>
         <translation>Arrêt progressif de ce groupe</translation>
     </message>
     <message>
@@ -8078,7 +8078,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Arrêt &amp;brutal</translation>
     </message>
     <message>
-        <source>Stop this group at once</source>
+        <source>Stop at once: this group</source>
         <translation>Arrêt brutal de ce groupe</translation>
     </message>
     <message>
@@ -8094,7 +8094,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Effacer les bits &amp;mémorisés</translation>
     </message>
     <message>
-        <source>Clear the sticky bits of this group</source>
+        <source>Clear sticky bits of this group</source>
         <translation>Effacer les bits mémorisés de ce groupe</translation>
     </message>
     <message>

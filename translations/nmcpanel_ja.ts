@@ -5758,8 +5758,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>? 不明：この接続では何も適用しておらず、モジュールからは読み出せません。保存済みの設定がある可能性があります。</translation>
     </message>
     <message>
-        <source>● Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.</source>
-        <translation>● 適用済み：三相 %1、アンチフェーズ %2、ステップ/方向 %3、リミット %4。</translation>
+        <source>✓ Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.</source>
+        <translation>✓ 適用済み：三相 %1、アンチフェーズ %2、ステップ/方向 %3、リミット %4。</translation>
     </message>
     <message>
         <source>Step and direction uses the limit pins: set the limit inputs to do nothing.</source>
@@ -7977,7 +7977,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ロード済みの移動を開始(&amp;A)</translation>
     </message>
     <message>
-        <source>Start the loaded moves of this group</source>
+        <source>Start loaded moves of this group</source>
         <translation>ロード済みの移動を開始：このグループ</translation>
     </message>
     <message>
@@ -7985,7 +7985,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>原点を保存(&amp;H)</translation>
     </message>
     <message>
-        <source>Save the present positions of this group as home</source>
+        <source>Save home: the present positions of this group</source>
         <translation>原点を保存：このグループの現在位置</translation>
     </message>
     <message>
@@ -8053,7 +8053,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>減速停止(&amp;M)</translation>
     </message>
     <message>
-        <source>Stop this group smoothly</source>
+        <source>Stop smoothly: this group</source>
         <translation>減速停止：このグループ</translation>
     </message>
     <message>
@@ -8061,7 +8061,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>即停止(&amp;O)</translation>
     </message>
     <message>
-        <source>Stop this group at once</source>
+        <source>Stop at once: this group</source>
         <translation>即停止：このグループ</translation>
     </message>
     <message>
@@ -8077,7 +8077,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>スティッキービットをクリア(&amp;L)</translation>
     </message>
     <message>
-        <source>Clear the sticky bits of this group</source>
+        <source>Clear sticky bits of this group</source>
         <translation>スティッキービットをクリア：このグループ</translation>
     </message>
     <message>

@@ -51,7 +51,7 @@ protected:
         ASSERT_NO_FATAL_FAILURE(press("applyAmplifierButton"));
         ASSERT_NO_FATAL_FAILURE(press("applyAmplifierQuestionGo"));
         ASSERT_TRUE(
-            panel.waitFor([&] { return find<QLabel>("amplifierState").text().startsWith(u"● Applied"_s); }));
+            panel.waitFor([&] { return find<QLabel>("amplifierState").text().startsWith(u"✓ Applied"_s); }));
     }
     void enableAndRun() {
         panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});

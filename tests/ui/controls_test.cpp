@@ -77,6 +77,7 @@ class SpokenNames : public Controls {};
 TEST_F(SpokenNames, BeginWithTheWordsThatTheControlShows) {
     for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper, ModuleType::Io}) {
         showInEveryDock({type, 1});
+        window->findChild<QAction*>(u"groupsAction"_s)->trigger();
         for (const QWidget* widget : controls()) {
             const QString name = widget->accessibleName();
             EXPECT_NE(name, widget->toolTip()) << widget->objectName().toStdString();

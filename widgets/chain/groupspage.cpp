@@ -57,19 +57,19 @@ GroupsPage::GroupsPage(Requests& requests, QWidget* parent) : QWidget(parent), m
     m_name = form::newText({u"groupNameField"_s, tr("Name of the group"), 40, {}, Common::tr("Name")}, this);
     using enum bus::GroupCommand::Action;
     m_start = newCommand(tr("St&art loaded moves"), u"groupStartButton"_s,
-                         tr("Start the loaded moves of this group"), StartMotion);
+                         tr("Start loaded moves of this group"), StartMotion);
     m_start->setIcon(icons::tinted(u"player-play"_s));
     m_saveHome = newCommand(tr("Save &home"), u"groupHomeButton"_s,
-                            tr("Save the present positions of this group as home"), SaveAsHome);
+                            tr("Save home: the present positions of this group"), SaveAsHome);
     m_saveHome->setIcon(icons::tinted(u"home"_s));
     m_stopSmoothly = newCommand(tr("Stop s&moothly"), u"groupStopSmoothlyButton"_s,
-                                tr("Stop this group smoothly"), StopSmoothly);
+                                tr("Stop smoothly: this group"), StopSmoothly);
     m_stopAbruptly = newCommand(tr("Stop at &once"), u"groupStopAbruptlyButton"_s,
-                                tr("Stop this group at once"), StopAbruptly);
+                                tr("Stop at once: this group"), StopAbruptly);
     m_motorOff =
         newCommand(tr("Motors o&ff"), u"groupMotorOffButton"_s, tr("Motors off in this group"), MotorOff);
     m_clear = newCommand(tr("C&lear sticky bits"), u"groupClearButton"_s,
-                         tr("Clear the sticky bits of this group"), ClearStickyBits);
+                         tr("Clear sticky bits of this group"), ClearStickyBits);
     m_reset = form::newPush(
         {u"groupResetButton"_s, tr("Set &position to 0…"), tr("Set position to 0 for this group")}, this);
     m_reset->setAutoDefault(false);

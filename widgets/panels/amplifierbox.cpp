@@ -203,7 +203,7 @@ QString AmplifierBox::stateText() const {
     if (!now)
         return tr(
             "? Unknown: nothing has been applied in this connection, and the settings cannot be read back. The module may have saved settings.");
-    return tr("● Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.")
+    return tr("✓ Applied: 3-phase %1, antiphase %2, step and direction %3, limits %4.")
         .arg(onOrOff(now->threePhase), onOrOff(now->antiphase), onOrOff(now->stepAndDirection),
              m_limits->itemText(m_limits->findData(static_cast<int>(now->limitStop))));
 }
