@@ -8,21 +8,23 @@
 
 namespace nmc {
 
-void FlightController::note(const QString& key, const QString& what, std::optional<ModuleIndex> module,
-                            TimePoint at) {
-    m_recorder.note(key.toStdString(), module, at);
+unsigned FlightController::note(const QString& what, std::optional<ModuleIndex> module, TimePoint at) {
+    const unsigned record = m_recorder.note(module, at);
     const LinkState& link = m_store.link();
-    m_circumstances[key.toStdString()] = {
+    m_circumstances[record] = {
         texts::recordTitle(what, QTime::currentTime()), m_window.scopeModules(),
         QString::fromStdString(link.port), link.simulated,
         QDateTime::currentDateTime().addMSecs(-qRound64(toSeconds(monotonicNow() - at) * 1e3))};
+    if (m_circumstances.size() > FlightRecorder::kKept)
+        m_circumstances.erase(m_circumstances.begin());
+    return record;
 }
 
-bool FlightController::show(const QString& key) {
-    const FlightRecorder::Incident* incident = m_recorder.find(key.toStdString(), m_store.history());
+bool FlightController::show(unsigned record) {
+    const FlightRecorder::Incident* incident = m_recorder.find(record, m_store.history());
     if (incident == nullptr || incident->history.empty())
         return false;
-    const Circumstances& then = m_circumstances[incident->key];
+    const Circumstances& then = m_circumstances[record];
     const double at = toSeconds(incident->at - *incident->history.zero());
     m_window.showRecord(std::make_shared<const ScopeRecord>(ScopeRecord{
         then.title, incident->history, then.modules, then.simulated, incident->module, incident->at,

@@ -5,7 +5,6 @@
 #include <QString>
 #include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "link/connection/busstore.h"
@@ -19,14 +18,14 @@ class FlightController {
 public:
     FlightController(MainWindow& window, const BusStore& store) : m_window(window), m_store(store) {}
 
-    /// `key`: of the message that reports it; `what`: its headline.
-    void note(const QString& key, const QString& what, std::optional<ModuleIndex> module, TimePoint at);
+    /// `what`: headline of the message that reports it. Returns the number of the record (Message::record).
+    unsigned note(const QString& what, std::optional<ModuleIndex> module, TimePoint at);
     /// Call once per frame.
     void keep(TimePoint now) { m_recorder.keep(m_store.history(), now); }
     /// Call when the connection has ended.
     void keepAll() { m_recorder.keepAll(m_store.history()); }
     /// Shows the record in the scope; returns false if nothing was recorded.
-    bool show(const QString& key);
+    bool show(unsigned record);
 
 private:
     /// As at the time of the event, because the chain may be a different one when the record is viewed.
@@ -41,7 +40,7 @@ private:
     MainWindow& m_window;
     const BusStore& m_store;
     FlightRecorder m_recorder;
-    std::map<std::string, Circumstances> m_circumstances;
+    std::map<unsigned, Circumstances> m_circumstances;
 };
 
 }  // namespace nmc

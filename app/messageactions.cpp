@@ -26,7 +26,7 @@ MessageActions::MessageActions(MainWindow& window, BusStore& store, BusWorker& w
 void MessageActions::act(const Message& message, MessageAction action) {
     switch (action) {
         case MessageAction::ShowRecord:
-            m_flight.show(message.key);
+            m_flight.show(message.record);
             return;  // the condition persists
         case MessageAction::Retry:
             return m_connection.reopen();  // the message ends when the chain is found

@@ -89,15 +89,20 @@ void MessageController::look() {
     });
     for (const Message& message : all)
         if (m_standing.try_emplace(message.key, Standing{*message.module, link.connection}).second)
-            report(message);
+            report(recorded(message));
+}
+
+Message MessageController::recorded(Message message) {
+    if (message.offers(MessageAction::ShowRecord)) {
+        emit aboutToReport();
+        message.record = m_flight.note(message.headline, message.module, monotonicNow());
+        m_recordings.note(message.headline);
+    }
+    return message;
 }
 
 void MessageController::report(const Message& message) {
     emit aboutToReport();
-    if (message.offers(MessageAction::ShowRecord)) {
-        m_flight.note(message.key, message.headline, message.module, monotonicNow());
-        m_recordings.note(message.headline);
-    }
     m_window.showMessage(message);
 }
 
@@ -120,7 +125,7 @@ void MessageController::take(const StoreEvent& event) {
 }
 
 void MessageController::take(const News& news) {
-    const Message& message = news.message;
+    const Message message = recorded(news.message);
     if (news.stop) {
         for (const ModuleIndex module : news.stopped)
             m_stopping[{*news.stop, module}] = message.key;
@@ -162,10 +167,8 @@ void MessageController::on(const bus::StopFinished& finished) {
     // For example, a port without modules was closed: no stop was requested, and none was needed.
     if (finished.unasked && finished.reachedNobody())
         return;
-    m_flight.note(texts::stopResult(finished, {}).key, texts::stopOfAll(), {},
-                  monotonicNow() - finished.took);
     m_recordings.note(texts::stopOfAll());
-    m_window.showStopResult(finished);
+    m_window.showStopResult(finished, m_flight.note(texts::stopOfAll(), {}, monotonicNow() - finished.took));
 }
 
 void MessageController::on(const bus::ModuleUnresponsive& silence) {

@@ -53,6 +53,8 @@ signals:
 
 private:
     void keepLog(const QString& line);
+    /// Keeps the record that the message offers.
+    [[nodiscard]] Message recorded(Message message);
     void showPositionOffer(const PositionMemory::Offer& offer);
     void showEnd(const ProcedureReport& report);
     [[nodiscard]] AxisScale scaleOf(const ModuleState& module) const;

@@ -25,9 +25,9 @@ History until(double end) {
 
 TEST(FlightRecorder, KeepsFiveSecondsBeforeAndTwoAfterOfAllModules) {
     FlightRecorder recorder;
-    recorder.note("trip", ModuleIndex(1), atSeconds(60));
+    const unsigned trip = recorder.note(ModuleIndex(1), atSeconds(60));
     recorder.keep(until(62.5), atSeconds(62.5));
-    const auto* incident = recorder.find("trip", History());
+    const auto* incident = recorder.find(trip, History());
     ASSERT_NE(incident, nullptr);
     EXPECT_TRUE(incident->whole);
     EXPECT_EQ(incident->module, ModuleIndex(1));
@@ -39,9 +39,9 @@ TEST(FlightRecorder, KeepsFiveSecondsBeforeAndTwoAfterOfAllModules) {
 
 TEST(FlightRecorder, ShowsWhatThereIsBeforeItIsWhole) {
     FlightRecorder recorder;
-    recorder.note("trip", {}, atSeconds(60));
+    const unsigned trip = recorder.note({}, atSeconds(60));
     recorder.keep(until(60.5), atSeconds(60.5));
-    const auto* incident = recorder.find("trip", until(61));
+    const auto* incident = recorder.find(trip, until(61));
     ASSERT_NE(incident, nullptr);
     EXPECT_FALSE(incident->whole);
     EXPECT_EQ(incident->history.end(), atSeconds(61));
@@ -49,25 +49,28 @@ TEST(FlightRecorder, ShowsWhatThereIsBeforeItIsWhole) {
 
 TEST(FlightRecorder, OutlivesTheHistory) {
     FlightRecorder recorder;
-    recorder.note("stop", {}, atSeconds(10));
+    const unsigned stop = recorder.note({}, atSeconds(10));
     recorder.keepAll(until(10.3));
-    EXPECT_EQ(recorder.find("stop", History())->history.end(), atSeconds(10.3));
+    EXPECT_EQ(recorder.find(stop, History())->history.end(), atSeconds(10.3));
 }
 
-TEST(FlightRecorder, TheSameCauseAgainIsTheLatest) {
+TEST(FlightRecorder, KeepsEachIncidentUnderItsNumber) {
     FlightRecorder recorder;
-    recorder.note("stop", {}, atSeconds(10));
-    recorder.note("stop", {}, atSeconds(30));
+    const unsigned first = recorder.note({}, atSeconds(10));
+    const unsigned second = recorder.note({}, atSeconds(30));
     recorder.keepAll(until(40));
-    EXPECT_EQ(recorder.find("stop", History())->history.begin(), atSeconds(25));
+    EXPECT_EQ(recorder.find(first, History())->history.begin(), atSeconds(5));
+    EXPECT_EQ(recorder.find(second, History())->history.begin(), atSeconds(25));
 }
 
 TEST(FlightRecorder, TheOldestIncidentsMakeRoom) {
     FlightRecorder recorder;
-    for (std::size_t i = 0; i <= FlightRecorder::kKept; ++i)
-        recorder.note(std::to_string(i), {}, atSeconds(static_cast<double>(i)));
-    EXPECT_EQ(recorder.find("0", History()), nullptr);
-    EXPECT_NE(recorder.find("1", History()), nullptr);
+    const unsigned first = recorder.note({}, atSeconds(0));
+    const unsigned second = recorder.note({}, atSeconds(1));
+    for (std::size_t i = 2; i <= FlightRecorder::kKept; ++i)
+        (void)recorder.note({}, atSeconds(static_cast<double>(i)));
+    EXPECT_EQ(recorder.find(first, History()), nullptr);
+    EXPECT_NE(recorder.find(second, History()), nullptr);
 }
 
 }  // namespace

@@ -31,9 +31,10 @@ protected:
     }
     ScopePanel& scope() { return *panel.window().findChild<ScopePanel*>(); }
     ScopeStrips& strips() { return *panel.window().findChild<ScopeStrips*>(); }
-    [[nodiscard]] bool clickShow(const QString& words) {
+    /// Shows the record of the message with these words; `later`: messages with them that came after it.
+    [[nodiscard]] bool clickShow(const QString& words, int later = 0) {
         for (const MessageRow* row : panel.window().findChild<MessageList*>()->rows())
-            if (row->message().headline.contains(words))
+            if (row->message().headline.contains(words) && later-- == 0)
                 for (QAbstractButton* button : row->findChildren<QAbstractButton*>())
                     if (button->text().remove(QLatin1Char('&')) == QLatin1String("Show the last 2 s")) {
                         QTest::mouseClick(button, Qt::LeftButton);
@@ -79,6 +80,20 @@ TEST_F(Flight, APowerLossCanStillBeShownWhenThePortIsClosed) {
     ASSERT_TRUE(clickShow(QStringLiteral("motor power")));
     EXPECT_TRUE(scope().showsRecord());
     EXPECT_TRUE(title().contains(QLatin1String("motor power"))) << title().toStdString();
+}
+
+/// The list has an entry for each stop, with what led to it.
+TEST_F(Flight, AnEarlierStopIsStillShownAfterALaterOne) {
+    begin();
+    panel.pressStopAll();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("stopped and holding")) > 0; }));
+    ASSERT_TRUE(panel.answersFor(3));
+    panel.pressStopAll();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("stopped and holding")) > 1; }));
+    ASSERT_TRUE(clickShow(QStringLiteral("stopped and holding")));
+    const double second = strips().time().left();
+    ASSERT_TRUE(clickShow(QStringLiteral("stopped and holding"), 1));
+    EXPECT_NEAR(second - strips().time().left(), 3, 0.5);
 }
 
 TEST_F(Flight, WhatIsExportedSaysWhereItHappenedWhateverIsConnectedNow) {

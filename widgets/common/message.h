@@ -58,8 +58,9 @@ struct Message {
     QString headline{};  ///< what it means for the motor or the job
     QString body{};      ///< the likely cause, then what to do now
     QList<Action> actions{};
-    QString command{};  ///< what "Copy command" copies
-    QString details{};  ///< the system's own message, or raw bytes
+    QString command{};    ///< what "Copy command" copies
+    QString details{};    ///< the system's own message, or raw bytes
+    unsigned record = 0;  ///< what "Show the last 2 s" shows (app/flightcontroller.h)
     /// True for a state, which lasts until the message is ended; false for an event, which is old news after
     /// a while.
     bool stands = false;

@@ -592,12 +592,13 @@ void MainWindow::requestStop() {
         showMessage(texts::stopWaits());
 }
 
-void MainWindow::showStopResult(const bus::StopFinished& finished) {
-    const Message result = texts::stopResult(finished, m_session.link().modules);
+void MainWindow::showStopResult(const bus::StopFinished& finished, unsigned record) {
+    Message result = texts::stopResult(finished, m_session.link().modules);
     m_bar->showStopResult(result.headline);
     const bool all = texts::allStopped(finished);
     if (all)
         endMessage(texts::key::stop());
+    result.record = record;
     showMessage(texts::withRecord(result));
     m_session.stopFinished(all);
 }

@@ -110,7 +110,8 @@ public:
     void amendMessage(const Message& message);
     /// The cause has ended.
     void endMessage(const QString& key);
-    void showStopResult(const bus::StopFinished& finished);
+    /// `record`: as in Message.
+    void showStopResult(const bus::StopFinished& finished, unsigned record = 0);
     /// The built-in simulator's answer, in JSON, to a line of simulatorLineEntered().
     void showSimulatorAnswer(const QString& line, const QByteArray& json);
     /// A connection is being opened: the packet monitor forgets the previous one.

@@ -5,11 +5,11 @@
 
 namespace nmc {
 
-void FlightRecorder::note(std::string key, std::optional<ModuleIndex> module, TimePoint at) {
-    std::erase_if(m_incidents, [&key](const Incident& incident) { return incident.key == key; });
+unsigned FlightRecorder::note(std::optional<ModuleIndex> module, TimePoint at) {
     if (m_incidents.size() == kKept)
         m_incidents.pop_front();
-    m_incidents.push_back({std::move(key), module, at});
+    m_incidents.push_back({++m_noted, module, at});
+    return m_noted;
 }
 
 void FlightRecorder::take(Incident& incident, const History& history) {
@@ -29,9 +29,8 @@ void FlightRecorder::keepAll(const History& history) {
     keep(history, TimePoint::max());
 }
 
-const FlightRecorder::Incident* FlightRecorder::find(const std::string& key, const History& history) {
-    const auto found =
-        std::ranges::find_if(m_incidents, [&key](const Incident& incident) { return incident.key == key; });
+const FlightRecorder::Incident* FlightRecorder::find(unsigned number, const History& history) {
+    const auto found = std::ranges::find(m_incidents, number, &Incident::number);
     if (found == m_incidents.end())
         return nullptr;
     if (!found->whole)

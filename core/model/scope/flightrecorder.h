@@ -3,7 +3,6 @@
 
 #include <deque>
 #include <optional>
-#include <string>
 
 #include "model/scope/history.h"
 
@@ -19,27 +18,28 @@ public:
     static constexpr std::size_t kKept = 20;
 
     struct Incident {
-        std::string key;  ///< key of the message that reports it
+        unsigned number;
         std::optional<ModuleIndex> module;
         TimePoint at;
         History history{};
         bool whole = false;  ///< complete, no more samples will be added
     };
 
-    /// Notes an incident; `at` is a sample time. A repeated key replaces the earlier incident.
-    void note(std::string key, std::optional<ModuleIndex> module, TimePoint at);
+    /// Notes an incident; `at` is a sample time. Returns its number, from 1 on.
+    unsigned note(std::optional<ModuleIndex> module, TimePoint at);
     /// Takes the samples of each incident whose time is over. Cheap when there is none; call at least once a
     /// second.
     void keep(const History& history, TimePoint now);
     /// Called when the history ends.
     void keepAll(const History& history);
     /// Returns an incident with the samples available so far; null if it is unknown or has been discarded.
-    [[nodiscard]] const Incident* find(const std::string& key, const History& history);
+    [[nodiscard]] const Incident* find(unsigned number, const History& history);
 
 private:
     static void take(Incident& incident, const History& history);
 
     std::deque<Incident> m_incidents;
+    unsigned m_noted = 0;
 };
 
 }  // namespace nmc
