@@ -65,7 +65,15 @@ std::optional<MotionKeeper::Left> read(const QString& path) {
     for (const QJsonValue& number : json[QStringLiteral("modules")].toArray())
         if (const int n = number.toInt(); n >= 1 && n <= bus::Discovery::kMaxModules)
             left.modules.insert(ModuleIndex(static_cast<std::uint8_t>(n - 1)));
+    for (const QJsonValue& address : json[QStringLiteral("addresses")].toArray())
+        left.addresses.push_back(address.toInt());
     return left.modules.empty() ? std::nullopt : std::optional(left);
+}
+
+ModuleIndex moduleAt(std::uint8_t address, const std::vector<int>& addresses) {
+    const auto found = std::ranges::find(addresses, address);
+    return ModuleIndex(
+        static_cast<std::uint8_t>(found != addresses.end() ? found - addresses.begin() : address - 1));
 }
 
 /// A port may have several names.
@@ -223,9 +231,13 @@ void MotionKeeper::write(const std::set<ModuleIndex>& moving) {
     QJsonArray numbers;
     for (const ModuleIndex module : moving)
         numbers.append(module.value() + 1);
+    QJsonArray addresses;
+    for (const ModuleState& module : m_store.link().modules)
+        addresses.append(module.info.address.value());
     const QJsonObject json{{QStringLiteral("port"), m_own.port},
                            {QStringLiteral("baud"), static_cast<qint64>(m_own.baud)},
-                           {QStringLiteral("modules"), numbers}};
+                           {QStringLiteral("modules"), numbers},
+                           {QStringLiteral("addresses"), addresses}};
     m_files.write(m_own.file,
                   [json] { return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString(); });
 }
@@ -233,10 +245,11 @@ void MotionKeeper::write(const std::set<ModuleIndex>& moving) {
 void MotionKeeper::reportSessionsBefore(const QString& guardFolder) {
     std::map<QString, std::vector<ModuleIndex>> stoppedByGuardian;
     for (const GuardReport& report : takeGuardReports(guardFolder.toStdString())) {
+        const Left* left = lastOf(report.process);
         std::vector<ModuleIndex> modules;
         for (const std::uint8_t address : report.modules)
-            modules.emplace_back(static_cast<std::uint8_t>(address - 1));
-        if (const Left* left = lastOf(report.process))
+            modules.push_back(moduleAt(address, left != nullptr ? left->addresses : std::vector<int>{}));
+        if (left != nullptr)
             stoppedByGuardian[left->file] = std::move(modules);
         else
             m_messages.report(texts::guardianStoppedBefore(modules));

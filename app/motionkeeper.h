@@ -29,8 +29,9 @@ public:
         QString port;
         quint32 baud = 0;
         std::set<ModuleIndex> modules{};
-        qint64 process = 0;       ///< the process of that session
-        unsigned connection = 0;  ///< within that process, counted from 1
+        std::vector<int> addresses{};  ///< of all modules of the chain, in order; empty: from 1 on
+        qint64 process = 0;            ///< the process of that session
+        unsigned connection = 0;       ///< within that process, counted from 1
     };
 
     /// `folder` need not exist; it is created when something moves.

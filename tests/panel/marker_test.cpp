@@ -104,6 +104,18 @@ TEST_F(LeftMark, WithWhatTheGuardianDidCanBeLookedAt) {
     EXPECT_EQ(next.standing(told), nullptr);
 }
 
+/// The guardian knows addresses only.
+TEST_F(LeftMark, NamesModulesByTheirPlaceWhateverTheirAddressesAre) {
+    leave(QStringLiteral("moving-4194305-2-3.json"),
+          R"({"port":"/dev/ttyUSB0","baud":19200,"modules":[2],"addresses":[1,40]})");
+    const std::vector<std::uint8_t> stop{0, 0xAA, 0x28, 0x17, 0x05, 0x44, 0};  // of address 40 (DS-V 5.2)
+    ASSERT_TRUE(writeGuardReport(home.filePath(QStringLiteral("guardian-4194305.report")).toStdString(),
+                                 *StopBurst::of(stop, 19'200)));
+    VirtualPanel next({}, {}, home.path());
+    next.start();
+    EXPECT_NE(next.standing(QStringLiteral("its guardian commanded module 2 to stop")), nullptr);
+}
+
 TEST_F(LeftMark, ThatWasTamperedWithIsNoDanger) {
     leave(QStringLiteral("moving-1-2-3.json"), R"({"port":"x","modules":[0,33,-1,"x",null]})");
     leave(QStringLiteral("moving-1-2-4.json"), R"({"port":7,"modules":{}})");
