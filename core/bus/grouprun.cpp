@@ -2,8 +2,6 @@
 #include "bus/grouprun.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 
 #include "bus/standstill.h"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "bus/chain.h"
 #include "bus/engineconfig.h"

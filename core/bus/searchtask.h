@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "bus/discovery.h"
 #include "bus/task.h"

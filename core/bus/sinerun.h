@@ -2,7 +2,6 @@
 #pragma once
 
 #include <utility>
-#include <vector>
 
 #include "bus/exchange.h"
 #include "bus/types.h"

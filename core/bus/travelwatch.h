@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "bus/belief.h"
-#include "bus/stoptarget.h"
 #include "bus/types.h"
 
 namespace nmc::bus {

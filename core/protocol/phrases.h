@@ -3,7 +3,6 @@
 
 // For describe.cpp and describereply.cpp only.
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 

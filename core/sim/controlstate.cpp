@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocol/baud.h"
 #include "sim/familystate.h"
 
 namespace nmc::sim {

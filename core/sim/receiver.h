@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 
-#include "base/bytes.h"
 #include "protocol/commandcode.h"
 #include "protocol/frame.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chain/chaindialog.h"
 
-#include <QScreen>
 #include <QScrollArea>
 #include <QTabBar>
 #include <QTabWidget>

@@ -3,7 +3,6 @@
 
 #include <QDialog>
 
-#include "bus/types.h"
 #include "model/module/linkstate.h"
 #include "model/settings/machine.h"
 

@@ -5,7 +5,6 @@
 #include <QPointer>
 #include <optional>
 
-#include "bus/types.h"
 #include "model/intent/intent.h"
 #include "model/module/linkstate.h"
 #include "model/settings/machine.h"

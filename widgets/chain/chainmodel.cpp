@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chain/chainmodel.h"
 
-#include <cmath>
-
 #include "model/module/modulescale.h"
 #include "widgets/common/homewords.h"
 #include "widgets/common/positiontexts.h"

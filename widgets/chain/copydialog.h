@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QDialog>
-#include <vector>
 
 #include "model/machinefile/axiscopy.h"
 #include "model/module/linkstate.h"

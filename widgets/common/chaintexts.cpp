@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the table of texts about groups and about the baud rate of the whole chain.
-#include <algorithm>
 
 #include "widgets/common/textparts.h"
 

@@ -3,7 +3,6 @@
 
 #include <QPainter>
 #include <QPainterPath>
-#include <array>
 
 #include "widgets/common/look.h"
 

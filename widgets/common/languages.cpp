@@ -2,8 +2,6 @@
 #include "widgets/common/languages.h"
 
 #include <QDir>
-#include <array>
-#include <utility>
 
 namespace nmc::languages {
 

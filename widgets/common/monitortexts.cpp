@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The packet monitor's part of the table of texts.
-#include <QDir>
 
 #include "model/packets/packetlog.h"
 #include "protocol/frame.h"

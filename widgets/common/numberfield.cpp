@@ -6,7 +6,6 @@
 #include <QPainter>
 #include <QRegularExpression>
 #include <QSignalBlocker>
-#include <QStyleOptionFrame>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>

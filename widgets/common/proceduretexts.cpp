@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the table of texts about procedures: homing, moves by N, changes of a motion, direction checks.
-#include <QDir>
 #include <cstdlib>
 
 #include "widgets/common/looptesttexts.h"

@@ -2,7 +2,6 @@
 #include "widgets/common/unitwords.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <cmath>
 #include <cstdlib>
 

@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 
 #include "widgets/common/unitwords.h"
-#include "widgets/common/words.h"
 
 namespace nmc::texts {
 

@@ -8,7 +8,6 @@
 class QLabel;
 class QLineEdit;
 class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace nmc {
 

@@ -18,7 +18,6 @@
 #include <QSettings>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <QWindow>
 #include <algorithm>
 #include <utility>
 

@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "link/ports/linktypes.h"
-#include "model/intent/intent.h"
 #include "model/module/linkstate.h"
 #include "model/packets/packetlog.h"
 #include "model/procedure/procedure.h"
@@ -20,7 +19,6 @@
 #include "widgets/mainwindow/commandpalette.h"
 #include "widgets/mainwindow/layouts.h"
 #include "widgets/mainwindow/session.h"
-#include "widgets/panels/panelview.h"
 #include "widgets/scope/scoperecord.h"
 
 class QDockWidget;

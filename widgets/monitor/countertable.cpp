@@ -2,7 +2,6 @@
 #include "widgets/monitor/countertable.h"
 
 #include <QHeaderView>
-#include <array>
 
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"

@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QVBoxLayout>
-#include <cmath>
 
 #include "widgets/common/askdialog.h"
 #include "widgets/common/look.h"

@@ -10,7 +10,6 @@ class QPushButton;
 
 namespace nmc {
 
-class GlyphLabel;
 class Requests;
 
 /// A module that no data sheet here covers: what it reports to be, and its status byte. It is only monitored,

@@ -12,7 +12,6 @@
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
-#include "widgets/common/words.h"
 
 namespace nmc {
 

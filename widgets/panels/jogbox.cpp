@@ -7,7 +7,6 @@
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/travelwords.h"
-#include "widgets/common/words.h"
 #include "widgets/panels/holdbutton.h"
 #include "widgets/panels/stepperwords.h"
 

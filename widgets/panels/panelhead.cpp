@@ -4,7 +4,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QStyle>
-#include <cmath>
 
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/flowlayout.h"

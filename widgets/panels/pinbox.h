@@ -3,7 +3,6 @@
 
 #include <QWidget>
 #include <array>
-#include <optional>
 
 #include "widgets/panels/modulecontext.h"
 

@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <algorithm>
 #include <utility>
 

@@ -12,7 +12,6 @@
 #include "widgets/common/unitwords.h"
 #include "widgets/panels/boxparts.h"
 #include "widgets/panels/command.h"
-#include "widgets/panels/stepperwords.h"
 
 namespace nmc {
 

@@ -4,7 +4,6 @@
 #include <QEvent>
 #include <QPainter>
 #include <algorithm>
-#include <cmath>
 
 #include "widgets/common/look.h"
 #include "widgets/common/plots.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <tuple>
-
 #include "widgets/common/lazydock.h"
 #include "widgets/paths/pathspage.h"
 

@@ -7,8 +7,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <algorithm>
-#include <set>
-#include <tuple>
 
 #include "model/intent/rights.h"
 #include "model/intent/travel.h"

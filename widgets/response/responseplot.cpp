@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 #include "model/tuning/predict.h"
 #include "widgets/common/look.h"

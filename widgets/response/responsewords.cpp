@@ -8,7 +8,6 @@
 
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
-#include "widgets/common/words.h"
 
 namespace nmc::texts {
 

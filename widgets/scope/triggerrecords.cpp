@@ -5,7 +5,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QLabel>
-#include <QSignalBlocker>
 
 #include "widgets/common/filedialog.h"
 #include "widgets/common/form.h"

@@ -4,7 +4,6 @@
 #include <QJsonValue>
 #include <QObject>
 #include <QString>
-#include <optional>
 
 class QAbstractButton;
 class QGridLayout;

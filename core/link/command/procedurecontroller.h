@@ -8,7 +8,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "link/connection/busstore.h"
 #include "model/procedure/procedure.h"

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
-#include <utility>
 
 #include "base/overloaded.h"
 #include "bus/commandlane.h"

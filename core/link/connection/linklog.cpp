@@ -8,7 +8,6 @@
 #include "base/overloaded.h"
 #include "bus/commandlane.h"
 #include "protocol/describe.h"
-#include "protocol/frame.h"
 
 namespace nmc {
 

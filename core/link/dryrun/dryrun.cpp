@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <map>
 
 #include "bus/engine.h"
 #include "model/sequence/sequencenews.h"

@@ -4,7 +4,6 @@
 #include <QString>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "link/files/filewriter.h"
 

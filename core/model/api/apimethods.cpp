@@ -8,7 +8,6 @@
 #include "base/text.h"
 #include "model/intent/jog.h"
 #include "model/intent/pace.h"
-#include "model/intent/travel.h"
 #include "model/module/modulescale.h"
 #include "model/module/servodefaults.h"
 #include "model/sequence/sequencecheck.h"

@@ -14,7 +14,6 @@
 #include <variant>
 
 #include "model/settings/machine.h"
-#include "protocol/baud.h"
 
 namespace nmc::layout {
 

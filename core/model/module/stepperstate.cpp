@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "base/overloaded.h"
-
 namespace nmc {
 
 void StepperState::attached() {

@@ -6,8 +6,6 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "base/strong.h"
-
 namespace nmc {
 
 namespace {

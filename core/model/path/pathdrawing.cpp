@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 
-#include "base/overloaded.h"
 #include "bus/path.h"
 #include "model/module/servodefaults.h"
 #include "model/path/pathfile.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "model/intent/intent.h"
 #include "model/procedure/procedure.h"
 #include "model/procedure/standstillwait.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "module/profiledload.h"
 #include "module/stepperspeed.h"

@@ -2,7 +2,6 @@
 #include "model/procedure/looptest.h"
 
 #include <cstdlib>
-#include <tuple>
 #include <utility>
 
 #include "module/profiledload.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/procedure.h"
 
-#include <tuple>
 #include <utility>
 
 namespace nmc {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/procedures.h"
 
-#include <algorithm>
 #include <functional>
 
 #include "model/intent/backlash.h"

@@ -2,11 +2,9 @@
 #include "model/sequence/sequencerun.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/overloaded.h"
-#include "model/intent/homingplan.h"
 
 namespace nmc {
 
