@@ -103,7 +103,6 @@ public:
     [[nodiscard]] bool moving() const { return mayMove() || m_last.velocity.value_or(0) != 0; }
 
     /// A Load Trajectory was answered and not used by a start or a stop since.
-    [[nodiscard]] bool loaded() const { return servoLoad() || stepperLoad(); }
     [[nodiscard]] std::optional<servo::LoadTrajectory> servoLoad() const {
         return m_servo.loadWaiting ? std::optional(m_servo.load) : std::nullopt;
     }

@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 
-#include "base/overloaded.h"
 #include "base/strong.h"
 #include "protocol/commandform.h"
 #include "protocol/pathpoint.h"
@@ -110,9 +109,5 @@ struct HardReset {
     }
     bool operator==(const HardReset&) const = default;
 };
-
-/// A command that only CMC or SC knows.
-template <typename T>
-concept LaterCommand = AnyOf<T, ResetRelativeToHome, SetPosition, ScIoControl, AddPathPoints, HardReset>;
 
 }  // namespace nmc::servo

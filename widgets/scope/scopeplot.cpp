@@ -64,7 +64,6 @@ void ScopePlot::setTimeLabels(bool shown) {
 
 void ScopePlot::showFrame(const View& view, const History& history, double now, const DerivedSignals& derived,
                           const Underlay* under) {
-    m_view = view;
     m_geometry.area = plotArea();
     m_geometry.left = view.left;
     m_geometry.right = view.right;

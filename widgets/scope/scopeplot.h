@@ -112,7 +112,6 @@ private:
     std::vector<Trace> m_traces;
     std::vector<TraceDrawing> m_drawings;
     std::vector<TraceDrawing> m_under;  ///< of the recording under the traces, in the order of m_traces
-    View m_view;
     bool m_timeLabels = true;
     AxisRange m_range;
     std::optional<AxisRange::Range> m_manual;

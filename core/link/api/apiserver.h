@@ -41,7 +41,6 @@ public:
     void close();
     [[nodiscard]] bool isOpen() const { return m_server.isListening(); }
     [[nodiscard]] QString path() const { return m_server.fullServerName(); }
-    [[nodiscard]] qsizetype clients() const { return static_cast<qsizetype>(m_clients.size()); }
 
     /// `line` has no line feed. The client must read it.
     void send(Client client, const QByteArray& line);
