@@ -44,12 +44,7 @@ inline constexpr std::array<BaudRow, 4> kBaudRows{{
 /// Rate, 20 MHz).
 [[nodiscard]] double realRate(std::uint8_t brd);
 
-/// Time of one byte (start, 8 data, stop) at a divisor, exact in nanoseconds.
-[[nodiscard]] constexpr Duration byteTimeAtBrd(std::uint8_t brd) {
-    return Duration(8'000LL * (brd + 1));
-}
-
-/// Time of one byte at a host's rate.
+/// Time of one byte (start, 8 data, stop) at a host's rate.
 [[nodiscard]] constexpr Duration byteTimeAtBaud(std::uint32_t baud) {
     return Duration(10'000'000'000LL / static_cast<std::int64_t>(baud));
 }

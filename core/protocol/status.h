@@ -131,7 +131,6 @@ namespace stepper {
 struct StatusByte {
     std::uint8_t bits = 0;
     [[nodiscard]] constexpr bool moving() const { return (bits & 0x01U) != 0; }
-    [[nodiscard]] constexpr bool communicationError() const { return (bits & 0x02U) != 0; }
     [[nodiscard]] constexpr bool amplifierEnabled() const { return (bits & 0x04U) != 0; }
     [[nodiscard]] constexpr bool powerOn() const { return (bits & 0x08U) != 0; }
     [[nodiscard]] constexpr bool atSpeed() const { return (bits & 0x10U) != 0; }
@@ -165,11 +164,6 @@ inline constexpr std::array<std::string_view, 8> kInputBitNames{"E-stop", "IN1",
 
 /// PIC-I/O status byte (docs/family.md).
 namespace io {
-struct StatusByte {
-    std::uint8_t bits = 0;
-    [[nodiscard]] constexpr bool checksumError() const { return (bits & 0x02U) != 0; }
-    bool operator==(const StatusByte&) const = default;
-};
 inline constexpr std::array<std::string_view, 8> kStatusBitNames{"", "cksum_error", "", "", "", "", "", ""};
 }  // namespace io
 
@@ -196,7 +190,6 @@ struct StatusReport {
 
     [[nodiscard]] servo::StatusByte servoStatus() const { return {status}; }
     [[nodiscard]] stepper::StatusByte stepperStatus() const { return {status}; }
-    [[nodiscard]] io::StatusByte ioStatus() const { return {status}; }
     /// CMC and SC: what the servo holds or follows; empty if the reply does not show it.
     [[nodiscard]] std::optional<std::int32_t> commandPosition() const {
         if (!position || !positionError)

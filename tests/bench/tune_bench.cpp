@@ -77,7 +77,7 @@ struct Best {
             servo::SetGain gains = suggested;
             gains.sr = sr;
             gains.kd = 1;
-            const double kd = noise / figuresOf(physics(motor), gains).noise;
+            const double kd = noise / noiseOf(physics(motor), gains);
             if (kd < 1 || kd > 32'767)
                 continue;
             gains.kd = static_cast<std::uint16_t>(kd);

@@ -102,7 +102,7 @@ TEST(DecodeStatus, ReadsEveryItemOfThePicIoFromItsPlace) {
     EXPECT_EQ(report->latchedPins, 0x0800);
     EXPECT_EQ(report->latchedCounter, 0xFFFFFFFFU);
     EXPECT_FALSE(report->position || report->analog || report->aux || report->home);
-    EXPECT_FALSE(report->ioStatus().checksumError());
+    EXPECT_FALSE(report->commandRefused());
 }
 
 TEST(DecodeStatus, DoesNotNegateTheVelocityOfALaterServo) {

@@ -22,17 +22,12 @@ constexpr servo::SetGain kAtFullOutput{100, 1'000, 80, 50, 255, 0, 4'000, 1, std
 constexpr LoopWish kFastest{1.0, 0.5, 1.0, kMinPhaseMargin};
 const MotorConstants kSmallMotor{788, 0.013, 1.2, 0, 0.55e-3};
 
-TEST(LoopFigures, AreTheFormulas) {
-    // K / (256 tau) = 788 / 3.328 = 236.8: wn = sqrt(236.8 x 200) = 217.6; 2 zeta wn = 1 / 0.013 + 236.8 x
-    // 2000 x 0.512 ms = 76.9 + 242.5 = 319.4; noise = 236.8 x 2000 x (0.512 ms)^2 = 0.1241.
+TEST(Suggest, TakesTheNoiseFromTheFormula) {
+    // K / (256 tau) = 788 / 3.328 = 236.8: noise = 236.8 x 2000 x (0.512 ms)^2 = 0.1241.
     servo::SetGain gains{200, 2'000, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}};
-    const LoopFigures figures = figuresOf(kSmallMotor, gains);
-    EXPECT_NEAR(figures.naturalFrequency, 217.6, 0.1);
-    EXPECT_NEAR(figures.damping, 319.4 / (2 * 217.6), 0.001);
-    EXPECT_NEAR(figures.noise, 0.1241, 0.0002);
-    gains.sr = 2;  // twice the tick: 76.9 + 485.0; four times the noise
-    EXPECT_NEAR(figuresOf(kSmallMotor, gains).damping, 561.9 / (2 * 217.6), 0.001);
-    EXPECT_NEAR(figuresOf(kSmallMotor, gains).noise, 0.4966, 0.0005);
+    EXPECT_NEAR(noiseOf(kSmallMotor, gains), 0.1241, 0.0002);
+    gains.sr = 2;  // twice the tick: four times the noise
+    EXPECT_NEAR(noiseOf(kSmallMotor, gains), 0.4966, 0.0005);
 }
 
 TEST(Suggest, KeepsWhatProtectsTheMotorAndTheMargins) {
@@ -69,7 +64,7 @@ TEST(Suggest, IsNoLouderThanWished) {
         wish.noise = noise;
         const auto gains = suggest(MotorModel::exactly(kSmallMotor), wish, kNow, 200);
         ASSERT_TRUE(gains);
-        EXPECT_LE(figuresOf(kSmallMotor, *gains).noise, noise * kMaxNoise * 1.01);
+        EXPECT_LE(noiseOf(kSmallMotor, *gains), noise * kMaxNoise * 1.01);
     }
 }
 
@@ -78,7 +73,7 @@ TEST(Suggest, IsStifferTheMoreItIsWished) {
     for (const double stiffness : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const auto gains = suggest(MotorModel::exactly(kSmallMotor), {stiffness, 0.5, 1.0}, kNow, 200);
         ASSERT_TRUE(gains);
-        const double now = figuresOf(kSmallMotor, *gains).naturalFrequency;
+        const double now = std::sqrt(1.0 * gains->kp);  // the natural frequency goes with it
         EXPECT_GT(now, before * 1.3) << stiffness;
         before = now;
     }
@@ -110,7 +105,7 @@ TEST(Suggest, LowersTheServoRateForALargeInertiaAndACoarseEncoder) {
     const auto gains = suggest(MotorModel::exactly(heavy), {}, kNow, 40);
     ASSERT_TRUE(gains);
     EXPECT_GT(gains->sr, 1);
-    EXPECT_LE(figuresOf(heavy, *gains).noise, kMaxNoise * 1.01);
+    EXPECT_LE(noiseOf(heavy, *gains), kMaxNoise * 1.01);
 }
 
 TEST(Suggest, HasNothingForAMotorThatNoGainIsSmallEnoughFor) {

@@ -39,7 +39,6 @@ public:
         double right = 10;
         double division = 1;
         double sharpness = 1;  ///< device pixels per pixel
-        bool operator==(const View&) const = default;
     };
 
     explicit ScopePlot(QWidget* parent = nullptr);

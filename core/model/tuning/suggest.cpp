@@ -47,7 +47,7 @@ struct Terms {
         slower.sr = static_cast<std::uint8_t>(sr);
         const double kd = wanted / secondsPerTick(slower.sr);
         slower.kd = static_cast<std::uint16_t>(std::lround(std::min(kd, kMaxGain)));
-        if (figuresOf(motor, slower).noise > terms.noise)
+        if (noiseOf(motor, slower) > terms.noise)
             break;
         if (kd > kMaxGain)
             continue;
@@ -204,12 +204,9 @@ struct Candidate {
 
 }  // namespace
 
-LoopFigures figuresOf(const MotorConstants& motor, const servo::SetGain& gains) {
+double noiseOf(const MotorConstants& motor, const servo::SetGain& gains) {
     const double tick = secondsPerTick(gains.sr);
-    const double push = motor.gain / (256 * motor.timeConstant);
-    const double omega = std::sqrt(push * gains.kp);
-    const double damping = 1 / motor.timeConstant + push * gains.kd * tick;
-    return {omega, omega > 0 ? damping / (2 * omega) : 0.0, push * gains.kd * tick * tick};
+    return motor.gain / (256 * motor.timeConstant) * gains.kd * tick * tick;
 }
 
 std::optional<servo::SetGain> suggest(const MotorModel& motor, const LoopWish& wish,

@@ -28,20 +28,15 @@ inline constexpr double kCarefulPhaseMargin = 60.0;
 /// The minimum gain margin of a suggested loop.
 inline constexpr double kMinGainMargin = 2.0;
 
-struct LoopFigures {
-    double naturalFrequency = 0.0;  ///< rad/s
-    double damping = 0.0;           ///< zeta
-    double noise = 0.0;             ///< K Kd T^2 / (256 tau), see kMaxNoise
-};
-
-/// With T the servo tick: wn^2 = K Kp / (256 tau), 2 zeta wn = (1 + K Kd T / 256) / tau. Pure.
-[[nodiscard]] LoopFigures figuresOf(const MotorConstants& motor, const servo::SetGain& gains);
+/// The noise of a loop, see kMaxNoise: K Kd T^2 / (256 tau), with T the servo tick. Pure.
+[[nodiscard]] double noiseOf(const MotorConstants& motor, const servo::SetGain& gains);
 
 /// Suggests gains for a motor and steps of up to `step` counts (not 0; either direction), by inverting
-/// figuresOf(). SR is as low as Kd's range and resolution permit. An integral is used only if friction and
-/// load would leave an error of a count; its limit is then the least that carries them, and one increment of
-/// it drives no more than one count of error does. EL has a margin above the predicted error. `now`: the
-/// gains in force; output limit, current limit and deadband compensation are kept.
+/// wn^2 = K Kp / (256 tau) and 2 zeta wn = (1 + K Kd T / 256) / tau. SR is as low as Kd's range and
+/// resolution permit. An integral is used only if friction and load would leave an error of a count; its
+/// limit is then the least that carries them, and one increment of it drives no more than one count of error
+/// does. EL has a margin above the predicted error. `now`: the gains in force; output limit, current limit
+/// and deadband compensation are kept.
 ///
 /// The suggestion is stable, both by its margins and when simulated tick by tick for the step, including
 /// motors that differ a little from the identified one. Returns nothing when no gains qualify. Pure; takes
