@@ -231,16 +231,13 @@ TEST_F(DerivedTrigger, APictureInWhichThePwmEndsIsCompleteAllTheSame) {
     expectFiredAt(99);
 }
 
-TEST_F(DerivedTrigger, NormalModeTakesTheNextEdge) {
+TEST_F(DerivedTrigger, TakesTheNextEdgeWhenItIsArmedAgain) {
     setGains(0, proportional(256));
     const auto square = errorOf([](int i) { return i % 100 < 50 ? 0.0F : 100.0F; });
     watch(ScopeSignal::Pwm, Condition::Rising, 50);
-    TriggerSettings settings = trigger.settings();
-    settings.mode = TriggerSettings::Mode::Normal;
-    watch(settings);
     ASSERT_EQ(run(100, square), State::Complete);
     expectFiredAt(99);
-    trigger.rearm(atMs(200));
+    trigger.arm(atMs(200));
     EXPECT_EQ(run(150, square), State::Armed);
     EXPECT_EQ(run(151, square), State::Fired);
     expectFiredAt(299);

@@ -11,7 +11,6 @@ namespace nmc {
 namespace {
 
 using Condition = TriggerSettings::Condition;
-using Mode = TriggerSettings::Mode;
 using State = ScopeTrigger::State;
 using testing_support::atMs;
 
@@ -225,7 +224,6 @@ TEST_F(ScopeTriggerTest, ASinglePictureStaysUntilItIsArmedAgain) {
     armed(watching(ScopeSignal::Position, Condition::Rising, 50));
     feed(position(120, 100));
     ASSERT_EQ(feed(position(400, 0)), State::Complete);
-    trigger.rearm(atMs(400));
     EXPECT_EQ(feed(position(420, 100)), State::Complete);
     EXPECT_EQ(trigger.firedAt(), atMs(110));
     trigger.arm(atMs(430));
@@ -236,28 +234,10 @@ TEST_F(ScopeTriggerTest, ASinglePictureStaysUntilItIsArmedAgain) {
     EXPECT_EQ(trigger.firedAt(), atMs(450));
 }
 
-TEST_F(ScopeTriggerTest, NormalModeTakesTheNextPictureWhenItIsTold) {
-    TriggerSettings settings = watching(ScopeSignal::Position, Condition::Rising, 50);
-    settings.mode = Mode::Normal;
-    armed(settings);
-    feed(position(120, 100));
-    trigger.rearm(atMs(130));
-    EXPECT_EQ(trigger.state(), State::Fired) << "a picture that is not complete is not given up";
-    feed(position(390, 0));
-    ASSERT_EQ(feed(position(400, 100)), State::Complete);
-    feed(position(410, 0));
-    trigger.rearm(atMs(410));
-    EXPECT_EQ(trigger.state(), State::Armed);
-    EXPECT_EQ(feed(position(430, 100)), State::Fired);
-    EXPECT_EQ(trigger.firedAt(), atMs(420));
-}
-
 TEST_F(ScopeTriggerTest, IsOffUntilArmedAndAfterOtherSettings) {
     EXPECT_EQ(trigger.state(), State::Off);
     trigger.set(watching(ScopeSignal::Position, Condition::Above, 0));
     EXPECT_EQ(feed(position(0, 100)), State::Off);
-    trigger.rearm(atMs(10));
-    EXPECT_EQ(trigger.state(), State::Off);
     trigger.arm(atMs(50));
     EXPECT_EQ(feed(position(60, 100)), State::Fired);
     trigger.disarm();

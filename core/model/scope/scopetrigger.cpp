@@ -42,11 +42,6 @@ void ScopeTrigger::arm(TimePoint now) {
     m_firedAt.reset();
 }
 
-void ScopeTrigger::rearm(TimePoint now) {
-    if (m_settings.mode == TriggerSettings::Mode::Normal && m_state == State::Complete)
-        arm(now);
-}
-
 void ScopeTrigger::disarm() {
     m_state = State::Off;
     m_firedAt.reset();

@@ -22,7 +22,7 @@ struct TriggerSettings {
     };
     enum class Mode : std::uint8_t {
         Single,  ///< one picture
-        Normal,  ///< another picture after each rearm()
+        Normal,  ///< picture after picture: whoever shows them arms it again
     };
 
     ModuleIndex module;
@@ -59,8 +59,6 @@ public:
 
     /// Arms the trigger from `now` on. Earlier data may be in the picture, but do not trigger.
     void arm(TimePoint now);
-    /// Rearms for the next picture when this one has been viewed; only in Mode::Normal and State::Complete.
-    void rearm(TimePoint now);
     void disarm();
     /// The samples so far are no longer in the history: none of them precedes a trigger.
     void forgetSamples();
