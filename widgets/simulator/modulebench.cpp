@@ -232,28 +232,22 @@ void ModuleBench::buildMechanics() {
                       .step = 0.001,
                       .sliderMax = 0.1});
     }
-    addRow(
-        grid,
-        {.name = u"travel_min"_s,
-         .label = tr("Stop, reverse"),
-         .unit = unit,
-         .meaning = tr(
-             "A hard stop at the reverse end of travel. It cannot be set past the present shaft position."),
-         .min = -kMaxCounts,
-         .max = kMaxCounts,
-         .step = 1'000,
-         .none = u"none"_s});
-    addRow(
-        grid,
-        {.name = u"travel_max"_s,
-         .label = tr("Stop, forward"),
-         .unit = unit,
-         .meaning = tr(
-             "A hard stop at the forward end of travel. It cannot be set past the present shaft position."),
-         .min = -kMaxCounts,
-         .max = kMaxCounts,
-         .step = 1'000,
-         .none = u"none"_s});
+    const auto addPlace = [&](const QString& name, const QString& label, const QString& meaning) {
+        addRow(grid, {.name = name,
+                      .label = label,
+                      .unit = unit,
+                      .meaning = meaning,
+                      .min = -kMaxCounts,
+                      .max = kMaxCounts,
+                      .step = 1'000,
+                      .none = u"none"_s});
+    };
+    addPlace(
+        u"travel_min"_s, tr("Stop, reverse"),
+        tr("A hard stop at the reverse end of travel. It cannot be set past the present shaft position."));
+    addPlace(
+        u"travel_max"_s, tr("Stop, forward"),
+        tr("A hard stop at the forward end of travel. It cannot be set past the present shaft position."));
     m_limitsAutomatic =
         form::newCheck({m_prefix + u"limitsBox"_s, tr("Limit switches at the stops")}, grid.parentWidget());
     m_limitsAutomatic->setToolTip(
@@ -262,16 +256,8 @@ void ModuleBench::buildMechanics() {
     connect(m_limitsAutomatic, &QAbstractButton::clicked, this,
             [this](bool on) { set(u"limits"_s, on ? u"auto"_s : u"manual"_s); });
     if (m_type == ModuleType::Stepper)
-        addRow(
-            grid,
-            {.name = u"home_switch_at"_s,
-             .label = tr("Home switch at"),
-             .unit = unit,
-             .meaning = tr("The home switch is closed forward of this position. If cleared, set it by hand."),
-             .min = -kMaxCounts,
-             .max = kMaxCounts,
-             .step = 1'000,
-             .none = u"none"_s});
+        addPlace(u"home_switch_at"_s, tr("Home switch at"),
+                 tr("The home switch is closed forward of this position. If cleared, set it by hand."));
     grid.setRowStretch(grid.rowCount(), 1);
     grid.setColumnStretch(0, 1);
 }
