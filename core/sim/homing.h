@@ -39,6 +39,19 @@ public:
     bool triggered(HomeInputs now, bool positionErrorTrip, bool currentLimiting);
     /// How to stop the motor when home is found.
     [[nodiscard]] Stop stop() const;
+    /// Stops the motor of `chip` like that.
+    void stopMotor(auto& chip) const {
+        switch (stop()) {
+            case Stop::None:
+                return;
+            case Stop::Off:
+                return chip.turnOff();
+            case Stop::Abrupt:
+                return chip.stopAbruptly();
+            case Stop::Smooth:
+                return chip.stopSmoothly();
+        }
+    }
 
 private:
     HomeInputs m_baseline;

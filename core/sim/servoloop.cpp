@@ -110,19 +110,7 @@ void ServoLoop::watchHome() {
     saveAsHome();
     if (m_version < 3)
         return;  // Versions 1 and 2 leave the stop to the host.
-    switch (m_homing.stop()) {
-        case Homing::Stop::None:
-            break;
-        case Homing::Stop::Off:
-            turnOff();
-            break;
-        case Homing::Stop::Abrupt:
-            stopAbruptly();
-            break;
-        case Homing::Stop::Smooth:
-            stopSmoothly();
-            break;
-    }
+    m_homing.stopMotor(*this);
 }
 
 bool ServoLoop::limitPin(unsigned number) const {

@@ -159,19 +159,7 @@ void StepperControl::watchHome() {
     if (!m_homing.inProgress() || !m_homing.triggered(homePins(), false, false))
         return;
     saveAsHome();
-    switch (m_homing.stop()) {
-        case Homing::Stop::None:
-            break;
-        case Homing::Stop::Off:
-            turnOff();
-            break;
-        case Homing::Stop::Abrupt:
-            stopAbruptly();
-            break;
-        case Homing::Stop::Smooth:
-            stopSmoothly();
-            break;
-    }
+    m_homing.stopMotor(*this);
 }
 
 // ---- Status ----

@@ -33,6 +33,7 @@ public:
     void start(StepperMode goal);
     [[nodiscard]] const StepperMotion& motion() const { return m_motion; }
     void setAmplifier(bool enabled);
+    void turnOff();
     void stopAbruptly();
     void stopSmoothly();
     void setOutputs(std::uint8_t outputs) { m_outputs = outputs & kOutputPins; }
@@ -54,7 +55,6 @@ private:
     void advance(Duration time);
     void watchPins();
     void watchHome();
-    void turnOff();
     /// True without driver power or with an overheated motor: amplifier and motion are then off.
     [[nodiscard]] bool driverFails() const;
     [[nodiscard]] bool estopActs() const;
