@@ -6,8 +6,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include "base/strong.h"
-
 namespace nmc::sim {
 
 void ServoLoop::run(std::uint64_t ticks) {
@@ -45,8 +43,7 @@ std::int64_t ServoLoop::encoderNoise() {
 
 void ServoLoop::servoTick() {
     const std::int32_t position = m_encoder.position();
-    m_velocity = static_cast<std::int32_t>(static_cast<std::uint32_t>(position) -
-                                           static_cast<std::uint32_t>(m_lastServoPosition));
+    m_velocity = countsBetween(m_lastServoPosition, position);
     m_lastServoPosition = position;
     if (!m_servoOn) {
         m_profile.follow(position, m_velocity);
@@ -268,10 +265,7 @@ void ServoLoop::setPosition(std::int32_t position) {
 
 /// The command position keeps its distance from the position, so nothing moves.
 void ServoLoop::resetRelativeToHome() {
-    const auto back = [home = m_home](std::int32_t position) {
-        return static_cast<std::int32_t>(static_cast<std::uint32_t>(position) -
-                                         static_cast<std::uint32_t>(home));
-    };
+    const auto back = [home = m_home](std::int32_t position) { return countsBetween(home, position); };
     const std::int32_t command = m_profile.position();
     m_encoder.setPosition(back(m_encoder.position()));
     m_profile.shift(countsBetween(command, back(command)));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/strong.h"
 #include "sim/encoder.h"
 #include "sim/homing.h"
 #include "sim/motorplant.h"
@@ -101,8 +102,7 @@ public:
     [[nodiscard]] std::int32_t velocity() const { return m_velocity; }
     /// Command position - position, in counts.
     [[nodiscard]] std::int32_t positionError() const {
-        return static_cast<std::int32_t>(static_cast<std::uint32_t>(m_profile.position()) -
-                                         static_cast<std::uint32_t>(m_encoder.position()));
+        return countsBetween(m_encoder.position(), m_profile.position());
     }
     [[nodiscard]] std::size_t pathPoints() const { return m_path.points(); }
     /// True when an error or the supply voltage has switched the servo off in step and direction mode.
