@@ -4,6 +4,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "widgets/common/askdialog.h"
 #include "widgets/common/look.h"
@@ -40,34 +43,54 @@ std::optional<std::uint8_t> byte(const Value& value) {
     return loadedAs<std::uint8_t>(value, [](double number) { return static_cast<std::uint8_t>(number); });
 }
 
-/// Sets the chosen manner in a homing command; choice 0 is a capture without a stop.
-template <typename SetHoming>
-void takeManner(SetHoming& homing, int choice) {
-    homing.stopAbruptly = choice == 1;
-    homing.stopSmoothly = choice == 2;
-    homing.motorOff = choice == 3;
-}
-
-QStringList homingManners() {
-    return {ExpertBox::tr("Capture only"), ExpertBox::tr("Stop abruptly"), ExpertBox::tr("Stop smoothly"),
-            Common::tr("Motor off")};
-}
-
-template <typename SetHoming>
-QString homingMeaning(const SetHoming& homing, bool watches) {
-    if (!watches)
-        return ExpertBox::tr("The chip stops watching for home.");
-    const bool stops = homing.stopAbruptly || homing.stopSmoothly || homing.motorOff;
-    return stops
-               ? ExpertBox::tr(
-                     "At the first of these events the chip stores its position in the home register and stops. Start the motion with a command of your own.")
-               : ExpertBox::tr(
-                     "At the first of these events the chip stores its position in the home register. The motion goes on.");
-}
-
 QString startMeaning(bool startNow, const QString& meaning) {
     return startNow ? meaning
                     : ExpertBox::tr("%1 Waits for Start Motion; the next load overwrites it.").arg(meaning);
+}
+
+/// What the chip can watch for, and its bit in the command.
+template <typename SetHoming>
+struct HomingEvent {
+    QString name;
+    QString text;
+    bool SetHoming::*watched;
+};
+
+/// Set Homing Mode of either chip.
+template <typename ChipCommand, typename SetHoming>
+DirectBox* newHoming(ModuleContext& context, const std::vector<HomingEvent<SetHoming>>& events,
+                     QWidget* parent) {
+    auto* box = new DirectBox(
+        context, {u"expertHoming"_s, ExpertBox::tr("Set Homing Mode"), ExpertBox::tr("Send homing mode")},
+        parent);
+    std::vector<std::pair<QCheckBox*, bool SetHoming::*>> flags;
+    for (const auto& event : events)
+        flags.emplace_back(box->addFlag(event.name, event.text), event.watched);
+    QComboBox* manner = box->addChoice(u"Manner"_s, ExpertBox::tr("Then"),
+                                       {ExpertBox::tr("Capture only"), ExpertBox::tr("Stop abruptly"),
+                                        ExpertBox::tr("Stop smoothly"), Common::tr("Motor off")});
+    box->setCommand(
+        [=]() -> ModuleCommand {
+            SetHoming homing;
+            for (const auto& [flag, watched] : flags)
+                homing.*watched = flag->isChecked();
+            homing.stopAbruptly = manner->currentIndex() == 1;
+            homing.stopSmoothly = manner->currentIndex() == 2;
+            homing.motorOff = manner->currentIndex() == 3;
+            return ChipCommand(homing);
+        },
+        [flags](const ModuleCommand& command) {
+            const auto& homing = std::get<SetHoming>(std::get<ChipCommand>(command));
+            if (std::ranges::none_of(flags, [&](const auto& flag) { return homing.*flag.second; }))
+                return ExpertBox::tr("The chip stops watching for home.");
+            const bool stops = homing.stopAbruptly || homing.stopSmoothly || homing.motorOff;
+            return stops
+                       ? ExpertBox::tr(
+                             "At the first of these events the chip stores its position in the home register and stops. Start the motion with a command of your own.")
+                       : ExpertBox::tr(
+                             "At the first of these events the chip stores its position in the home register. The motion goes on.");
+        });
+    return box;
 }
 
 // ---- PIC-SERVO ----
@@ -174,33 +197,15 @@ DirectBox* newServoStop(ModuleContext& context, QWidget* parent) {
 }
 
 DirectBox* newServoHoming(ModuleContext& context, QWidget* parent) {
-    auto* box = new DirectBox(
-        context, {u"expertHoming"_s, ExpertBox::tr("Set Homing Mode"), ExpertBox::tr("Send homing mode")},
+    using servo::SetHoming;
+    return newHoming<ServoCommand, SetHoming>(
+        context,
+        {{u"Limit1"_s, ExpertBox::tr("Change of limit 1"), &SetHoming::onLimit1Change},
+         {u"Limit2"_s, ExpertBox::tr("Change of limit 2"), &SetHoming::onLimit2Change},
+         {u"Index"_s, Common::tr("Index"), &SetHoming::onIndexChange},
+         {u"PositionError"_s, Common::tr("Position error"), &SetHoming::onPositionError},
+         {u"CurrentLimit"_s, Common::tr("Current limit"), &SetHoming::onCurrentLimit}},
         parent);
-    QCheckBox* limit1 = box->addFlag(u"Limit1"_s, ExpertBox::tr("Change of limit 1"));
-    QCheckBox* limit2 = box->addFlag(u"Limit2"_s, ExpertBox::tr("Change of limit 2"));
-    QCheckBox* index = box->addFlag(u"Index"_s, Common::tr("Index"));
-    QCheckBox* error = box->addFlag(u"PositionError"_s, Common::tr("Position error"));
-    QCheckBox* current = box->addFlag(u"CurrentLimit"_s, Common::tr("Current limit"));
-    QComboBox* manner = box->addChoice(u"Manner"_s, ExpertBox::tr("Then"), homingManners());
-    box->setCommand(
-        [=]() -> ModuleCommand {
-            servo::SetHoming homing;
-            homing.onLimit1Change = limit1->isChecked();
-            homing.onLimit2Change = limit2->isChecked();
-            homing.onIndexChange = index->isChecked();
-            homing.onPositionError = error->isChecked();
-            homing.onCurrentLimit = current->isChecked();
-            takeManner(homing, manner->currentIndex());
-            return ServoCommand(homing);
-        },
-        [](const ModuleCommand& command) {
-            const auto& homing = std::get<servo::SetHoming>(std::get<ServoCommand>(command));
-            return homingMeaning(homing, homing.onLimit1Change || homing.onLimit2Change ||
-                                             homing.onIndexChange || homing.onPositionError ||
-                                             homing.onCurrentLimit);
-        });
-    return box;
 }
 
 /// For CMC and SC.
@@ -321,28 +326,13 @@ DirectBox* newStepperStop(ModuleContext& context, QWidget* parent) {
 }
 
 DirectBox* newStepperHoming(ModuleContext& context, QWidget* parent) {
-    auto* box = new DirectBox(
-        context, {u"expertHoming"_s, ExpertBox::tr("Set Homing Mode"), ExpertBox::tr("Send homing mode")},
+    using stepper::SetHoming;
+    return newHoming<StepperCommand, SetHoming>(
+        context,
+        {{u"Limit1"_s, ExpertBox::tr("Change of limit 1"), &SetHoming::onLimit1Change},
+         {u"Limit2"_s, ExpertBox::tr("Change of limit 2"), &SetHoming::onLimit2Change},
+         {u"HomeSwitch"_s, ExpertBox::tr("Change of the home switch"), &SetHoming::onHomeSwitchChange}},
         parent);
-    QCheckBox* limit1 = box->addFlag(u"Limit1"_s, ExpertBox::tr("Change of limit 1"));
-    QCheckBox* limit2 = box->addFlag(u"Limit2"_s, ExpertBox::tr("Change of limit 2"));
-    QCheckBox* home = box->addFlag(u"HomeSwitch"_s, ExpertBox::tr("Change of the home switch"));
-    QComboBox* manner = box->addChoice(u"Manner"_s, ExpertBox::tr("Then"), homingManners());
-    box->setCommand(
-        [=]() -> ModuleCommand {
-            stepper::SetHoming homing;
-            homing.onLimit1Change = limit1->isChecked();
-            homing.onLimit2Change = limit2->isChecked();
-            homing.onHomeSwitchChange = home->isChecked();
-            takeManner(homing, manner->currentIndex());
-            return StepperCommand(homing);
-        },
-        [](const ModuleCommand& command) {
-            const auto& homing = std::get<stepper::SetHoming>(std::get<StepperCommand>(command));
-            return homingMeaning(homing,
-                                 homing.onLimit1Change || homing.onLimit2Change || homing.onHomeSwitchChange);
-        });
-    return box;
 }
 
 }  // namespace
