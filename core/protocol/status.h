@@ -81,7 +81,6 @@ struct StatusByte {
     [[nodiscard]] constexpr bool limit1() const { return (bits & 0x20U) != 0; }
     [[nodiscard]] constexpr bool limit2() const { return (bits & 0x40U) != 0; }
     [[nodiscard]] constexpr bool homeInProgress() const { return (bits & 0x80U) != 0; }
-    bool operator==(const StatusByte&) const = default;
 };
 /// Auxiliary status byte of a PIC-SERVO up to version 5 (DS-V 5.3); ScAuxByte is that of an SC.
 struct AuxByte {
@@ -108,7 +107,6 @@ struct ScAuxByte {
     [[nodiscard]] constexpr bool slewing() const { return (bits & 0x10U) != 0; }  ///< or stopped
     [[nodiscard]] constexpr bool servoOverrun() const { return (bits & 0x20U) != 0; }
     [[nodiscard]] constexpr bool pathMode() const { return (bits & 0x40U) != 0; }
-    bool operator==(const ScAuxByte&) const = default;
 };
 /// Converts the byte to the terms of the first data sheet, so that code above the wire need not know both: an
 /// SC's slew bit is set at constant speed between acceleration and deceleration, and its index bit is the pin
@@ -137,7 +135,6 @@ struct StatusByte {
     [[nodiscard]] constexpr bool velocityMode() const { return (bits & 0x20U) != 0; }
     [[nodiscard]] constexpr bool trapezoidalMode() const { return (bits & 0x40U) != 0; }
     [[nodiscard]] constexpr bool homing() const { return (bits & 0x80U) != 0; }
-    bool operator==(const StatusByte&) const = default;
 };
 /// PIC-STEP inputs byte (DS-S 5.2).
 struct InputsByte {
@@ -148,7 +145,6 @@ struct InputsByte {
     [[nodiscard]] constexpr bool limit1() const { return (bits & 0x08U) != 0; }
     [[nodiscard]] constexpr bool limit2() const { return (bits & 0x10U) != 0; }
     [[nodiscard]] constexpr bool homeSwitch() const { return (bits & 0x20U) != 0; }
-    bool operator==(const InputsByte&) const = default;
 };
 inline constexpr std::array<std::string_view, 8> kStatusBitNames{"moving",
                                                                  "communication error",

@@ -10,7 +10,6 @@ struct HomeInputs {
     bool limit1 = false;
     bool limit2 = false;
     bool index = false;  ///< the home switch of a stepper
-    bool operator==(const HomeInputs&) const = default;
 };
 
 /// The conditions that Set Homing Mode watches, and whether one has occurred (DS-V 5.2, DS-S 5.1).

@@ -18,7 +18,6 @@ public:
         std::optional<double> hertz{};  ///< empty: polled too rarely, or no single frequency
         /// Swings slowly, by a few counts: the accumulated integral breaks static friction again and again.
         bool hunts = false;
-        bool operator==(const Swing&) const = default;
     };
 
     /// Time after a motion command by which its aftereffects have settled, if they settle at all.

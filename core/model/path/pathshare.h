@@ -22,7 +22,6 @@ struct PathShare {
     double polls = 0.0;   ///< to poll every module of the chain five times a second
     [[nodiscard]] double needed() const { return points + polls; }
     [[nodiscard]] bool fits() const;
-    bool operator==(const PathShare&) const = default;
 };
 /// The rest is reserved for retries, stops, and other commands.
 inline constexpr double kPathAvailable = 0.8;

@@ -12,8 +12,6 @@ namespace nmc {
 struct SpectrumPoint {
     double hertz = 0;
     double amplitude = 0;
-
-    bool operator==(const SpectrumPoint&) const = default;
 };
 
 /// The sines that make up a signal over a stretch of time (Lomb-Scargle: samples need not be evenly spaced,

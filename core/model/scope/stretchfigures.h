@@ -32,8 +32,6 @@ struct StretchFigures {
     /// Present for a signal that oscillates about the least-squares line at a constant rate for at least two
     /// periods with four points each, by more than its rounding.
     std::optional<double> hertz{};
-
-    bool operator==(const StretchFigures&) const = default;
 };
 
 /// `points` must be in order of time; `resolution`: the step size of their values, below which an oscillation

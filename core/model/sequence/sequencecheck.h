@@ -91,8 +91,6 @@ struct EntryState {
     std::map<std::pair<ModuleIndex, unsigned>, bool> outputs;
     std::set<ModuleIndex> homed;
     bool reached = true;  ///< false: an endless repeat precedes the row
-
-    bool operator==(const EntryState&) const = default;
 };
 [[nodiscard]] EntryState entryState(const Machine& machine, const std::string& sequence, std::size_t row);
 

@@ -17,8 +17,6 @@ struct DriveTrain {
     double outputTurns = 1.0;
     /// mm per turn of the output: the lead of a screw, or teeth times pitch of a belt. Used for lengths only.
     double travel = 0.0;
-
-    bool operator==(const DriveTrain&) const = default;
 };
 
 /// Counts (steps) per turn, degree or millimetre at the output of the drive. Nothing for other units, when a
