@@ -2,7 +2,6 @@
 #include "bus/commandlane.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace nmc::bus {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bus/discovery.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 

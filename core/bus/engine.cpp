@@ -2,7 +2,6 @@
 #include "bus/engine.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "bus/rejoin.h"
 #include "protocol/baud.h"

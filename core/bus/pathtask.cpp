@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <utility>
 
 #include "bus/commandlane.h"
 #include "bus/gate.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bus/recovery.h"
 
-#include <utility>
-
 namespace nmc::bus {
 
 namespace {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "protocol/baud.h"
-#include "protocol/commands.h"
 #include "protocol/commandtable.h"
 #include "protocol/frame.h"
 #include "protocol/phrases.h"

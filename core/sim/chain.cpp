@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cassert>
 #include <deque>
-#include <memory>
 #include <utility>
-#include <vector>
 
 #include "sim/faultinjector.h"
 #include "sim/iomodule.h"
-#include "sim/line.h"
 #include "sim/module.h"
 #include "sim/random.h"
 #include "sim/servomodule.h"

@@ -4,7 +4,6 @@
 #include <QAction>
 #include <QMenu>
 
-#include "model/intent/intent.h"
 #include "model/intent/rights.h"
 #include "widgets/chain/chaindialog.h"
 #include "widgets/chain/copydialog.h"

@@ -3,7 +3,6 @@
 
 #include <QMetaEnum>
 #include <algorithm>
-#include <optional>
 
 #include "model/intent/rights.h"
 #include "widgets/common/words.h"

@@ -16,7 +16,6 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -34,7 +33,6 @@
 #include "widgets/common/requests.h"
 #include "widgets/common/scrolled.h"
 #include "widgets/common/sharedwords.h"
-#include "widgets/common/texts.h"
 #include "widgets/common/words.h"
 #include "widgets/gamepad/jogwheel.h"
 #include "widgets/help/manualwindow.h"
@@ -46,7 +44,6 @@
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/colourchoice.h"
-#include "widgets/mainwindow/commandpalette.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/escfilter.h"
 #include "widgets/mainwindow/linkbar.h"
@@ -74,7 +71,6 @@
 #include "widgets/scope/scopefiles.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopepresets.h"
-#include "widgets/scope/scoperecord.h"
 #include "widgets/sequences/sequencesdock.h"
 #include "widgets/simulator/simulatordock.h"
 

@@ -17,7 +17,6 @@
 #include "widgets/common/words.h"
 #include "widgets/common/workwords.h"
 #include "widgets/panels/command.h"
-#include "widgets/panels/steppermodechoice.h"
 #include "widgets/panels/stepperwords.h"
 
 namespace nmc {

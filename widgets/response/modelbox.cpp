@@ -6,7 +6,6 @@
 #include <QSlider>
 #include <algorithm>
 
-#include "model/response/responsefile.h"
 #include "model/tuning/nextsteps.h"
 #include "widgets/common/form.h"
 #include "widgets/common/icons.h"

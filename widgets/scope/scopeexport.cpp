@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "model/recording/widerecording.h"
-#include "widgets/common/filedialog.h"
 #include "widgets/common/look.h"
 #include "widgets/common/picture.h"
 #include "widgets/common/requests.h"

@@ -9,8 +9,6 @@
 #include <QPainterPath>
 #include <QPolygonF>
 #include <QVarLengthArray>
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "widgets/common/plots.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "base/overloaded.h"
 #include "bus/rejoin.h"
 
 namespace nmc {

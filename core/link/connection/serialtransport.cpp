@@ -13,7 +13,6 @@
 #include "link/clock.h"
 #include "link/connection/linklog.h"
 #include "link/ports/portuser.h"
-#include "protocol/baud.h"
 
 namespace nmc {
 

@@ -11,7 +11,6 @@
 
 #include "link/clock.h"
 #include "protocol/baud.h"
-#include "sim/control.h"
 
 namespace nmc {
 

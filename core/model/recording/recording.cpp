@@ -2,7 +2,6 @@
 #include "model/recording/recording.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/text.h"

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "model/recording/recordingcells.h"
 #include "model/recording/recordingcomments.h"
 #include "model/recording/widerecording.h"
 

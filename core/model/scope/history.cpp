@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/scope/history.h"
 
-#include <algorithm>
 #include <cassert>
 
 namespace nmc {

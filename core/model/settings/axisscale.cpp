@@ -2,8 +2,6 @@
 #include "model/settings/axisscale.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "base/time.h"
 
