@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "link/guardian/descriptor.h"
+
 namespace nmc {
 
 /// An eventfd that ends another thread's wait. wake() may be called from any thread and from a signal
@@ -8,17 +10,14 @@ namespace nmc {
 class Wakeup {
 public:
     Wakeup();
-    ~Wakeup();
-    Wakeup(const Wakeup&) = delete;
-    Wakeup& operator=(const Wakeup&) = delete;
 
     void wake() const;
     /// Clears all wake() calls so far; called by the waiting thread.
     void reset() const;
-    [[nodiscard]] int fd() const { return m_fd; }
+    [[nodiscard]] int fd() const { return m_fd.get(); }
 
 private:
-    int m_fd;
+    Descriptor m_fd;
 };
 
 }  // namespace nmc
