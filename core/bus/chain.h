@@ -31,6 +31,9 @@ struct OwedStop {
 
     /// It is owed for more than a stop of all modules that is still in progress.
     [[nodiscard]] bool standsAlone() const { return outstanding || cause != StopCause::StopAll; }
+    /// Nothing may start the motor yet: a motor whose motion strayed must be seen at rest first, and any stop
+    /// must have been sent.
+    [[nodiscard]] bool forbidsStart() const { return !ofOperator(cause) || target.needsStop(); }
 };
 
 /// Gains that are being tried on one module, supervised by TrialTask.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "module/commandfacts.h"
+
 namespace nmc::bus {
 
 namespace {
@@ -79,7 +81,10 @@ GroupWork::GroupPermit GroupWork::permitGroup(const GroupCommand& command) const
         anybody = true;
         if (!reachable(info.index))
             return {Permission::Never, info.index};
-        Permission verdict = permit(module.belief, commandFor(command.action, info.identity.type));
+        const ModuleCommand own = commandFor(command.action, info.identity.type);
+        Permission verdict = permit(module.belief, own);
+        if (mayStartMotion(own) && module.owed && module.owed->forbidsStart())
+            verdict = Permission::Never;
         // With nothing stored, it is unknown what Synch Output would set.
         if (info.identity.type == ModuleType::Io && command.action == GroupCommand::Action::StartMotion &&
             !module.belief.outputs().stored())
@@ -123,10 +128,12 @@ Next GroupWork::send(const GroupCommand& command, TimePoint now) {
     const TimePoint latched = m_line.latchTime(packet.size(), now);
     std::vector<Belief> members;
     std::optional<ModuleIndex> leader;
-    for (const Chain::Module& module : m_chain.modules()) {
+    for (Chain::Module& module : m_chain.modules()) {
         const ModuleInfo& info = module.belief.info();
         if (info.group->group != command.group)
             continue;
+        if (mayStartMotion(commandFor(command.action, info.identity.type)))
+            module.owed.reset();  // the user wants it to move again
         members.push_back(module.belief);
         if (info.group->leader)
             leader = info.index;

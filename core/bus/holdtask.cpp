@@ -77,8 +77,7 @@ Next HoldTask::next(TimePoint /*now*/) {
     if (!module.fresh() || !module.items())
         return m_chain.look(Purpose::Hold, start.module);
     const auto& owed = m_chain.at(start.module).owed;
-    // An owed stop must first be sent, or, unless it is owed for the end of a hold, be confirmed.
-    if (owed && (!ofOperator(owed->cause) || owed->target.needsStop()))
+    if (owed && owed->forbidsStart())
         return Idle{};
     // Load Trajectory would switch a servo on, which a hold must never do. And a motion begun with a goal
     // does not continue with another one, or without.

@@ -85,8 +85,7 @@ Next OperationTask::send() {
     Ask ask = m_chain.command(Purpose::Operation, order);
     auto& owed = m_chain.at(order.module).owed;
     if (owed && mayStartMotion(order.command)) {
-        // A motor whose motion strayed must be seen at rest first.
-        if (!ofOperator(owed->cause) || owed->target.needsStop()) {
+        if (owed->forbidsStart()) {
             m_events.emplace_back(m_commands.finish(Outcome::Forbidden));
             return Again{};
         }

@@ -101,7 +101,9 @@ struct GroupChange {
 /// A command to all members of a group, carried out in the same tick.
 struct GroupCommand {
     enum class Action : std::uint8_t {
-        StartMotion,      ///< withheld unless each member has confirmed its load; PIC-I/O: Synch Output
+        /// Withheld unless each member has confirmed its load, and while a stop is owed to one for a fault;
+        /// PIC-I/O: Synch Output.
+        StartMotion,
         SaveAsHome,       ///< PIC-I/O: Synch Input
         ResetPosition,    ///< withheld while any member moves
         ClearStickyBits,  ///< PIC-SERVO only

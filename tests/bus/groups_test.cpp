@@ -22,6 +22,16 @@ void makeGroup(GroupBus& bus, bool leader) {
     }
 }
 
+/// A run that takes a second to reach its velocity, and as long to stop smoothly.
+[[nodiscard]] Order slowRun(std::uint8_t module) {
+    servo::LoadTrajectory load;
+    load.velocity = CountsPerTick(2 * kOnePerTick);
+    load.acceleration = CountsPerTickSquared(65);
+    load.profile = servo::ProfileMode::Velocity;
+    load.startNow = true;
+    return toServo(module, load);
+}
+
 // ---- membership ----
 
 TEST(Groups, AreWhatTheModulesWereTold) {
@@ -217,6 +227,50 @@ TEST(GroupStart, OfVelocityModeIsSeenByTheWayThatIsGone) {
     const auto stop = bus.stopAll();
     ASSERT_TRUE(stop);
     EXPECT_EQ(stop->stopped.size(), 2U);
+}
+
+TEST(GroupStart, IsWithheldUntilAStopThatIsOwedForAFaultIsConfirmed) {
+    GroupBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), slowRun(0)}), Outcome::Done);
+    bus.runFor(1500ms);
+    const ModuleInfo running = bus.last<ChainFound>()->modules.front();
+    EngineConfig next;
+    next.unconfirmed = {{running, StopManner::Smoothly}};
+    bus.newHost(next);
+    ASSERT_TRUE(bus.connect());
+    ASSERT_TRUE(bus.runUntil([&] { return bus.servo(0).commandVelocity < 1.9; }, 1s));
+    ASSERT_EQ(bus.put(0, kGroup).outcome, Outcome::Done);
+    ASSERT_EQ(bus.perform({loadVelocity(0, kOnePerTick)}), Outcome::Done);
+    const GroupFinished withheld = bus.start(kGroup);
+    EXPECT_EQ(withheld.outcome, Outcome::Forbidden);
+    EXPECT_EQ(withheld.members, (std::vector<GroupMember>{{ModuleIndex(0), MemberOutcome::Withheld}}));
+    EXPECT_EQ(bus.sends("AA 81 05"), 0U);
+    EXPECT_GT(bus.servo(0).commandVelocity, 0.0) << "it still slows down";
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() == 1; }, 5s));
+    ASSERT_EQ(bus.perform({loadVelocity(0, kOnePerTick)}), Outcome::Done);
+    EXPECT_EQ(bus.start(kGroup).outcome, Outcome::Done);
+    bus.expectNoViolations();
+}
+
+TEST(GroupStart, TakesThePlaceOfAStopThatTheOperatorWanted) {
+    for (const bool leader : {false, true}) {
+        GroupBus bus(servos(3));
+        makeGroup(bus, leader);
+        ASSERT_EQ(bus.perform({slowRun(0)}), Outcome::Done);
+        bus.runFor(1500ms);
+        bus.submitGroup(GroupCommand{kGroup, GroupCommand::Action::StopSmoothly});
+        ASSERT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() == 2; }, 1s));
+        ASSERT_GT(bus.servo(0).commandVelocity, 0.5) << "it still slows down";
+        ASSERT_EQ(bus.perform({loadVelocity(0, kOnePerTick), loadVelocity(1, kOnePerTick),
+                               loadVelocity(2, kOnePerTick)}),
+                  Outcome::Done);
+        bus.start(kGroup);
+        bus.runFor(3s);
+        for (std::uint8_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(bus.servo(i).commandVelocity, 1.0, 0.01) << int{i};
+        bus.expectNoViolations();
+    }
 }
 
 // ---- stops ----
