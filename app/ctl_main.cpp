@@ -219,9 +219,7 @@ int carryOut(const Options& options, const QString& socket, nmc::HeadlessLine* l
     for (const QStringList& words : options.commands)
         if (const auto exit = commands.run(words); exit != CtlCommands::Done)
             return exit;
-    if (line == nullptr)
-        commands.leaveRunning();
-    return CtlCommands::Done;
+    return line == nullptr ? commands.leaveRunning() : CtlCommands::Done;
 }
 
 template <typename Condition>

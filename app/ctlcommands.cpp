@@ -537,9 +537,11 @@ std::optional<CtlCommands::Exit> CtlCommands::takeControl() {
     return NoControl;
 }
 
-void CtlCommands::leaveRunning() {
-    if (m_leavesRunning && mayMove())  // or the user would be asked again
-        (void)m_client.call("request_control", {{"on_disconnect", "finish"}});
+CtlCommands::Exit CtlCommands::leaveRunning() {
+    if (!m_leavesRunning || !mayMove())  // or the user would be asked again
+        return Done;
+    const auto left = m_client.call("request_control", {{"on_disconnect", "finish"}});
+    return left ? Done : report(left.error());
 }
 
 CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {

@@ -38,8 +38,9 @@ public:
 
     /// Carries out the command that the words are, the first one being its name.
     [[nodiscard]] Exit run(const QStringList& words);
-    /// Call before closing the connection after success: moves that nobody waited for go on.
-    void leaveRunning();
+    /// Call before closing the connection after success: moves that nobody waited for go on. If that fails,
+    /// they are stopped.
+    [[nodiscard]] Exit leaveRunning();
 
     /// One command in a line, with what it does, for --help.
     [[nodiscard]] static QString help();

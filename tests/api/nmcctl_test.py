@@ -5,6 +5,7 @@ import json
 import os
 import signal
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -196,8 +197,8 @@ class PanelAsWritten(threading.Thread):
         self.requests = []  #: method and parameters
 
     def run(self):
-        connection, _ = self.listener.accept()
-        with connection, connection.makefile("rw", encoding="utf-8") as lines:
+        self.connection, _ = self.listener.accept()
+        with self.connection, self.connection.makefile("rw", encoding="utf-8") as lines:
             for line in lines:
                 request = json.loads(line)
                 self.requests.append((request["method"], request["params"]))
@@ -229,6 +230,17 @@ class PanelAsWritten(threading.Thread):
 
     def parameters_of(self, method):
         return [parameters for name, parameters in self.requests if name == method]
+
+
+class PanelThatInterrupts(PanelAsWritten):
+    """One that interrupts a program that lets its motors move on, instead of answering it."""
+
+    def answer(self, lines, request):
+        if "on_disconnect" not in request["params"]:
+            return super().answer(lines, request)
+        program, _, _ = struct.unpack("3i", self.connection.getsockopt(
+            socket.SOL_SOCKET, socket.SO_PEERCRED, struct.calcsize("3i")))
+        return os.kill(program, signal.SIGINT)
 
 
 class AtAPanelThatAnswersAsWritten(unittest.TestCase):
@@ -285,6 +297,9 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 panel = PanelAsWritten(self, news=news)
                 self.assertEqual(panel.ctl("-", text=script)[0], DONE)
                 self.assertEqual(panel.parameters_of("request_control"), [{}])
+
+    def test_says_so_if_it_is_interrupted_before_it_lets_a_motor_move_on(self):
+        self.assertEqual(PanelThatInterrupts(self).ctl("move", "1", "500"), (INTERRUPTED, "", "Interrupted.\n"))
 
     def test_sends_gains_by_their_names_only(self):
         names = ("kp", "kd", "ki", "il", "ol", "cl", "el", "sr", "db", "sm")
