@@ -356,7 +356,9 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
     const auto operation = m_commander.carryOut(call.module, intent);
     if (m_refused)
         return why(*m_refused);
-    if (!isStop(intent))
+    if (isStop(intent))
+        session.forget(call.module);  // a search or moves that it has just cancelled were requested before
+    else
         noteMoved(client, call.module);
     if (operation)
         m_pending[call.module] = session.operations[call.module] = *operation;

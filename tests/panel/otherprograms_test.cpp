@@ -179,6 +179,18 @@ TEST_F(OtherPrograms, LearnFromWaitWhatFailed) {
         << "repeated moves are a procedure, which the stop cancelled";
 }
 
+TEST_F(OtherPrograms, AreNotToldThatTheyHaveStoppedTheirMovesThemselves) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move_by", {{"axis", 1}, {"by", 100'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim) && panel.module().moving(); }));
+    EXPECT_EQ(client.call("stop", {{"axis", 1}})["result"]["accepted"], true);
+    const Json rest = client.call("wait", {{"axis", 1}});
+    ASSERT_TRUE(rest.contains("result")) << rest.dump();
+    EXPECT_LT(rest["result"]["position"].get<double>(), 90'000);
+}
+
 TEST_F(OtherPrograms, LearnFromWaitThatTheUserInterruptedTheirMove) {
     for (const bool stopsAll : {true, false}) {
         OtherProgram client(panel, path());
