@@ -399,8 +399,15 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
         m_commander.sequences().goTo(machine, name);
     if (m_notBegun)
         return fail(client, id, kRefused, *m_notBegun, "SequenceRefused");
-    for (auto& [other, session] : m_sessions)
+    // A motor that rests is moved by the sequence from now on, whichever program has moved it before.
+    const auto isTaken = [this, parts = m_commander.sequences().parts()](ModuleIndex module) {
+        return parts.contains(module) && !m_store.module(module)->moving();
+    };
+    for (auto& [other, session] : m_sessions) {
         session.runs = session.awaitsEnd = other == client;
+        if (other != client)
+            std::erase_if(session.moved, isTaken);
+    }
     session(client).sequenceFailure.reset();
     for (const ModuleState& module : m_store.link().modules)  // it may move any of them
         session(client).forget(module.info.index);

@@ -446,6 +446,26 @@ TEST_F(OtherPrograms, DoNotStopWhatTheUserMovesWhenTheyVanish) {
     EXPECT_TRUE(panel.module().moving());
 }
 
+TEST_F(OtherPrograms, DoNotStopTheSequenceOfAnotherOneWhenTheyVanish) {
+    OtherProgram first(panel, path()), second(panel, path());
+    first.hello("first");
+    second.hello("second");
+    ASSERT_NO_FATAL_FAILURE(ready(first));
+    EXPECT_TRUE(first.call("release_control").contains("result"));
+    Program program;
+    program.points.push_back({"far", {{ModuleIndex(0), 100'000, false}}});
+    emit panel.window().requests().programEdited(program);
+    ASSERT_NO_FATAL_FAILURE(control(second));
+    EXPECT_EQ(second.call("go_to_point", {{"name", "far"}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim) && panel.module().moving(); }));
+    first.vanish();
+    EXPECT_TRUE(panel.answersFor(1));
+    EXPECT_TRUE(moves(sim));
+    second.vanish();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    EXPECT_LT(*panel.module().latest->position, 90'000);
+}
+
 TEST_F(OtherPrograms, MayLetTheirMovesFinish) {
     OtherProgram client(panel, path());
     client.hello();
