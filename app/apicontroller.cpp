@@ -507,8 +507,12 @@ void ApiController::answerWaits() {
                 waiting.push_back(std::move(wait));
             else if (arrival == Arrival::State::Missed)
                 fail(client, wait.id, kRefused, texts::didNotSettle(), "NotSettled");
-            else
+            else {
+                // What becomes of their goals from now on is not the fault of these requests.
+                for (const ModuleIndex module : modules)
+                    session.forget(module);
                 answer(client, wait.id, stateOf(wait.module));
+            }
         }
         session.waits = std::move(waiting);
     }

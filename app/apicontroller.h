@@ -84,8 +84,8 @@ private:
         bus::HoldToMove held{};  ///< the last jog
         std::optional<TimePoint> heldAt{};
 
-        /// It has requested something else of this module: what becomes of the last request is of no
-        /// interest.
+        /// It has requested something else of this module, or knows that its last request is done: what
+        /// becomes of that is of no interest.
         void forget(ModuleIndex module) {
             operations.erase(module);
             failures.erase(module);

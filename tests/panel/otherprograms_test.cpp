@@ -254,6 +254,29 @@ TEST_F(OtherPrograms, AreNotToldThatAMoveWasCancelledWhichTheyHaveFollowedUpThem
     EXPECT_TRUE(jogged.contains("result")) << jogged.dump();
 }
 
+TEST_F(OtherPrograms, AreNotToldThatAMoveWasCancelledWhichWasDone) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 500}})["result"]["accepted"], true);
+    ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+    panel.ask(
+        intent::Move{servomotion::Trapezoid{Counts(700), CountsPerTick(65'536), CountsPerTickSquared(131)}});
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    const Json moved = client.call("wait", {{"axis", 1}});
+    ASSERT_TRUE(moved.contains("result")) << moved.dump();
+    EXPECT_NEAR(moved["result"]["position"].get<double>(), 700, 5);
+
+    ASSERT_NO_FATAL_FAILURE(control(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 500}})["result"]["accepted"], true);
+    ASSERT_TRUE(client.call("wait").contains("result"));
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    sim.plugIn();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    const Json found = client.call("wait", {{"axis", 1}});
+    EXPECT_TRUE(found.contains("result")) << found.dump();
+}
+
 TEST_F(OtherPrograms, WaitForTheEndOfAStopThatWouldCancelWhatComesNext) {
     OtherProgram client(panel, path());
     client.hello();
