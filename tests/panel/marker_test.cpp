@@ -111,7 +111,7 @@ TEST_F(LeftMark, NamesModulesByTheirPlaceWhateverTheirAddressesAre) {
     const std::vector<std::uint8_t> stop{0, 0xAA, 0x28, 0x17, 0x05, 0x44, 0};  // of address 40 (DS-V 5.2)
     ASSERT_TRUE(writeGuardReport(home.filePath(QStringLiteral("guardian-4194305.report")).toStdString(),
                                  *StopBurst::of(stop, 19'200)));
-    VirtualPanel next({}, {}, home.path());
+    VirtualPanel next(home.filePath(QStringLiteral("next.ini")), {}, home.path());
     next.start();
     EXPECT_NE(next.standing(QStringLiteral("its guardian commanded module 2 to stop")), nullptr);
 }

@@ -17,7 +17,6 @@ namespace {
 class Axis : public WindowTest {
 protected:
     Axis() { showServo({.position = 500}); }
-    ~Axis() override { texts::setModuleNames({}); }
     void showPage(const QString& page) {
         auto* pages = find<QTabWidget>(u"servoPages"_s);
         for (int i = 0; i < pages->count(); ++i)

@@ -182,7 +182,6 @@ TEST_F(ChainList, SaysInTheToolTipWhatItHasNoRoomFor) {
     for (const int role : {int(ChainModel::Title), int(ChainModel::TypeText), int(ChainModel::ActivityText)})
         EXPECT_TRUE(tip.contains(at(0, role).toString())) << tip.toStdString();
     EXPECT_EQ(at(1, Qt::ToolTipRole), at(1, ChainModel::TypeText)) << "the port is its tool tip";
-    texts::setModuleNames({});
 }
 
 }  // namespace

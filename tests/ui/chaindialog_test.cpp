@@ -37,7 +37,6 @@ protected:
         link = connectedTo(std::move(modules));
         window->showLink(link);
     }
-    ~ChainWindow() override { texts::setModuleNames({}); }
     LinkState link;
     QSignalSpy changes{&window->requests(), &Requests::groupChange};
     QSignalSpy commands{&window->requests(), &Requests::groupCommand};

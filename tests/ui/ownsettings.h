@@ -31,7 +31,6 @@ protected:
         window->showLink(connectedTo(modules));
         list = find<QAbstractItemView>(u"chainList"_s);
     }
-    ~OwnSettings() override { texts::setModuleNames({}); }
 
     void clickModule(int module) {
         const QRect row = list->visualRect(list->model()->index(module, 0));

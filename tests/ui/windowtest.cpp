@@ -6,6 +6,8 @@
 #include <QDockWidget>
 #include <QPalette>
 
+#include "widgets/common/words.h"
+
 namespace nmc {
 
 servo::SetGain someGains() {
@@ -57,6 +59,11 @@ QPalette darkPalette() {
     QPalette palette(QColor(0x3A, 0x3D, 0x41), QColor(0x2B, 0x2D, 0x30));
     palette.setColor(QPalette::Base, QColor(0x1E, 0x1F, 0x22));
     return palette;
+}
+
+/// Names are the program's, not the window's.
+WindowTest::~WindowTest() {
+    texts::setModuleNames({});
 }
 
 WindowTest::WindowTest() {

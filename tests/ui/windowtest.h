@@ -48,6 +48,7 @@ struct Servo {
 class WindowTest : public testing::Test {
 protected:
     WindowTest();
+    ~WindowTest() override;
 
     void showServos(std::vector<Servo> servos);
     void showServo(const Servo& servo = {}) { showServos({servo}); }
