@@ -128,6 +128,21 @@ TEST_F(Messages, WhatIsFilteredOutIsHiddenAndComesBack) {
     EXPECT_EQ(shownKeys().size(), 3);
 }
 
+TEST_F(Messages, TheFilterHasThePresentNamesOfTheModules) {
+    tellThree();
+    const auto* modules = find<QComboBox>(u"messageModuleBox"_s);
+    EXPECT_EQ(modules->itemText(2), u"Module 2"_s);
+    choose(u"messageModuleBox"_s, 2);
+    machine.axes.resize(2);
+    machine.axes[1].name = "Z axis";
+    window->showMachine(machine);
+    EXPECT_EQ(modules->currentText(), u"Module 2 \"Z axis\""_s);
+    window->showLink(connection(1, LinkPhase::Disconnected));
+    texts::setModuleNames({});
+    EXPECT_EQ(modules->count(), 3) << "their messages are still listed";
+    EXPECT_EQ(shownKeys(), QStringList{u"estop.2"_s});
+}
+
 TEST_F(Messages, WhatIsOverLeavesTheListOfWhatIsNot) {
     tellThree();
     auto* box = button(u"messageNotOverBox"_s);

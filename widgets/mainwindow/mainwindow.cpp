@@ -406,6 +406,7 @@ void MainWindow::showModules() {
     m_linkBar->showLink(link);
     m_simulator->showLink(link);
     m_monitor->showLink(link);
+    m_messages->offerModules(static_cast<int>(link.modules.size()));
     m_chain->showLink(link, m_session.machine(), m_session.procedures());
     m_chainMenu->refresh();
     if (m_reviewedFor != link.rights)

@@ -23,8 +23,6 @@ MessagePanel::MessagePanel(const MessageModel& model, Requests& requests, QWidge
     : QWidget(parent), m_requests(requests), m_list(new MessageList(model, this)) {
     look::name(this, u"messagePanel"_s, tr("Messages and their filter"));
     build();
-    connect(&model, &MessageModel::reported, this,
-            [this](const MessageEntry& entry) { offerModule(entry.message); });
     showLogFile({});
 }
 
@@ -76,26 +74,17 @@ void MessagePanel::showLogFile(const QString& file) {
     m_place->setText(file.isEmpty() ? tr("Kept for this session only.") : tr("Kept in %1").arg(file));
 }
 
-/// Adds the module to the filter, in the order of the chain and under its present name.
-void MessagePanel::offerModule(const Message& message) {
-    if (!message.module)
-        return;
-    const auto place = m_modules.insert(*message.module).first;
-    const int index = static_cast<int>(std::distance(m_modules.begin(), place)) + 1;
-    const QString name = texts::moduleName(*message.module);
-    const int number = message.module->value();
-    if (m_module->itemData(index) == QVariant(number))
-        m_module->setItemText(index, name);
-    else
-        m_module->insertItem(index, name, number);
+/// Messages of a longer chain may still be listed, so its modules stay.
+void MessagePanel::offerModules(int count) {
+    form::offerModules(m_module, 1, qMax(count, m_module->count() - 1));
 }
 
 void MessagePanel::filter() {
     MessageFilter filter{.text = m_text->text().trimmed(), .onlyNotOver = m_notOver->isChecked()};
     if (const QVariant kind = m_kind->currentData(); kind.isValid())
         filter.severity = static_cast<Severity>(kind.toInt());
-    if (const QVariant module = m_module->currentData(); module.isValid())
-        filter.module = ModuleIndex(static_cast<std::uint8_t>(module.toInt()));
+    if (m_module->currentIndex() > 0)
+        filter.module = ModuleIndex(static_cast<std::uint8_t>(m_module->currentIndex() - 1));
     m_list->setFilter(filter);
 }
 

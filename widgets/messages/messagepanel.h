@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QWidget>
-#include <set>
 
 #include "widgets/common/filedialog.h"
 #include "widgets/messages/messagelines.h"
@@ -28,13 +27,14 @@ public:
 
     [[nodiscard]] MessageList& list() { return *m_list; }
     void reveal(const QString& key);
+    /// Offers the modules of a chain of that many in the filter, under their present names.
+    void offerModules(int count);
     /// `file`: where messages are kept; empty: they are not.
     void showLogFile(const QString& file);
 
 private:
     void build();
     void filter();
-    void offerModule(const Message& message);
     void saveAs();
 
     Requests& m_requests;
@@ -44,7 +44,6 @@ private:
     QLineEdit* m_text = nullptr;
     QCheckBox* m_notOver = nullptr;
     ElidedLabel* m_place = nullptr;
-    std::set<ModuleIndex> m_modules;  ///< the modules that messages were about
 };
 
 }  // namespace nmc
