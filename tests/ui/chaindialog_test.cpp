@@ -241,6 +241,24 @@ TEST_F(ChainWindow, AModuleGetsAnotherAddressWithEnter) {
     EXPECT_FALSE(find(u"address1Box"_s)->isEnabled()) << "its group would change";
 }
 
+TEST_F(ChainWindow, WhyAnAddressWasNotSentIsSaidWhileItIsTyped) {
+    showGrouped({bus::GroupPlace{}, bus::GroupPlace{}});
+    open("groupsAction");
+    auto* field = find<NumberField>(u"address2Box"_s);
+    field->window()->activateWindow();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return field->isActiveWindow(); }));
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, u"1"_s);
+    QTest::keyClick(field, Qt::Key_Return);
+    const auto* reason = window->findChild<QLabel*>(u"addressReason"_s);
+    window->showLink(link);
+    EXPECT_TRUE(reason->isVisible());
+    window->showLink({});
+    window->showLink(link);
+    EXPECT_FALSE(reason->isVisible()) << "it was about an address typed in the connection before";
+}
+
 TEST_F(ChainWindow, AnyDivisorGivesItsRate) {
     showServos({{}});
     open("rateAction");
@@ -339,6 +357,24 @@ TEST_F(ChainWindow, AGroupHasTheNameThatItIsGiven) {
     EXPECT_EQ(find<QComboBox>(u"group1Box"_s)->currentText(), u"Group 81"_s);
     groups->setFocus();
     QTest::keyClick(groups, Qt::Key_Up);
+    EXPECT_EQ(field->text(), QString());
+}
+
+TEST_F(ChainWindow, ANameBeingTypedGoesToNoOtherGroup) {
+    QSignalSpy names(&window->requests(), &Requests::groupNamed);
+    showGrouped({bus::GroupPlace{0x81, false}, bus::GroupPlace{0x82, false}});
+    open("groupsAction");
+    auto* groups = find<QComboBox>(u"groupBox"_s);
+    groups->setFocus();
+    QTest::keyClick(groups, Qt::Key_Down);
+    auto* field = find<QLineEdit>(u"groupNameField"_s);
+    ASSERT_TRUE(QTest::qWaitForWindowActive(field->window()));
+    field->setFocus();
+    QTest::keyClicks(field, u"Table"_s);
+    showGrouped({bus::GroupPlace{0x81, false}, bus::GroupPlace{}});
+    ASSERT_EQ(groups->currentText(), u"Group 81"_s);
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(names.size(), 0) << "it was meant for group 82, which nobody is in any more";
     EXPECT_EQ(field->text(), QString());
 }
 

@@ -179,6 +179,9 @@ void GroupsPage::showLink(const LinkState& link, const std::vector<GroupSettings
         if (there)
             showMember(m_members[i], link.modules[i]);
     }
+    // The reason is about an address that is being typed; without the focus, its field shows the present one.
+    if (std::ranges::none_of(m_members, [](const Member& row) { return row.address->hasFocus(); }))
+        m_addressReason->hide();
     m_none->setVisible(link.modules.empty());
     offerGroups();
     if (renamed)
@@ -233,6 +236,9 @@ void GroupsPage::offerGroups() {
     for (const std::uint8_t group : used)
         m_group->addItem(titleOf(group), group);
     m_group->setCurrentIndex(qMax(0, m_group->findData(chosen)));
+    // What is being typed is a name for the group that was chosen.
+    if (m_group->currentData() != chosen)
+        m_name->setText(nameOf(group()));
 }
 
 std::uint8_t GroupsPage::group() const {
