@@ -340,6 +340,17 @@ TEST_F(MachineWindow, WhatWasAskedForLastIsDoneWhenTheQuestionIsAnswered) {
     EXPECT_EQ(opened.count(), 1);
 }
 
+TEST_F(MachineWindow, ClosingIsAskedAboutInPlaceOfANewMachine) {
+    const QSignalSpy begun(&menu(), &MachineMenu::newRequested);
+    menu().showFile({{}, {}, true, {}});
+    trigger(u"newMachineAction"_s);
+    window->close();
+    EXPECT_THAT(button(u"goOnUnsavedButton"_s)->text().toStdString(), testing::HasSubstr("Close"));
+    click(u"goOnUnsavedButton"_s);
+    EXPECT_EQ(begun.count(), 0);
+    EXPECT_FALSE(window->isVisible());
+}
+
 TEST_F(MachineWindow, EscInTheQuestionStaysAndStops) {
     showServo();
     const QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);

@@ -114,6 +114,21 @@ TEST_F(Pins, OneThatAsksIsSwitchedOnlyByTheAnswer) {
     EXPECT_EQ(only<iointent::SetOutput>().pin, 1U);
 }
 
+TEST_F(Pins, TheQuestionIsAboutTheOutputThatWasStruckLast) {
+    settings(1, {"Pump", true, false});
+    PinSettings::in(machine.axes[0].pins->pins, 0) = {"Lamp", true, false};
+    window->showMachine(machine);
+    strike(u"pin2Box"_s);
+    strike(u"pin1Box"_s);
+    auto* question = window->findChild<QDialog*>(u"outputDialog"_s);
+    ASSERT_NE(question, nullptr);
+    EXPECT_EQ(question->findChild<QLabel*>(u"closeText"_s)->text(), u"Switch Lamp (IO1) off?"_s);
+    QTest::mouseClick(question->findChild<QAbstractButton*>(u"switchOutputButton"_s), Qt::LeftButton);
+    const auto set = only<iointent::SetOutput>();
+    EXPECT_EQ(set.pin, 0U);
+    EXPECT_FALSE(set.high);
+}
+
 TEST_F(Pins, WhatIsTypedBesideThemIsKeptAndSendsNothing) {
     find<QLineEdit>(u"pin4Name"_s)->setFocus();
     QTest::keyClicks(find<QLineEdit>(u"pin4Name"_s), u"Lamp"_s);

@@ -17,11 +17,9 @@ constexpr int kQuestionWidth = 30;  ///< line heights
 }
 
 AskDialog& AskDialog::ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window) {
-    auto* dialog = window->findChild<AskDialog*>(question.name);
-    if (dialog == nullptr) {
-        dialog = new AskDialog(question, choices, window);
-        dialog->show();
-    }
+    delete window->findChild<AskDialog*>(question.name);
+    auto* dialog = new AskDialog(question, choices, window);
+    dialog->show();
     dialog->comeForward();
     return *dialog;
 }

@@ -33,7 +33,8 @@ public:
         std::function<void()> go;
     };
 
-    /// Opens the question; one of this name that is already open comes to the front instead.
+    /// Opens the question, in place of one of this name that is already open: that one may be about something
+    /// else.
     static AskDialog& ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
     /// An open question of this window while the user works in another window; null if there is none.
     [[nodiscard]] static AskDialog* waiting(const QWidget& window);

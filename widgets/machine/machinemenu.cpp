@@ -154,9 +154,8 @@ void MachineMenu::askBeforeClose(const Go& close) {
 }
 
 void MachineMenu::askFirst(const Go& go) {
-    m_asked = go;  // the question may be open already, before something else
     if (m_file.modified)
-        ask(tr("&Save changes"), tr("&Discard: the changes are lost"), [this] { m_asked(); });
+        ask(tr("&Save changes"), tr("&Discard: the changes are lost"), go);
     else
         go();
 }

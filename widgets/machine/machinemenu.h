@@ -88,7 +88,6 @@ private:
     MachineFile m_file;
     bool m_locked = false;
     Go m_afterSaving;  ///< called if saving succeeds
-    Go m_asked;        ///< what the user has asked for last that discards the machine
     QAction* m_new;
     QAction* m_open;
     QAction* m_save;
