@@ -10,6 +10,7 @@
 #include <QTableWidget>
 #include <QTreeWidget>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 
 #include "scopehistory.h"
@@ -713,6 +714,34 @@ TEST_F(ScopeControls, ARecordStandsInPlaceOfWhatIsLiveUntilTheUserGoesBack) {
     frame();
     EXPECT_FALSE(paused());
     EXPECT_LT(plot().valueRange().max, 1'000);
+}
+
+TEST_F(ScopeControls, TheCursorsAreInViewInARecordAndInANewConnection) {
+    click(u"scopeCursorsButton"_s);
+    frame();
+    const auto inView = [this] {
+        return std::ranges::all_of(*strips().cursors(),
+                                   [this](double time) { return time > left() && time < right(); });
+    };
+    ASSERT_TRUE(inView());
+    auto record = std::make_shared<ScopeRecord>();
+    HandMadeHistory old;
+    for (int i = 0; i <= 100; ++i)
+        old.add(i / 100.0, 7'000);
+    record->history = old.history();
+    record->modules = window->scopeModules();
+    window->showRecord(record);
+    frame();
+    EXPECT_NEAR(right(), 1, 1e-6);
+    EXPECT_TRUE(inView()) << (*strips().cursors())[0];
+    click(u"scopeLiveButton"_s);
+    frame();
+    EXPECT_TRUE(inView()) << (*strips().cursors())[0];
+    made = HandMadeHistory{2};
+    made.add(100, 0);
+    frame(101);
+    EXPECT_NEAR(left(), 0, 1e-6);
+    EXPECT_TRUE(inView()) << (*strips().cursors())[0];
 }
 
 /// A hundred samples a second between -10 and 10, and a peak of so many of them.

@@ -286,10 +286,10 @@ void ScopePanel::showTime() {
 void ScopePanel::setCursorsShown(bool shown) {
     if (m_strips == nullptr)
         return;
-    const TimeWindow& time = m_strips->time();
-    m_strips->showCursors(
-        shown ? std::optional(CursorTimes{time.left() + time.width() / 3, time.left() + time.width() * 2 / 3})
-              : std::nullopt);
+    if (shown)
+        m_strips->placeCursors();
+    else
+        m_strips->showCursors({});
     m_bar->showCursors(shown);
     if (shown && m_readings == nullptr)
         buildReadings();

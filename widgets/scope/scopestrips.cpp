@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
@@ -235,6 +236,8 @@ void ScopeStrips::showFrame(const History& history, double now, std::optional<do
         shareHeight();  // again, because a splitter that was resized rounds its previous sizes
     }
     m_time.follow(now);
+    if (std::exchange(m_replaced, false) && m_cursors)
+        placeCursors();
     m_derived.want(shownSignals(), customSignals());
     m_behind = !m_derived.follow(history);
     label(history, now);
@@ -288,6 +291,7 @@ void ScopeStrips::forget() {
     m_derived.forget();
     m_labelled.reset();
     m_time.roll();
+    m_replaced = true;
     showMarker({});
 }
 
@@ -296,6 +300,10 @@ void ScopeStrips::showCursors(const std::optional<CursorTimes>& cursors) {
     for (ScopePlot* plot : findChildren<ScopePlot*>())
         plot->showCursors(cursors);
     m_lane->showCursors(cursors);
+}
+
+void ScopeStrips::placeCursors() {
+    showCursors(CursorTimes{m_time.left() + m_time.width() / 3, m_time.left() + m_time.width() * 2 / 3});
 }
 
 void ScopeStrips::showMarker(const std::optional<double>& seconds) {

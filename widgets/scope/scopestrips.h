@@ -31,12 +31,15 @@ public:
     /// Shows one frame; `now` is in seconds since the history's zero. The rates are counted once a second.
     /// `sharpness`: device pixels per pixel, if they differ from the screen's.
     void showFrame(const History& history, double now, std::optional<double> sharpness = {});
-    /// Call when the data are replaced.
+    /// Call when the data are replaced. The next frame places the cursors again, because their times were
+    /// those of the data before.
     void forget();
 
     [[nodiscard]] TimeWindow& time() { return m_time; }
     [[nodiscard]] const TimeWindow& time() const { return m_time; }
     void showCursors(const std::optional<CursorTimes>& cursors);
+    /// Shows them at a third and two thirds of the visible time.
+    void placeCursors();
     [[nodiscard]] const std::optional<CursorTimes>& cursors() const { return m_cursors; }
     /// Marks the time of an event, in s.
     void showMarker(const std::optional<double>& seconds);
@@ -106,6 +109,7 @@ private:
     DerivedSignals m_derived;
     const Underlay* m_under = nullptr;
     bool m_behind = false;
+    bool m_replaced = false;  ///< the data were, and the next frame is the first of the new ones
     StatusLane* m_lane;
     ScopeSetup m_setup;
     std::vector<ScopeModule> m_modules;
