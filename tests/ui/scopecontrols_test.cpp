@@ -716,6 +716,18 @@ TEST_F(ScopeControls, ARecordStandsInPlaceOfWhatIsLiveUntilTheUserGoesBack) {
     EXPECT_LT(plot().valueRange().max, 1'000);
 }
 
+TEST_F(ScopeControls, HasThePresentUnitEvenWhilePaused) {
+    click(u"scopePauseButton"_s);
+    frame();
+    ASSERT_TRUE(plot().legendText(0).contains(u"counts"_s)) << plot().legendText(0).toStdString();
+    machine.axes.resize(2);
+    machine.axes[0].unit = {UnitKind::Millimetres, 200.0, ""};
+    window->showMachine(machine);
+    frame();
+    EXPECT_TRUE(plot().legendText(0).contains(u"mm"_s)) << plot().legendText(0).toStdString();
+    EXPECT_LT(plot().valueRange().max, 2) << "200 counts are 1 mm";
+}
+
 TEST_F(ScopeControls, TheCursorsAreInViewInARecordAndInANewConnection) {
     click(u"scopeCursorsButton"_s);
     frame();

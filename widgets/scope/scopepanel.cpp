@@ -338,6 +338,7 @@ void ScopePanel::applyModules() {
                                                                     : QString());
     if (m_strips != nullptr)
         m_strips->setModules(modules, selected);
+    touch();
 }
 
 void ScopePanel::showSession(const QString& port, bool simulated) {
