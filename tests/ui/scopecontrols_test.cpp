@@ -323,6 +323,31 @@ TEST_F(SpectrumOfTheScope, HasAnXyViewBesideIt) {
     EXPECT_TRUE(plot->legendText(0).isEmpty());
 }
 
+TEST_F(SpectrumOfTheScope, ForgetsTheChainBefore) {
+    choose(1);
+    click(u"scopeXyButton"_s);
+    frames();
+    const auto* plot = find<XyPlot>(u"xyPlot"_s);
+    ASSERT_FALSE(peak().isEmpty());
+    ASSERT_FALSE(plot->legendText(0).isEmpty());
+    swinging = HandMadeHistory{2};
+    frames();
+    EXPECT_TRUE(peak().isEmpty()) << "no sample of this chain has arrived yet";
+    EXPECT_TRUE(plot->legendText(0).isEmpty());
+}
+
+TEST_F(SpectrumOfTheScope, HasThePresentNamesOfTheModules) {
+    click(u"scopeXyButton"_s);
+    frames();
+    machine.axes.resize(2);
+    machine.axes[1].name = "Z axis";
+    window->showMachine(machine);
+    frames();
+    const QString legend = find<XyPlot>(u"xyPlot"_s)->legendText(0);
+    EXPECT_TRUE(legend.contains(u"Z axis"_s)) << legend.toStdString();
+    texts::setModuleNames({});
+}
+
 /// Positions, with 5 % of their range on either side; a key zooms to 1/1.5.
 TEST(XyPlotHands, ZoomAndMoveHoweverFarTheMotorWent) {
     for (const double far : {500.0, 5'000'000.0}) {

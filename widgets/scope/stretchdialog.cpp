@@ -2,6 +2,7 @@
 #include "widgets/scope/stretchdialog.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
@@ -34,28 +35,31 @@ TraceBox* StretchDialog::newBox(const QString& objectName, const QString& access
 }
 
 bool StretchDialog::showStretch(const ScopeStrips& strips, const History& history) {
-    if (!strips.cursors() || !history.zero())
+    if (!strips.cursors())
         return true;
     std::vector<ScopePlot::Trace> traces;
     for (const ScopePlot* plot : strips.shownPlots())
         traces.insert(traces.end(), plot->traces().begin(), plot->traces().end());
     std::vector<ScopeStretch> wanted;
+    QStringList labels;
     for (TraceBox* box : m_boxes) {
         box->showTraces(traces);
         const ScopePlot::Trace* trace = box->trace();
-        if (trace == nullptr)
-            return true;
+        if (trace == nullptr || !history.zero())
+            return showNothing();
         const auto source = strips.derived().source(history, {trace->module, readsFor(trace->signal)});
         if (source.samples == nullptr)
-            return true;
+            return showNothing();
         wanted.push_back(stretchOf(*trace, *strips.cursors(), source, *history.zero()));
+        labels << trace->label;
     }
-    if (wanted == m_shown)
+    if (wanted == m_shown && labels == m_labels)
         return true;
     if (sameSignals(wanted, m_shown) && m_pause-- > 0)
         return false;
     m_pause = kPause;
     m_shown = std::move(wanted);
+    m_labels = labels;
     m_samples.resize(m_boxes.size());
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
         Samples& samples = m_samples[i];
@@ -63,6 +67,18 @@ bool StretchDialog::showStretch(const ScopeStrips& strips, const History& histor
         samples.unit =
             texts::signalUnit(samples.trace.signal, strips.modules()[samples.trace.module.value()]);
         samples.kept = m_shown[i].read(samples.points);
+    }
+    showSamples(m_samples);
+    return true;
+}
+
+/// There are no samples of these signals, for example because another chain is being searched for.
+bool StretchDialog::showNothing() {
+    if (std::exchange(m_shown, {}).empty())
+        return true;
+    for (Samples& samples : m_samples) {
+        samples.points.clear();
+        samples.kept = true;
     }
     showSamples(m_samples);
     return true;

@@ -46,8 +46,12 @@ protected:
     [[nodiscard]] static QString whyNothing(const Samples& samples, std::size_t fewest, std::size_t most);
 
 private:
+    /// Returns true: nothing is left to be done.
+    bool showNothing();
+
     std::vector<TraceBox*> m_boxes;
     std::vector<ScopeStretch> m_shown;
+    QStringList m_labels;            ///< of the signals that are shown
     std::vector<Samples> m_samples;  ///< kept only so that its memory is used again
     int m_pause = 0;                 ///< calls until the same signals are shown again
 };
