@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
@@ -234,6 +235,37 @@ TEST_F(Trigger, WithoutALevelItCannotBeArmed) {
     EXPECT_FALSE(button(u"triggerArmButton"_s)->toolTip().isEmpty());
     run(6.0, ramp);
     EXPECT_FALSE(paused());
+}
+
+TEST_F(Trigger, TheLevelStaysTheSameInAnotherUnit) {
+    type(u"triggerLevelField"_s, u"50"_s);
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    machine.axes.resize(1);
+    machine.axes[0].unit = {UnitKind::Millimetres, 100.0, {}};
+    window->showMachine(machine);
+    EXPECT_EQ(field(u"triggerLevelField"_s)->value(), 0.5);
+    run(6.0, ramp);
+    expectShown(3.5 - 0.2, 3.5 + 0.8);
+}
+
+/// Half a millimetre of one module is not half a count of another.
+TEST_F(Trigger, TheLevelIsOfNoOtherModuleInAnotherUnit) {
+    machine.axes.resize(1);
+    machine.axes[0].unit = {UnitKind::Millimetres, 100.0, {}};
+    window->showMachine(machine);
+    auto* list = find<QAbstractItemView>(u"chainList"_s);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Down);
+    ASSERT_EQ(window->selectedModule(), ModuleIndex(1));
+    EXPECT_EQ(field(u"triggerLevelField"_s)->value(), 0) << "which is the same in any unit";
+    QTest::keyClick(list, Qt::Key_Up);
+    type(u"triggerLevelField"_s, u"0.5"_s);
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Down);
+    ASSERT_EQ(window->selectedModule(), ModuleIndex(1));
+    EXPECT_EQ(field(u"triggerLevelField"_s)->text(), QString());
+    EXPECT_FALSE(button(u"triggerArmButton"_s)->isEnabled());
 }
 
 TEST_F(Trigger, OffersTheSignalsOfTheOtherModules) {

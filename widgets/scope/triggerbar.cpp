@@ -148,7 +148,7 @@ void TriggerBar::listSources() {
     m_source->setCurrentIndex(again != m_sources.end() ? static_cast<int>(again - m_sources.begin())
                               : m_sources.empty()      ? -1
                                                        : 0);
-    takeSource();
+    takeSourceAgain();
 }
 
 void TriggerBar::addSources(const std::optional<ModuleIndex>& module, const ScopeModule& of) {
@@ -193,9 +193,26 @@ void TriggerBar::takeSource() {
         m_unit->setText(texts::signalUnit(*signal(), module));
         m_level->setWords(tr("Level"), m_unit->text());
         m_level->setDecimals(texts::decimalsAt(texts::signalStep(*signal(), module)));
+        m_levelOf = LevelOf{*source(), *sourceModule(), scale()};
     }
     m_level->setVisible(signal() != nullptr);
     m_unit->setVisible(signal() != nullptr);
+    showPossible();
+}
+
+/// Nobody has chosen the source anew, so the level remains the same in another unit. Of another module's
+/// signal, nothing is known in that unit.
+void TriggerBar::takeSourceAgain() {
+    const std::optional<LevelOf> before = m_levelOf;
+    const std::optional<double> level = m_level->value();
+    const QString unit = m_unit->text();
+    takeSource();
+    if (!before || signal() == nullptr || m_unit->text() == unit)
+        return;
+    if (level && before->source == m_levelOf->source && before->module == m_levelOf->module)
+        m_level->showValue(scale()((*level - before->scale.offset) / before->scale.factor));
+    else if (level != 0.0)
+        m_level->showNothing();
     showPossible();
 }
 

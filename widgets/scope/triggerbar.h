@@ -53,11 +53,18 @@ private:
         std::variant<ScopeSignal, ScopeBit> what;
         bool operator==(const Source&) const = default;
     };
+    /// What the level is a level of, and how it was read in counts.
+    struct LevelOf {
+        Source source;
+        ModuleIndex module;
+        LinearScale scale;
+    };
 
     void layOut();
     void addSources(const std::optional<ModuleIndex>& module, const ScopeModule& of);
     void listSources();
     void takeSource();
+    void takeSourceAgain();
     void showConditions();
     void showPossible();
     [[nodiscard]] const Source* source() const;
@@ -69,6 +76,7 @@ private:
     std::optional<ModuleIndex> m_selected;
     std::vector<Source> m_sources;  ///< in the order of the box
     bool m_listed = true;           ///< m_sources are those of m_modules
+    std::optional<LevelOf> m_levelOf;
     FlowLayout* m_layout;
     QComboBox* m_source;
     QComboBox* m_condition;
