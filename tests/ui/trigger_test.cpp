@@ -118,6 +118,7 @@ TEST_F(Trigger, EachPictureIsSavedAndTheLastOnesAreKept) {
     testing_support::chooseFile(*find<QFileDialog>(u"triggerFolderDialog"_s), folder.path());
     EXPECT_TRUE(find<QCheckBox>(u"triggerSaveBox"_s)->isChecked());
     type(u"triggerKeepField"_s, u"2"_s);
+    QTest::keyClick(field(u"triggerKeepField"_s), Qt::Key_Return);
     type(u"triggerLevelField"_s, u"50"_s);
     choose(u"triggerModeBox"_s, u"Normal"_s);
     // A pulse every 3 s.
@@ -138,6 +139,34 @@ TEST_F(Trigger, EachPictureIsSavedAndTheLastOnesAreKept) {
     click(u"triggerSaveBox"_s);
     run(20, [](double t, ScopeSample& sample) { sample.position = std::fmod(t, 3.0) > 2.0 ? 100 : 0; });
     EXPECT_EQ(saved.size(), 4);
+}
+
+TEST_F(Trigger, AnotherNumberOfKeptPicturesBeginsAnotherSeries) {
+    const QTemporaryDir folder;
+    QSignalSpy saved(&window->requests(), &Requests::save);
+    click(u"triggerSaveBox"_s);
+    testing_support::chooseFile(*find<QFileDialog>(u"triggerFolderDialog"_s), folder.path());
+    const auto keep = [this](const QString& pictures) {
+        type(u"triggerKeepField"_s, pictures);
+        QTest::keyClick(field(u"triggerKeepField"_s), Qt::Key_Return);
+    };
+    keep(u"2"_s);
+    type(u"triggerLevelField"_s, u"50"_s);
+    choose(u"triggerModeBox"_s, u"Normal"_s);
+    const auto pulses = [](double t, ScopeSample& sample) {
+        sample.position = std::fmod(t, 3.0) > 2.0 ? 100 : 0;
+    };
+    run(7, pulses);
+    ASSERT_EQ(saved.size(), 2);
+    keep(u"1000"_s);
+    run(10, pulses);
+    ASSERT_EQ(saved.size(), 3);
+    EXPECT_TRUE(saved.at(2).at(0).toString().endsWith(u"trigger 001.csv"_s)) << "2, not the usual 20";
+    keep(u"4"_s);
+    run(13, pulses);
+    ASSERT_EQ(saved.size(), 4);
+    EXPECT_TRUE(saved.at(3).at(0).toString().endsWith(u"trigger 001.csv"_s)) << "the first of four";
+    EXPECT_TRUE(text(u"triggerSavedLabel"_s).startsWith(u"1 saved to"_s));
 }
 
 TEST_F(Trigger, ASinglePictureIsSavedOnce) {

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QLabel>
+#include <utility>
 
 #include "widgets/common/filedialog.h"
 #include "widgets/common/form.h"
@@ -37,12 +38,14 @@ TriggerRecords::TriggerRecords(Requests& requests, QWidget* parent)
                               .digits = 4,
                               .meaning = tr("How many files are kept. Then the oldest is replaced.")},
                              this)),
-      m_state(new QLabel(this)) {
+      m_state(new QLabel(this)),
+      m_kept(kUsuallyKept) {
     look::name(this, u"triggerRecords"_s, tr("Saved pictures"));
     look::nameText(m_state, u"triggerSavedLabel"_s, tr("Saved pictures"));
     m_state->setTextFormat(Qt::PlainText);
     m_keep->showValue(kUsuallyKept);
     connect(m_wanted, &QCheckBox::clicked, this, [this](bool wanted) { wanted ? chooseFolder() : stop(); });
+    connect(m_keep, &NumberField::editingFinished, this, &TriggerRecords::takeKept);
     form::fill(this, form::newLine(this,
                                    {m_wanted, form::newLabel(tr("Keep the last"), m_keep), m_keep,
                                     form::Item(m_state, 1)},
@@ -60,17 +63,29 @@ void TriggerRecords::chooseFolder() {
     dialog->setOption(QFileDialog::ShowDirsOnly);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
         m_folder = folder;
-        m_prefix = QDateTime::currentDateTime().toString(u"yyyy-MM-dd HHmmss"_s);
-        m_saved = 0;
         m_wanted->setChecked(true);
-        showState();
+        begin();
     });
     dialog->show();
+}
+
+void TriggerRecords::begin() {
+    m_prefix = QDateTime::currentDateTime().toString(u"yyyy-MM-dd HHmmss"_s);
+    m_saved = 0;
+    showState();
 }
 
 void TriggerRecords::stop() {
     m_prefix.clear();
     showState();
+}
+
+/// Counted on with another number, the files would no longer be replaced from the oldest on.
+void TriggerRecords::takeKept() {
+    const auto wanted = m_keep->value();
+    const auto kept = wanted ? static_cast<std::uint64_t>(*wanted) : m_kept;
+    if (std::exchange(m_kept, kept) != kept && !m_prefix.isEmpty())
+        begin();
 }
 
 void TriggerRecords::showState() {
@@ -82,10 +97,9 @@ void TriggerRecords::showState() {
 
 void TriggerRecords::take(const History& history, const ScopeTrigger::Picture& picture,
                           const std::vector<ScopeModule>& modules, const ScopeOrigin& origin) {
-    const auto keep = static_cast<std::uint64_t>(m_keep->value().value_or(kUsuallyKept));
     if (m_prefix.isEmpty())
         return;
-    const QString file = u"%1 trigger %2.csv"_s.arg(m_prefix).arg(m_saved++ % keep + 1, 3, 10, QChar(u'0'));
+    const QString file = u"%1 trigger %2.csv"_s.arg(m_prefix).arg(m_saved++ % m_kept + 1, 3, 10, QChar(u'0'));
     emit m_requests.save(QDir(m_folder).filePath(file),
                          samplesBetween(picture.from, picture.to, history, modules, origin));
     showState();

@@ -29,7 +29,9 @@ public:
 
 private:
     void chooseFolder();
+    void begin();
     void stop();
+    void takeKept();
     void showState();
 
     Requests& m_requests;
@@ -38,7 +40,8 @@ private:
     QLabel* m_state;
     QString m_folder;
     QString m_prefix;           ///< of the files' names; empty while nothing is saved
-    std::uint64_t m_saved = 0;  ///< since the folder was chosen
+    std::uint64_t m_saved = 0;  ///< with that prefix
+    std::uint64_t m_kept;       ///< the last number that made sense
 };
 
 }  // namespace nmc
