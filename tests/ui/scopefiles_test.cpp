@@ -212,6 +212,19 @@ TEST_F(ScopeFilesTest, ACopyIsAPictureAndItsFewSamples) {
     EXPECT_TRUE(copied->data(u"text/csv"_s).startsWith("# NMC Panel recording 1"));
 }
 
+TEST_F(ScopeFilesTest, WhatIsExportedIsSavedEvenIfTheScopeIsHiddenMeanwhile) {
+    HandMadeHistory made = twoModules();
+    show(made, 30);
+    action(u"scopeExportCsvAction"_s)->trigger();
+    auto* dialog = find<QFileDialog>(u"scopeExportcsvDialog"_s);
+    action(u"scopeDockAction"_s)->trigger();
+    ASSERT_FALSE(window->findChild<ScopePanel*>()->isVisible());
+    emit dialog->fileSelected(u"/home/anna/run.csv"_s);
+    dialog->close();
+    show(made, 30);
+    EXPECT_EQ(saved.count(), 1);
+}
+
 TEST_F(ScopeFilesTest, RecordsOnlyWhatIsConnected) {
     files().showConnected(false);
     EXPECT_FALSE(button(u"scopeRecordButton"_s)->isEnabled());

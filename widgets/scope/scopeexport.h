@@ -28,6 +28,8 @@ public:
     ScopeExport(Requests& requests, QWidget* panel);
 
     [[nodiscard]] QMenu* menu() const { return m_menu; }
+    /// An export was requested that has not been carried out yet.
+    [[nodiscard]] bool isDue() const { return m_wanted.has_value(); }
     /// Carries out the export that was requested, if any; call it after each frame, with the time of that
     /// frame. `title`: of the record or overlay that is shown; empty if there is none.
     void take(ScopeStrips& strips, const History& history, double now, const ScopeOrigin& origin,

@@ -354,7 +354,7 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
             QDateTime::currentDateTime().addMSecs(-qRound64(toSeconds(now - m_zero.value_or(now)) * 1e3));
     }
     m_trigger->follow(history, now, m_origin.zero);
-    if (m_strips == nullptr || !isVisible())
+    if (m_strips == nullptr || (!isVisible() && !m_files->exporting().isDue()))
         return;
     if (m_record != nullptr) {
         if (m_touched)
