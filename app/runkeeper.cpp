@@ -99,12 +99,17 @@ void RunKeeper::loaded() {
         m_known.insert(idOf(run));
         run.run.module = moduleOf(run, m_reading->machine);
     }
-    if (!runs.empty())
-        m_window.stepResponses().showKept(std::move(runs));
+    if (runs.empty())
+        return;
+    m_window.stepResponses().showKept(std::move(runs));
+    moveFrom(m_reading->path);  // the machine may have got another file meanwhile
 }
 
 void RunKeeper::follow(const QString& file) {
-    const QString before = std::exchange(m_path, pathFor(file));
+    moveFrom(std::exchange(m_path, pathFor(file)));
+}
+
+void RunKeeper::moveFrom(const QString& before) {
     if (before == m_path)
         return;
     keep();

@@ -46,6 +46,7 @@ private:
 
     [[nodiscard]] QString pathFor(const QString& machineFile) const;
     void loaded();
+    void moveFrom(const QString& before);
     void keep();
     void onWritten(const FileWriter::Result& result);
 

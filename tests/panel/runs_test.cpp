@@ -5,8 +5,11 @@
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
+#include <QSettings>
 #include <QTableWidget>
+#include <QTest>
 
+#include "app/runkeeper.h"
 #include "model/machinefile/machinefile.h"
 #include "model/machinefile/responsestore.h"
 #include "tests/support/choosefile.h"
@@ -153,6 +156,23 @@ TEST_F(RunsKept, BesideTheMachineFile) {
     ASSERT_TRUE(panel.waitFor([&] { return listed(panel) == 2; }));
     EXPECT_EQ(panel.window().stepResponses().runs()[0].run.module, ModuleIndex(2));
     EXPECT_EQ(panel.window().stepResponses().runs()[1].run.module, ModuleIndex(1));
+}
+
+TEST_F(RunsKept, ThoseThatAreStillBeingReadMoveAlong) {
+    {
+        VirtualPanel panel({}, {}, folder.path());
+        panel.start();
+        makeRun(panel, 100);
+        ASSERT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).size() == 1; }));
+    }
+    QSettings settings(file(u"window.ini"_s), QSettings::IniFormat);
+    MainWindow window(settings);
+    RunKeeper keeper(file(u"runs"_s), window);
+    keeper.open({}, Machine{});
+    keeper.follow(file(u"mill.json"_s));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return runsIn(file(u"mill.runs"_s)).size() == 1; }));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return runsIn(withoutMachine()).empty(); }))
+        << "they belong to the mill";
 }
 
 TEST_F(RunsKept, ABadFileIsSaidAndSetAside) {
