@@ -45,7 +45,7 @@ struct ServoRegisters {
     std::optional<CountsPerTickSquared> acceleration;         ///< likewise
     std::optional<CountsPerTick> runningVelocity;             ///< of the last start
     std::optional<CountsPerTickSquared> runningAcceleration;  ///< likewise: that of a smooth stop
-    bool amplifierEnabled = false;
+    std::optional<bool> amplifierEnabled = false;             ///< AMP_EN; low after power-up
     std::optional<servo::SetGain> gains;
     /// SR, which is set with the gains; 1 after power-up (DS-V 4.5). Empty: the length of a tick is unknown.
     std::optional<int> servoRate = 1;

@@ -184,6 +184,17 @@ TEST(Plan, StopsHereAtThePositionItHas) {
     EXPECT_EQ(refusalOf(intent::StopHere{}, module), Refusal::VersionLacksIt);
 }
 
+/// Whether AMP_EN is high cannot be read, and a stop without it lets the motor coast.
+TEST(Plan, AStopOfAServoThatAnotherHostLeftOnKeepsItsAmplifier) {
+    ModuleState module = servoModule();
+    module.attached();
+    module.apply(sampleOf(1, kPower, kServoOn, 100));
+    EXPECT_EQ(payloads(intent::StopAbruptly{}, module), Hex{"17 05"});
+    EXPECT_EQ(payloads(intent::StopHere{}, module), (Hex{"57 11 64 00 00 00"}));
+    module.apply(executedAt(2, servo::StopMotor{false, servo::StopManner::AmplifierOnly, {}}));
+    EXPECT_EQ(payloads(intent::StopAbruptly{}, module), Hex{"17 04"}) << "it is known to be low";
+}
+
 TEST(Plan, PwmIsForAServoThatIsOffAndNeedsTheAmplifier) {
     EXPECT_EQ(refusalOf(intent::DrivePwm{100, true}, holdingServo()), Refusal::ServoOn);
     ModuleState module = servoModule();

@@ -182,7 +182,7 @@ TEST(ModuleState, SwitchingItOffIsNotATrip) {
             module.apply(seen);
         }
         EXPECT_EQ(module.activity(), Activity::ServoOff);
-        EXPECT_FALSE(module.amplifierEnabled);
+        EXPECT_EQ(module.amplifierEnabled, false);
     }
 }
 

@@ -42,7 +42,7 @@ public:
         EXPECT_EQ(now.pwm, 0);
         EXPECT_FALSE(now.servoOn);
         EXPECT_FALSE(now.ampEnabled);
-        EXPECT_FALSE(module().amplifierEnabled);
+        EXPECT_EQ(module().amplifierEnabled, false);
         EXPECT_FALSE(module().moving());
         EXPECT_FALSE(module().switchedItselfOff);
     }

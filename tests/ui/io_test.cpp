@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QTabWidget>
 
@@ -55,6 +56,18 @@ TEST_F(IoPage, TheAmplifiersBoxFollowsTheModuleAndNotTheClick) {
     module.amplifierEnabled = true;
     window->showLink(connectedTo({module}));
     EXPECT_TRUE(box->isChecked());
+}
+
+TEST_F(IoPage, TheAmplifierOfAChainThatWasFoundRunningIsUnknown) {
+    ModuleState module = Servo{}.state();
+    module.attached();
+    window->showLink(connectedTo({module}));
+    showPage(u"Limits  I/O"_s);
+    auto* box = find<QCheckBox>(u"amplifierBox"_s);
+    EXPECT_EQ(box->checkState(), Qt::PartiallyChecked);
+    QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
+    EXPECT_TRUE(only<intent::SetAmplifier>().enable);
+    EXPECT_EQ(box->checkState(), Qt::PartiallyChecked) << "the module has not confirmed it";
 }
 
 TEST_F(IoPage, PwmIsSetApartAndOnlyForAServoThatIsOff) {

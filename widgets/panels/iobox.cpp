@@ -149,7 +149,9 @@ void IoBox::refresh() {
     look::setText(m_analog,
                   report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : u"–"_s);
     const QSignalBlocker blocker(m_amplifier);
-    m_amplifier->setChecked(module.amplifierEnabled);
+    const auto amplifier = module.amplifierEnabled;
+    m_amplifier->setTristate(!amplifier);
+    m_amplifier->setCheckState(!amplifier ? Qt::PartiallyChecked : *amplifier ? Qt::Checked : Qt::Unchecked);
     look::setPossible(
         m_amplifier, m_context.reasonNow(IntentKind::SetAmplifier),
         tr("Switches only the amplifier's enable line; the servo stays as it is. When off, the motor gets no current, whatever the servo does."));

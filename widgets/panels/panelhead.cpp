@@ -342,7 +342,7 @@ void PanelHead::refreshSigns() {
 
 void PanelHead::refreshCommands() {
     const ModuleState& module = m_context.state();
-    const bool on = module.driveOn() && (module.isStepper() || module.amplifierEnabled);
+    const bool on = module.driveOn() && (module.isStepper() || module.amplifierEnabled == true);
     m_enable->setPossible(
         !on         ? m_context.reasonNow(IntentKind::Enable)
         : isServo() ? tr("The servo is already on.")

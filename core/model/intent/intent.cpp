@@ -89,7 +89,7 @@ struct ServoPlanner : MotorPlanner {
     Plan operator()(const intent::StopHere&) const {
         const std::int32_t here = module.latest ? module.latest->position.value_or(0) : 0;
         return as(IntentKind::StopHere,
-                  servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, Counts(here)});
+                  servo::StopMotor{module.amplifierKept(), servo::StopManner::Here, Counts(here)});
     }
 
     Plan operator()(const intent::DrivePwm& drive) const {
@@ -97,7 +97,7 @@ struct ServoPlanner : MotorPlanner {
         load.servo = false;
         load.pwm = drive.pwm;
         load.reverse = drive.reverse;
-        if (module.amplifierEnabled)
+        if (module.amplifierEnabled == true)
             return as(IntentKind::DrivePwm, load, StartMotion{});
         // Without AMP_EN, the motor would not turn.
         return as(IntentKind::DrivePwm, servo::StopMotor{true, servo::StopManner::MotorOff, {}}, load,

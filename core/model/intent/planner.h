@@ -53,7 +53,7 @@ struct MotorPlanner : Planner {
 
     /// The amplifier is left as it is.
     [[nodiscard]] Plan stop(StopManner manner) const {
-        const bool amplifier = module.isStepper() ? module.stepper.amplifierOn() : module.amplifierEnabled;
+        const bool amplifier = module.isStepper() ? module.stepper.amplifierOn() : module.amplifierKept();
         return as(IntentKind::StopMotion, stopMotor(module.info.identity.type, manner, amplifier));
     }
 };

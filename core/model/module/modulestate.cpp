@@ -250,6 +250,7 @@ void ModuleState::restarted() {
 
 void ModuleState::attached() {
     m_motionUnknown = true;
+    amplifierEnabled.reset();
     servoRate.reset();
     pathControl.reset();
     stepper.attached();

@@ -107,6 +107,9 @@ struct ModuleState : ServoRegisters {
     [[nodiscard]] bool isIo() const { return info.identity.type == ModuleType::Io && isKnown(); }
     [[nodiscard]] bool isKnown() const { return nmc::isKnown(info.identity); }
     [[nodiscard]] bool servoOn() const;
+    /// PIC-SERVO: AMP_EN in a stop that is to leave it as it is. If it is unknown, a servo that is on most
+    /// likely needs it: without it, the motor coasts.
+    [[nodiscard]] bool amplifierKept() const { return amplifierEnabled.value_or(true); }
     /// PIC-SERVO: the motor's current has been limited since this was last cleared.
     [[nodiscard]] bool currentWasLimited() const;
     /// The exact position that the motor holds or will hold: the goal of its last move or of a Stop Here, or

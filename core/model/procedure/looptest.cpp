@@ -64,7 +64,7 @@ LoopTest::Next LoopTest::start(const ModuleState& module) {
 std::vector<bus::Order> LoopTest::jump(const ModuleState& module, std::int32_t goal, ResponseMethod method,
                                        const ServoPace& pace) const {
     if (method == ResponseMethod::StopHere)
-        return orders({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Here, Counts(goal)}});
+        return orders({servo::StopMotor{module.amplifierKept(), servo::StopManner::Here, Counts(goal)}});
     return orders({profiledLoad(pace.velocity, pace.acceleration, goal), StartMotion{}});
 }
 
@@ -147,7 +147,7 @@ LoopTest::Next LoopTest::afterLastWord(const ModuleState& module, TimePoint now)
 }
 
 std::vector<bus::Order> LoopTest::hold(const ModuleState& module) const {
-    return orders({servo::StopMotor{module.amplifierEnabled, servo::StopManner::Abruptly, {}}});
+    return orders({servo::StopMotor{module.amplifierKept(), servo::StopManner::Abruptly, {}}});
 }
 
 }  // namespace nmc

@@ -62,7 +62,7 @@ std::vector<bus::Order> PathRun::lastWord(const ModuleState& module) const {
     if (!m_mayRun || ended || !module.servoOn())
         return {};
     const auto manner = m_plan->smoothStop ? servo::StopManner::Smoothly : servo::StopManner::Abruptly;
-    return {{m_report.module, ServoCommand(servo::StopMotor{module.amplifierEnabled, manner, {}})}};
+    return {{m_report.module, ServoCommand(servo::StopMotor{module.amplifierKept(), manner, {}})}};
 }
 
 PathRun::Next PathRun::afterLastWord(const ModuleState& module, TimePoint /*now*/) {
