@@ -8462,6 +8462,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ausgang, High</translation>
     </message>
     <message>
+        <source>Another program set up this module, so its pin directions are unknown. Nothing is sent until all are chosen.</source>
+        <translation>Ein anderes Programm hat dieses Modul eingerichtet, die Richtungen der Pins sind daher unbekannt. Gesendet wird erst, wenn alle gewählt sind.</translation>
+    </message>
+    <message>
         <source>Makes the pin an input, or an output with this level. Sent at once.</source>
         <translation>Macht den Pin zu einem Eingang oder zu einem Ausgang mit diesem Pegel. Wird sofort gesendet.</translation>
     </message>

@@ -8462,6 +8462,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>salida, alto</translation>
     </message>
     <message>
+        <source>Another program set up this module, so its pin directions are unknown. Nothing is sent until all are chosen.</source>
+        <translation>Otro programa configuró este módulo, por lo que se desconoce el sentido de sus pines. No se envía nada hasta que se elijan todos.</translation>
+    </message>
+    <message>
         <source>Makes the pin an input, or an output with this level. Sent at once.</source>
         <translation>Hace del pin una entrada, o una salida con este nivel. Se envía de inmediato.</translation>
     </message>

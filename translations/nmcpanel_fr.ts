@@ -8462,6 +8462,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>sortie, haut</translation>
     </message>
     <message>
+        <source>Another program set up this module, so its pin directions are unknown. Nothing is sent until all are chosen.</source>
+        <translation>Un autre programme a configuré ce module&#xa0;: le sens de ses broches est inconnu. Rien n’est envoyé tant que tout n’est pas choisi.</translation>
+    </message>
+    <message>
         <source>Makes the pin an input, or an output with this level. Sent at once.</source>
         <translation>Fait de la broche une entrée, ou une sortie à ce niveau. Envoyé aussitôt.</translation>
     </message>

@@ -8445,6 +8445,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>出力、High</translation>
     </message>
     <message>
+        <source>Another program set up this module, so its pin directions are unknown. Nothing is sent until all are chosen.</source>
+        <translation>別のプログラムがこのモジュールを設定したため、ピンの方向が不明です。すべてを選択するまで何も送信されません。</translation>
+    </message>
+    <message>
         <source>Makes the pin an input, or an output with this level. Sent at once.</source>
         <translation>ピンを入力、またはこのレベルの出力にします。直ちに送信されます。</translation>
     </message>

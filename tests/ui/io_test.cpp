@@ -40,6 +40,36 @@ TEST_F(IoPage, ALimitPinBecomesAnOutputAtOnce) {
     EXPECT_TRUE(io.limit2IsInput);
 }
 
+/// One command sets both pins, so a pin that was not chosen would become an input.
+TEST_F(IoPage, OfAChainThatWasFoundRunningNoPinChangesUnasked) {
+    ModuleState module = Servo{}.state();
+    module.attached();
+    window->showLink(connectedTo({module}));
+    showPage(u"Limits  I/O"_s);
+    auto* first = find<QComboBox>(u"limit1UseBox"_s);
+    auto* second = find<QComboBox>(u"limit2UseBox"_s);
+    EXPECT_EQ(first->currentIndex(), -1);
+    EXPECT_TRUE(text(u"limitRemark"_s).contains(u"unknown"_s));
+    first->setFocus();
+    QTest::keyClick(first, Qt::Key_End);
+    EXPECT_EQ(intents.size(), 0);
+    window->showLink(connectedTo({module}));
+    EXPECT_EQ(first->currentText(), u"output, high"_s) << "the choice stays until it is complete";
+    EXPECT_EQ(second->currentIndex(), -1);
+    second->setFocus();
+    QTest::keyClick(second, Qt::Key_Home);
+    const auto io = only<intent::ControlIo>().io;
+    EXPECT_FALSE(io.limit1IsInput);
+    EXPECT_TRUE(io.limit1Output);
+    EXPECT_TRUE(io.limit2IsInput);
+    EXPECT_EQ(first->currentIndex(), -1) << "the module has not confirmed it";
+    module.apply(bus::CommandExecuted{ModuleIndex(0), module.latestTime, ServoCommand(io)});
+    window->showLink(connectedTo({module}));
+    EXPECT_EQ(first->currentText(), u"output, high"_s);
+    EXPECT_EQ(second->currentText(), u"input"_s);
+    EXPECT_FALSE(text(u"limitRemark"_s).contains(u"unknown"_s));
+}
+
 TEST_F(IoPage, SaysThatALimitDoesNotStopTheMotor) {
     showServo();
     EXPECT_TRUE(text(u"limitRemark"_s).contains(u"does not stop the motor"_s));

@@ -33,7 +33,10 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
     if (const ModuleIdentity& module = context.state().info.identity;
         hasPathBuffer(module) && !isSc(module)) {
         m_fastPath = form::newCheck({.name = u"ioFastPathBox"_s, .text = Common::tr("Fast path")}, this);
-        connect(m_fastPath, &QCheckBox::clicked, this, &IoBox::control);
+        connect(m_fastPath, &QCheckBox::clicked, this, [this] {
+            m_fastPath->setTristate(false);  // once chosen, it is not unknown again
+            control();
+        });
         grid->addWide(m_fastPath);
     }
     m_index = addInput(grid, Common::tr("Index"), u"indexValue"_s,
@@ -51,11 +54,11 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
                                   .accessible = tr("Amplifier enabled (AMP_EN)")},
                                  this);
     grid->addWide(m_amplifier);
-    m_remark = look::newMutedLabel(
+    m_usualRemark =
         isSc(context.state().info.identity)
             ? tr("The Amplifier page sets what the module does when a limit closes.")
-            : tr("On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page."),
-        this);
+            : tr("On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page.");
+    m_remark = look::newMutedLabel({}, this);
     m_remark->setObjectName(u"limitRemark"_s);
     m_remark->setWordWrap(true);
     grid->addWide(m_remark);
@@ -75,6 +78,7 @@ IoBox::Pin IoBox::addPin(FormGrid* grid, int number) {
                                            {tr("output, low"), OutputLow},
                                            {tr("output, high"), OutputHigh}}},
                               this);
+    pin.use->setPlaceholderText(Common::tr("? unknown"));
     pin.glyph = new GlyphLabel(this);
     pin.value = new QLabel(u"–"_s, this);
     pin.value->setObjectName(u"limit%1Value"_s.arg(number));
@@ -100,20 +104,44 @@ void IoBox::show(const IoBox::Indicator& input, std::optional<bool> set, const Q
     look::setText(input.value, !set ? u"–"_s : *set ? on : off);
 }
 
+/// After power-up, a pin is an input (DS-V 5.2); on an SC, it always is. In a chain that was found running,
+/// another host may have set it.
+bool IoBox::usesKnown() const {
+    const ModuleState& module = m_context.state();
+    return isSc(module.info.identity) || module.pathControl.has_value();
+}
+
 void IoBox::showModule() {
-    // A pin is an input after power-up (DS-V 5.2); in a chain that was found running, its use is unknown.
+    const bool known = usesKnown();
+    if (known || !m_choosing)
+        showUses(known);
+    m_choosing = !known;
+    refresh();
+}
+
+void IoBox::showUses(bool known) {
     const servo::IoControl io = m_context.state().io.value_or(servo::IoControl{});
     for (int i = 0; i < 2; ++i) {
         QComboBox* use = m_pins[static_cast<std::size_t>(i)].use;
         const QSignalBlocker blocker(use);
-        form::choose(use, useOf(io, i));
+        if (known)
+            form::choose(use, useOf(io, i));
+        else
+            use->setCurrentIndex(-1);
     }
-    if (m_fastPath != nullptr)
-        m_fastPath->setChecked(io.fastPath);
-    refresh();
+    if (m_fastPath == nullptr)
+        return;
+    m_fastPath->setTristate(!known);
+    m_fastPath->setCheckState(!known ? Qt::PartiallyChecked : io.fastPath ? Qt::Checked : Qt::Unchecked);
 }
 
 void IoBox::control() {
+    // The command sets all of it, and nothing may change unasked.
+    for (const Pin& pin : m_pins)
+        if (pin.use->currentIndex() < 0)
+            return;
+    if (m_fastPath != nullptr && m_fastPath->checkState() == Qt::PartiallyChecked)
+        return;
     servo::IoControl io;
     const auto use = [this](std::size_t pin) { return form::chosen<Use>(m_pins[pin].use); };
     io.limit1IsInput = use(0) == Input;
@@ -121,6 +149,7 @@ void IoBox::control() {
     io.limit2IsInput = use(1) == Input;
     io.limit2Output = use(1) == OutputHigh;
     io.fastPath = m_fastPath != nullptr && m_fastPath->isChecked();
+    m_choosing = false;  // it remains unknown until the module has confirmed it
     m_context.ask(intent::ControlIo{io});
 }
 
@@ -132,14 +161,20 @@ void IoBox::refresh() {
     const std::array<std::optional<bool>, 2> limits{status([](auto s) { return s.limit1(); }),
                                                     status([](auto s) { return s.limit2(); })};
     const QString io = m_context.reasonNow(IntentKind::ControlIo);
+    const QString unknown =
+        usesKnown()
+            ? QString()
+            : tr("Another program set up this module, so its pin directions are unknown. Nothing is sent until all are chosen.");
+    const auto meaning = [&unknown](const QString& usual) { return unknown.isEmpty() ? usual : unknown; };
     for (std::size_t i = 0; i < m_pins.size(); ++i) {
         show({m_pins[i].glyph, m_pins[i].value}, limits[i], Common::tr("high"), Common::tr("low"));
         look::setPossible(m_pins[i].use, io,
-                          tr("Makes the pin an input, or an output with this level. Sent at once."));
+                          meaning(tr("Makes the pin an input, or an output with this level. Sent at once.")));
     }
     if (m_fastPath != nullptr)
         look::setPossible(m_fastPath, io,
-                          tr("Path points at 60 and 120 Hz instead of 30 and 60 Hz. Sent at once."));
+                          meaning(tr("Path points at 60 and 120 Hz instead of 30 and 60 Hz. Sent at once.")));
+    look::setText(m_remark, unknown.isEmpty() ? m_usualRemark : unknown + u' ' + m_usualRemark);
     std::optional<bool> index;
     if (module.latest && module.latest->aux)
         index = !servo::AuxByte{*module.latest->aux}.indexComplement();

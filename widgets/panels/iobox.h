@@ -16,7 +16,8 @@ class FormGrid;
 class GlyphLabel;
 
 /// Inputs and outputs of a PIC-SERVO: the limit pins, which may be inputs or outputs (DS-V 5.2 I/O Control),
-/// the index, the A/D value in the user's scale, motor power, and AMP_EN.
+/// the index, the A/D value in the user's scale, motor power, and AMP_EN. One command sets both pins, so if
+/// another host may have set them, it is sent only once the user has chosen both.
 class IoBox : public QWidget {
     Q_OBJECT
 
@@ -40,6 +41,8 @@ private:
     static void show(const Indicator& input, std::optional<bool> set, const QString& on, const QString& off);
     void control();
     void showModule();
+    [[nodiscard]] bool usesKnown() const;
+    void showUses(bool known);
     void refresh();
 
     ModuleContext& m_context;
@@ -50,6 +53,8 @@ private:
     QCheckBox* m_amplifier = nullptr;
     QCheckBox* m_fastPath = nullptr;  ///< CMC only
     QLabel* m_remark = nullptr;
+    QString m_usualRemark;
+    bool m_choosing = false;  ///< what was unknown is being chosen
 };
 
 }  // namespace nmc
