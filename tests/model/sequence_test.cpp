@@ -263,6 +263,10 @@ TEST(WhyNotRun, PinsThatAreNotThere) {
     EXPECT_EQ(kinds(whyNotRun("Pins", 0, machineOf(program), chain())),
               (std::vector{SequenceFault::NoSuchPin, SequenceFault::NotAnOutput, SequenceFault::NoSuchPin}))
         << "limit 1 is an input unless it is set as an output";
+    auto found = chain();
+    found[0].attached();
+    EXPECT_THAT(kinds(whyNotRun("Pins", 0, machineOf(program), found)),
+                testing::Contains(SequenceFault::OutputsUnknown));
     auto modules = chain();
     modules[0].io = servo::IoControl{false, false, false, true};
     EXPECT_EQ(kinds(whyNotRun("Pins", 0, machineOf(program), modules)),

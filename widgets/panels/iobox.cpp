@@ -104,15 +104,8 @@ void IoBox::show(const IoBox::Indicator& input, std::optional<bool> set, const Q
     look::setText(input.value, !set ? u"–"_s : *set ? on : off);
 }
 
-/// After power-up, a pin is an input (DS-V 5.2); on an SC, it always is. In a chain that was found running,
-/// another host may have set it.
-bool IoBox::usesKnown() const {
-    const ModuleState& module = m_context.state();
-    return isSc(module.info.identity) || module.pathControl.has_value();
-}
-
 void IoBox::showModule() {
-    const bool known = usesKnown();
+    const bool known = m_context.state().limitPinsKnown();
     if (known || !m_choosing)
         showUses(known);
     m_choosing = !known;
@@ -162,7 +155,7 @@ void IoBox::refresh() {
                                                     status([](auto s) { return s.limit2(); })};
     const QString io = m_context.reasonNow(IntentKind::ControlIo);
     const QString unknown =
-        usesKnown()
+        module.limitPinsKnown()
             ? QString()
             : tr("Another program set up this module, so its pin directions are unknown. Nothing is sent until all are chosen.");
     const auto meaning = [&unknown](const QString& usual) { return unknown.isEmpty() ? usual : unknown; };

@@ -41,7 +41,6 @@ private:
     static void show(const Indicator& input, std::optional<bool> set, const QString& on, const QString& off);
     void control();
     void showModule();
-    [[nodiscard]] bool usesKnown() const;
     void showUses(bool known);
     void refresh();
 

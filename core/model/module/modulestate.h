@@ -107,6 +107,9 @@ struct ModuleState : ServoRegisters {
     [[nodiscard]] bool isIo() const { return info.identity.type == ModuleType::Io && isKnown(); }
     [[nodiscard]] bool isKnown() const { return nmc::isKnown(info.identity); }
     [[nodiscard]] bool servoOn() const;
+    /// PIC-SERVO: after power-up, a limit pin is an input (DS-V 5.2), and on an SC, it always is. In a chain
+    /// that was found running, another host may have set it.
+    [[nodiscard]] bool limitPinsKnown() const { return isSc(info.identity) || pathControl.has_value(); }
     /// PIC-SERVO: AMP_EN in a stop that is to leave it as it is. If it is unknown, a servo that is on most
     /// likely needs it: without it, the motor coasts.
     [[nodiscard]] bool amplifierKept() const { return amplifierEnabled.value_or(true); }

@@ -380,7 +380,7 @@ tl::expected<Intent, SequenceProblem::Kind> outputIntent(const action::SetOutput
         return tl::unexpected(Kind::NoSuchPin);
     servo::IoControl io = module.io.value_or(servo::IoControl{});
     if (pin == 0 ? io.limit1IsInput : io.limit2IsInput)
-        return tl::unexpected(Kind::NotAnOutput);
+        return tl::unexpected(module.limitPinsKnown() ? Kind::NotAnOutput : Kind::OutputsUnknown);
     (pin == 0 ? io.limit1Output : io.limit2Output) = set.on;
     return intent::ControlIo{io};
 }
