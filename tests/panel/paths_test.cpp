@@ -111,6 +111,16 @@ TEST_F(Paths, NothingMovesWithoutAYes) {
     EXPECT_EQ(commanded(1), 0);
 }
 
+TEST_F(Paths, TheQuestionGoesWhenThePathCannotBeRunAnyMore) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(open(swing({u"Module 1"_s}, 500, 2)));
+    ASSERT_NO_FATAL_FAILURE(panel.click("runPathButton"));
+    const auto asked = [&] { return panel.window().findChild<QDialog*>(u"runPathDialog"_s) != nullptr; };
+    ASSERT_TRUE(asked());
+    panel.ask(intent::MotorOff{});
+    EXPECT_TRUE(panel.waitFor([&] { return !asked(); }));
+}
+
 TEST_F(Paths, OneThatBeginsElsewhereIsMovedToFirst) {
     ASSERT_NO_FATAL_FAILURE(begin());
     ASSERT_NO_FATAL_FAILURE(open(u"Module 1\n9000\n9100\n"_s));

@@ -310,6 +310,7 @@ void PathsPage::refresh() {
     }
     look::setText(m_summary, summary.join(u'\n'));
     refreshProgress(notRun);
+    AskDialog::reviewAll(*this);
 }
 
 void PathsPage::refreshProgress(const QString& notRun) {
@@ -381,8 +382,9 @@ void PathsPage::moveToStart() {
     emit m_requests.goToPlace(place);
 }
 
+/// Out of sight, the page is not kept up to date.
 QString PathsPage::question() const {
-    if (!whyNotRun().isEmpty())
+    if (!isVisible() || !whyNotRun().isEmpty())
         return {};
     QStringList lines{tr("All axes of the path start to move. Make sure that nothing is in their way.")};
     return (lines + m_about).join(u'\n');
