@@ -68,6 +68,19 @@ TEST_F(SequencePage, SaysWhatIsMissingBeforeTeaching) {
     EXPECT_FALSE(whyNot(u"teachButton"_s).isEmpty());
 }
 
+TEST_F(SequencePage, RowsHaveThePresentNamesOfTheModules) {
+    Program program = twoPoints();
+    program.sequences[0].rows = {action::Home{ModuleIndex(0)}};
+    load(program);
+    QSignalSpy changes(find<QTableView>(u"rowTable"_s)->model(), &QAbstractItemModel::dataChanged);
+    machine.axes.resize(1);
+    machine.axes[0].name = "X axis";
+    window->showMachine(machine);
+    EXPECT_EQ(changes.size(), 1) << "the table draws them again";
+    EXPECT_EQ(cell(0, 1), u"Module 1 \"X axis\""_s);
+    texts::setModuleNames({});
+}
+
 TEST_F(SequencePage, ShowsRowsInWords) {
     load(twoPoints());
     EXPECT_EQ(cell(0, 0), u"move to"_s);

@@ -64,12 +64,15 @@ ModuleIndex chosenModule(int choice) {
 
 }  // namespace
 
-void RowsModel::showRows(const Program& program, const std::string& sequence, int modules,
+bool RowsModel::showRows(const Program& program, const std::string& sequence, int modules,
                          const std::vector<ModuleType>& types) {
+    QStringList names;
+    for (int i = 0; i < modules; ++i)
+        names << texts::moduleName(chosenModule(i));
     const bool otherwise =
-        program != m_program || sequence != m_sequence || modules != m_modules || types != m_types;
+        program != m_program || sequence != m_sequence || names != m_names || types != m_types;
     if (!otherwise)
-        return;
+        return false;
     const Sequence* shown = program.sequence(sequence);
     const std::vector<Action> rows = shown != nullptr ? shown->rows : std::vector<Action>{};
     changeRowCount(*this, m_rows, rows);
@@ -77,11 +80,12 @@ void RowsModel::showRows(const Program& program, const std::string& sequence, in
         m_callable = callable(program, sequence);
     m_program = program;
     m_sequence = sequence;
-    m_modules = modules;
+    m_names = names;
     m_types = types;
     m_rows = rows;
     if (!m_rows.empty())
         emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    return true;
 }
 
 void RowsModel::markRow(std::optional<std::size_t> row) {
@@ -149,13 +153,6 @@ void RowsModel::takeModule(action::SetOutput& set, ModuleIndex module) const {
         set.output = 1;
 }
 
-QStringList RowsModel::moduleNames() const {
-    QStringList names;
-    for (int i = 0; i < m_modules; ++i)
-        names << texts::moduleName(chosenModule(i));
-    return names;
-}
-
 RowsModel::Cell RowsModel::cell(std::size_t row, int column) const {
     const Action& action = m_rows[row];
     if (column == How)
@@ -179,8 +176,8 @@ RowsModel::Cell RowsModel::what(std::size_t row) const {
     const Action& action = m_rows[row];
     Cell cell;
     if (const auto module = moduleOf(action)) {
-        cell = {moduleNames(), module->value()};
-        if (module->value() >= m_modules)
+        cell = {m_names, module->value()};
+        if (module->value() >= m_names.size())
             cell.text = texts::moduleName(*module);
     } else if (const auto* move = std::get_if<action::MoveTo>(&action)) {
         const auto names = pointNames(m_program);

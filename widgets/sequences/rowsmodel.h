@@ -24,8 +24,8 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     /// Shows the sequence of that name, or no rows if there is none. `modules`: how many can be selected;
-    /// `types`: those that are known, by ModuleIndex.
-    void showRows(const Program& program, const std::string& sequence, int modules,
+    /// `types`: those that are known, by ModuleIndex. Returns false if everything is as before.
+    bool showRows(const Program& program, const std::string& sequence, int modules,
                   const std::vector<ModuleType>& types = {});
     /// Marks the row of a run that is next or in progress.
     void markRow(std::optional<std::size_t> row);
@@ -69,13 +69,12 @@ private:
     [[nodiscard]] std::vector<std::size_t> possibleActions(std::size_t row) const;
     [[nodiscard]] Action actionOf(std::size_t kind, std::size_t row) const;
     void choose(Action& action, std::size_t row, int column, int choice) const;
-    [[nodiscard]] QStringList moduleNames() const;
 
     Program m_program;
     std::string m_sequence;
     std::vector<Action> m_rows;
     std::vector<std::string> m_callable;  ///< sequences that do not lead back to this one
-    int m_modules = 0;
+    QStringList m_names;                  ///< of the modules
     std::vector<ModuleType> m_types;
     std::optional<std::size_t> m_marked;
 };
