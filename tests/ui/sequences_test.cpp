@@ -81,6 +81,39 @@ TEST_F(SequencePage, RowsHaveThePresentNamesOfTheModules) {
     texts::setModuleNames({});
 }
 
+TEST_F(SequencePage, ADryRunIsNotShownForOtherRows) {
+    Program program = twoPoints();
+    load(program);
+    const auto* result = window->findChild<QLabel*>(u"dryRunLabel"_s);
+    click(u"dryRunButton"_s);
+    window->sequences().showForesight({});
+    EXPECT_TRUE(result->text().startsWith(u"Dry run"_s)) << result->text().toStdString();
+    program.sequences[0].rows.pop_back();
+    load(program);
+    EXPECT_EQ(result->text(), QString());
+    click(u"dryRunButton"_s);
+    program.sequences[0].rows.pop_back();
+    load(program);
+    window->sequences().showForesight({});
+    EXPECT_EQ(result->text(), QString()) << "it was begun with the rows before";
+}
+
+TEST_F(SequencePage, ANameBeingTypedGoesToNoOtherSequence) {
+    Program program = twoPoints();
+    program.sequences.push_back({"Other", {action::Wait{1}}});
+    load(program);
+    auto* name = find<QLineEdit>(u"sequenceNameField"_s);
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    name->setFocus();
+    name->selectAll();
+    QTest::keyClicks(name, u"Mill"_s);
+    program.sequences.erase(program.sequences.begin());
+    load(program);
+    QTest::keyClick(name, Qt::Key_Return);
+    ASSERT_EQ(machine.program.sequences.size(), 1U);
+    EXPECT_EQ(machine.program.sequences[0].name, "Other") << "the name was meant for Main";
+}
+
 TEST_F(SequencePage, ShowsRowsInWords) {
     load(twoPoints());
     EXPECT_EQ(cell(0, 0), u"move to"_s);

@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QTableView>
 #include <QUndoCommand>
+#include <utility>
 
 #include "model/intent/rights.h"
 #include "model/module/modulescale.h"
@@ -366,7 +367,8 @@ void SequencesPage::showRun(const SequenceReport& report) {
 }
 
 void SequencesPage::showForesight(const DryRun& dryRun) {
-    m_foreseeing = false;
+    if (!std::exchange(m_foreseeing, false))
+        return;
     showForesightText(texts::foreseen(dryRun, [this](ModuleIndex module) { return scaleOf(module); }));
     refreshRun();
 }
@@ -396,8 +398,10 @@ void SequencesPage::showProgram() {
         if (m_sequence->currentIndex() < 0 && !names.isEmpty())
             m_sequence->setCurrentIndex(0);
     }
-    if (!m_sequenceName->hasFocus())
-        m_sequenceName->setText(m_sequence->currentText());
+    // What is being typed is a name for the sequence that was chosen.
+    const QString named = m_sequence->currentText();
+    if (std::exchange(m_named, named) != named || !m_sequenceName->hasFocus())
+        m_sequenceName->setText(named);
     m_points->showPoints(m_program.points, [this](ModuleIndex module) { return scaleOf(module); });
     const auto modules = static_cast<int>(std::max(m_link.modules.size(), m_machine.axes.size()));
     std::vector<ModuleType> types;
@@ -408,7 +412,11 @@ void SequencesPage::showProgram() {
                         : expected                     ? expected->type
                                                        : ModuleType::Servo);
     }
-    m_rows->showRows(m_program, sequence(), modules, types);
+    if (m_rows->showRows(m_program, sequence(), modules, types)) {
+        // A dry run was one of the rows before.
+        m_foreseeing = false;
+        showForesightText({});
+    }
     refresh();
 }
 

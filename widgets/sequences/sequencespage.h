@@ -78,6 +78,7 @@ private:
     Program m_program;
     std::optional<SequenceReport> m_run;
     bool m_foreseeing = false;
+    QString m_named;  ///< the sequence that the field for its name shows
     QUndoStack m_edits;
 
     PointsModel* m_points;
