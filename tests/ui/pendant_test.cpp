@@ -134,6 +134,20 @@ TEST_F(PendantMode, ANotPossibleMoveSaysWhyInTheRibbon) {
     QTest::keyRelease(focused(), Qt::Key_Right, Qt::ShiftModifier);
 }
 
+TEST_F(PendantMode, WhyAMoveWasNotPossibleIsSaidOfItsModuleOnly) {
+    showServos({{.on = false}, {}});
+    begin();
+    press();
+    QTest::keyRelease(focused(), Qt::Key_Right, Qt::ShiftModifier);
+    ASSERT_TRUE(text(u"pendantRibbonText"_s).contains(u"The servo is off."_s));
+    auto* chain = find<QAbstractItemView>(u"chainList"_s);
+    chain->setFocus();
+    QTest::keyClick(chain, Qt::Key_Down);
+    EXPECT_TRUE(text(u"pendantRibbonText"_s).contains(u"Module 2"_s));
+    EXPECT_FALSE(text(u"pendantRibbonText"_s).contains(u"The servo is off."_s))
+        << text(u"pendantRibbonText"_s).toStdString();
+}
+
 TEST_F(PendantMode, MovesAStepperToo) {
     testing_support::Stepper stepper = testing_support::Stepper::holding();
     window->showLink(connectedTo({stepper.module}));

@@ -60,7 +60,10 @@ Pendant::Pendant(QWidget& window, ModulePanel& panel)
     connect(m_wheel, &JogWheel::released, this, &Pendant::release);
     connect(m_wheel, &JogWheel::pushed, this, &Pendant::push);
     connect(m_wheel, &JogWheel::turned, this, &Pendant::turn);
-    connect(&panel, &ModulePanel::pageChanged, this, &Pendant::release);
+    connect(&panel, &ModulePanel::pageChanged, this, [this] {
+        release();
+        setProblem({});  // it was the other module's
+    });
 }
 
 bool Pendant::isOn() const {
