@@ -8578,6 +8578,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>STOP ALL switches this output off. If cleared, the output stays as it is.</source>
         <translation>ALLES STOPP schaltet diesen Ausgang aus. Ohne Haken bleibt er, wie er ist.</translation>
     </message>
+    <message>
+        <source>Another program set the PWM outputs. Enter a value for each: both are sent together.</source>
+        <translation>Ein anderes Programm hat die PWM-Ausgänge gesetzt. Für jeden einen Wert eingeben: beide werden zusammen gesendet.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::JogBox</name>

@@ -8578,6 +8578,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>STOP ALL switches this output off. If cleared, the output stays as it is.</source>
         <translation>PARAR TODO desactiva esta salida. Si está desmarcado, la salida queda como está.</translation>
     </message>
+    <message>
+        <source>Another program set the PWM outputs. Enter a value for each: both are sent together.</source>
+        <translation>Otro programa configuró las salidas PWM. Introduzca un valor para cada una: ambos se envían juntos.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::JogBox</name>

@@ -8578,6 +8578,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>STOP ALL switches this output off. If cleared, the output stays as it is.</source>
         <translation>TOUT ARRÊTER coupe cette sortie. Si la case est décochée, la sortie reste telle quelle.</translation>
     </message>
+    <message>
+        <source>Another program set the PWM outputs. Enter a value for each: both are sent together.</source>
+        <translation>Un autre programme a réglé les sorties PWM. Saisissez une valeur pour chacune&#xa0;: les deux sont envoyées ensemble.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::JogBox</name>

@@ -8561,6 +8561,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>STOP ALL switches this output off. If cleared, the output stays as it is.</source>
         <translation>全停止でこの出力をオフにします。チェックを外すと、出力はそのまま残ります。</translation>
     </message>
+    <message>
+        <source>Another program set the PWM outputs. Enter a value for each: both are sent together.</source>
+        <translation>別のプログラムがPWM出力を設定しました。それぞれの値を入力してください。両方が一緒に送信されます。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::JogBox</name>

@@ -60,6 +60,9 @@ TEST_F(PicIo, OnePwmOutputChangesAndTheOtherStays) {
     EXPECT_EQ(planned(iointent::SetPwm{1, 200}), Commands{(io::SetPwm{0, 200})});
     executed(io::SetPwm{10, 200});
     EXPECT_EQ(planned(iointent::SetPwm{0, 0}), Commands{(io::SetPwm{0, 200})});
+    EXPECT_EQ(planned(iointent::SetPwm{0, 0, std::uint8_t{9}}), Commands{(io::SetPwm{0, 200})});
+    module.attached();
+    EXPECT_EQ(planned(iointent::SetPwm{0, 5, std::uint8_t{9}}), Commands{(io::SetPwm{5, 9})});
 }
 
 TEST_F(PicIo, WhatIsLatchedIsRead) {

@@ -154,6 +154,21 @@ TEST_F(Pins, APwmOutputIsSentByEnter) {
     EXPECT_EQ(set.value, 128);
 }
 
+TEST_F(Pins, APwmOutputThatIsUnknownIsNotSwitchedOffWithTheOther) {
+    module.attached();
+    latch(0x0801, 20);
+    EXPECT_EQ(text(u"ioPwm1State"_s), u"? unknown"_s);
+    type(u"ioPwm2Field"_s, u"128"_s);
+    QTest::keyClick(field(u"ioPwm2Field"_s), Qt::Key_Return);
+    EXPECT_EQ(intents.size(), 0);
+    type(u"ioPwm1Field"_s, u"7"_s);
+    QTest::keyClick(field(u"ioPwm1Field"_s), Qt::Key_Return);
+    const auto set = only<iointent::SetPwm>();
+    EXPECT_EQ(set.output, 0U);
+    EXPECT_EQ(set.value, 7);
+    EXPECT_EQ(set.other, std::uint8_t{128});
+}
+
 TEST_F(Pins, TheTimerCountsFiveMillionASecond) {
     find<QComboBox>(u"timerModeBox"_s)->setFocus();
     QTest::keyClick(find<QComboBox>(u"timerModeBox"_s), Qt::Key_Down);

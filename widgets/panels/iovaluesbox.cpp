@@ -157,8 +157,12 @@ void IoValuesBox::editPwm(std::size_t number, const std::function<void(OutputSet
 
 void IoValuesBox::sendPwm(unsigned output) {
     const auto value = m_pwm.at(output).field->value();
-    if (value && !m_context.whyNot(IntentKind::SetOutputs))
-        m_context.ask(iointent::SetPwm{output, static_cast<std::uint8_t>(*value)});
+    const auto other = m_pwm.at(1 - output).field->value();
+    // One command sets both, and an output may not change unasked.
+    const bool known = other || m_context.state().pins.pwm;
+    if (value && known && !m_context.whyNot(IntentKind::SetOutputs))
+        m_context.ask(iointent::SetPwm{output, static_cast<std::uint8_t>(*value),
+                                       static_cast<std::uint8_t>(other.value_or(0))});
 }
 
 void IoValuesBox::showModule() {
@@ -193,7 +197,10 @@ void IoValuesBox::refresh() {
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {
         look::setText(m_pwm.at(i).state, pwm ? Common::tr("%1 of 255").arg(static_cast<int>(pwm->at(i)))
                                              : Common::tr("? unknown"));
-        m_pwm.at(i).field->setPossible(reason, tr("255 is always on. Press Enter to send."));
+        m_pwm.at(i).field->setPossible(
+            reason,
+            pwm ? tr("255 is always on. Press Enter to send.")
+                : tr("Another program set the PWM outputs. Enter a value for each: both are sent together."));
     }
 }
 

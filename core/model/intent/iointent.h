@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "protocol/iocommands.h"
 
@@ -16,9 +17,11 @@ struct SetOutput {
     unsigned pin = 0;
     bool high = false;
 };
+/// One command sets both PWM outputs: the one that is not meant stays as it is.
 struct SetPwm {
     unsigned output = 0;
     std::uint8_t value = 0;
+    std::optional<std::uint8_t> other{};  ///< of the other one, in case its present value is unknown
 };
 /// Sets the timer mode; the count starts at 0.
 struct SetTimer {

@@ -27,7 +27,8 @@ struct IoPlanner : Planner {
         return as(IntentKind::SetOutputs, io::SetOutput{static_cast<std::uint16_t>(outputs)});
     }
     Plan operator()(const iointent::SetPwm& set) const {
-        auto values = module.pins.pwm.value_or(std::array<std::uint8_t, 2>{});
+        const std::uint8_t other = set.other.value_or(0);
+        auto values = module.pins.pwm.value_or(std::array<std::uint8_t, 2>{other, other});
         values.at(set.output) = set.value;
         return as(IntentKind::SetOutputs, io::SetPwm{values[0], values[1]});
     }
