@@ -162,7 +162,8 @@ TEST_F(RepeatabilityPage, SaysWhatADifferenceDoesNotShow) {
     edges = captures();
     edges.perReading = 40;
     report(ProcedureStage::Done, edges);
-    EXPECT_TRUE(result().contains(u"moves up to 40.0 counts between two readings"_s)) << result().toStdString();
+    EXPECT_TRUE(result().contains(u"moves up to 40.0 counts between two readings"_s))
+        << result().toStdString();
     EXPECT_FALSE(button(u"useBacklashButton"_s)->isEnabled());
 }
 
