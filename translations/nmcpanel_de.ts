@@ -112,7 +112,7 @@
     <name>CommandLine</name>
     <message>
         <source>Control panel for Networked Modular Control motor modules.</source>
-        <translation>Bedienprogramm für Module nach Networked Modular Control (NMC).</translation>
+        <translation>Bedienprogramm für Motormodule nach Networked Modular Control (NMC).</translation>
     </message>
     <message>
         <source>NAME</source>
