@@ -74,18 +74,18 @@ TEST_F(Flight, AStopIsShownWithWhatLedToItWhilePollingGoesOn) {
 TEST_F(Flight, APowerLossCanStillBeShownWhenThePortIsClosed) {
     begin();
     (void)sim.control(QStringLiteral("set 1 power 0"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("motor power")) > 0; }));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("no motor power")) > 0; }));
     panel.disconnect();
     ASSERT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
-    ASSERT_TRUE(clickShow(QStringLiteral("motor power")));
+    ASSERT_TRUE(clickShow(QStringLiteral("no motor power")));
     EXPECT_TRUE(scope().showsRecord());
-    EXPECT_TRUE(title().contains(QLatin1String("motor power"))) << title().toStdString();
+    EXPECT_TRUE(title().contains(QLatin1String("no motor power"))) << title().toStdString();
 }
 
 /// The list has an entry for each fault, with what led to it.
 TEST_F(Flight, AnEarlierFaultIsStillShownAfterALaterOneOfItsKind) {
     begin();
-    const QString told = QStringLiteral("motor power");
+    const QString told = QStringLiteral("no motor power");
     (void)sim.control(QStringLiteral("set 1 power 0"));
     ASSERT_TRUE(panel.waitFor([&] { return panel.count(told) == 1; }));
     (void)sim.control(QStringLiteral("set 1 power 1"));
@@ -102,9 +102,9 @@ TEST_F(Flight, AnEarlierFaultIsStillShownAfterALaterOneOfItsKind) {
 TEST_F(Flight, WhatIsExportedSaysWhereItHappenedWhateverIsConnectedNow) {
     begin();
     (void)sim.control(QStringLiteral("set 1 power 0"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("motor power")) > 0; }));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("no motor power")) > 0; }));
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(other.terminal()));
-    ASSERT_TRUE(clickShow(QStringLiteral("motor power")));
+    ASSERT_TRUE(clickShow(QStringLiteral("no motor power")));
     ASSERT_TRUE(scope().showsRecord());
     const QTemporaryDir directory;
     QSignalSpy saved(&panel.window().requests(), &Requests::save);
