@@ -13,6 +13,7 @@
 #include <QTest>
 
 #include "app/composition.h"
+#include "tests/support/eventually.h"
 #include "tests/support/nmcsimprocess.h"
 #include "tests/support/turnto.h"
 #include "widgets/messages/messagelist.h"
@@ -54,15 +55,15 @@ public:
         QTest::mouseClick(&widget, Qt::LeftButton);
     }
     bool waitUntilEnabled(const char* button) {
-        return QTest::qWaitFor([&] { return find<QAbstractButton>(button).isEnabled(); }, 20'000);
+        return waitFor([&] { return find<QAbstractButton>(button).isEnabled(); });
     }
     void selectModule(int row) {
         auto& list = find<QAbstractItemView>("chainList");
         list.setCurrentIndex(list.model()->index(row, 0));
     }
     template <typename Predicate>
-    bool waitFor(Predicate predicate, int patienceMs = 20'000) {
-        return QTest::qWaitFor(predicate, patienceMs);
+    bool waitFor(Predicate predicate) {
+        return testing_support::eventually(predicate);
     }
     [[nodiscard]] std::size_t modules() const { return m_composition.store().link().modules.size(); }
     [[nodiscard]] const ModuleState& module(std::uint8_t index) const {

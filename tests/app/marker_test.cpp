@@ -6,6 +6,7 @@
 #include <QProcess>
 #include <QProcessEnvironment>
 
+#include "tests/support/eventually.h"
 #include "tests/support/leaverunning.h"
 #include "tests/support/panel.h"
 
@@ -38,15 +39,15 @@ public:
         return QDir(m_data).entryList({QStringLiteral("moving-%1-*.json").arg(m_process.processId())});
     }
     [[nodiscard]] bool marks() {
-        return QTest::qWaitFor([this] { return markers().size() == 1; }, 20'000);
+        return testing_support::eventually([this] { return markers().size() == 1; });
     }
     void kill() {
         m_process.kill();  // SIGKILL
-        m_process.waitForFinished();
+        m_process.waitForFinished(testing_support::kPatienceMs);
     }
     [[nodiscard]] bool end() {
         m_process.terminate();
-        return m_process.waitForFinished();
+        return m_process.waitForFinished(testing_support::kPatienceMs);
     }
 
 private:
@@ -75,8 +76,8 @@ TEST(H02_Killed, IsSaidAtTheNextStartWithWhatItsGuardianDidAndTheOtherPanelsMark
     EXPECT_EQ(lives.markers().size(), 1);
 
     const QDir reports(home.filePath(QStringLiteral("nmcpanel")));
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return reports.entryList({QStringLiteral("guardian-*.report")}).size() == 1; }, 20'000));
+    ASSERT_TRUE(testing_support::eventually(
+        [&] { return reports.entryList({QStringLiteral("guardian-*.report")}).size() == 1; }));
     IntentPanel next(reports.filePath(QStringLiteral("next.ini")), {}, killed.data());
     next.start();
     const QString told = QStringLiteral("its guardian commanded module 1 to stop");

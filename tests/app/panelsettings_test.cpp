@@ -7,7 +7,8 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
-#include <QTest>
+
+#include "tests/support/eventually.h"
 
 namespace nmc {
 namespace {
@@ -58,7 +59,7 @@ TEST_F(KilledWhileWriting, TheWindowDoesNotWaitForTheLock) {
     time.start();
     QCoreApplication::sendPostedEvents(&settings);
     EXPECT_LT(time.elapsed(), 15'000);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return isWritten(); }, 20'000));
+    EXPECT_TRUE(testing_support::eventually([this] { return isWritten(); }));
 }
 
 /// Otherwise the panel would put writing off for ever, and say nothing.

@@ -8,9 +8,12 @@
 #include <QProcessEnvironment>
 
 #include "tests/support/nmcsimprocess.h"
+#include "tests/support/patience.h"
 
 namespace nmc {
 namespace {
+
+using testing_support::kPatienceMs;
 
 struct Ran {
     int exitCode = -1;
@@ -25,7 +28,7 @@ Ran run(const char* program, const QStringList& arguments) {
         environment.remove(QLatin1String(name));
     process.setProcessEnvironment(environment);
     process.start(QLatin1String(program), arguments);
-    EXPECT_TRUE(process.waitForFinished());
+    EXPECT_TRUE(process.waitForFinished(kPatienceMs));
     EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
     return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
             QString::fromUtf8(process.readAllStandardError())};
@@ -69,13 +72,13 @@ TEST(Nmcsim, SurvivesTheEndOfItsInputAndEndsOnSigterm) {
     QProcess process;
     const QString link = QStringLiteral("/tmp/nmcsim-link-%1").arg(QCoreApplication::applicationPid());
     process.start(QLatin1String(NMCSIM_PATH), {QStringLiteral("--link"), link});
-    ASSERT_TRUE(process.waitForReadyRead());
+    ASSERT_TRUE(process.waitForReadyRead(kPatienceMs));
     EXPECT_TRUE(process.readLine().startsWith("ready /dev/"));
     EXPECT_TRUE(QFileInfo::exists(link));
     process.closeWriteChannel();
     EXPECT_FALSE(process.waitForFinished(200)) << "the end of standard input must not end it";
     process.terminate();
-    ASSERT_TRUE(process.waitForFinished());
+    ASSERT_TRUE(process.waitForFinished(kPatienceMs));
     EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
     EXPECT_EQ(process.exitCode(), 0);
     EXPECT_FALSE(QFileInfo(link).isSymLink());

@@ -9,6 +9,7 @@
 #ifdef NMC_LENT_LINE
 #include "tests/conformance/lentwire.h"
 #else
+#include "tests/support/patience.h"
 #include "tests/support/port.h"
 #include "tests/support/simprocess.h"
 #endif
@@ -51,8 +52,8 @@ public:
         const std::size_t sent = m_sim.control("advance " + std::to_string(seconds))["sent"];
         Bytes answer;
         while (answer.size() < sent - m_received) {
-            constexpr int kKernelMs = 10'000;  // the kernel hands the bytes over in a thread of its own
-            const Bytes more = m_port.read(sent - m_received - answer.size(), kKernelMs);
+            // The kernel hands the bytes over in a thread of its own.
+            const Bytes more = m_port.read(sent - m_received - answer.size(), testing_support::kPatienceMs);
             if (more.empty())
                 throw std::runtime_error("the terminal lost bytes");
             answer = answer + more;

@@ -45,12 +45,12 @@ public:
     NamedPipe& operator=(const NamedPipe&) = delete;
 
     [[nodiscard]] const std::string& path() const { return m_path; }
-    /// Reads until `words` have arrived; returns false if nothing arrives for a minute.
+    /// Reads until `words` have arrived; returns false if nothing arrives any more.
     bool waitUntilSaid(const std::string& words) {
         while (m_said.find(words) == std::string::npos) {
             pollfd readable{m_fd, POLLIN, 0};
             std::array<char, 512> buffer{};
-            if (::poll(&readable, 1, 60'000) != 1)
+            if (::poll(&readable, 1, kPatienceMs) != 1)
                 return false;
             const auto got = ::read(m_fd, buffer.data(), buffer.size());
             if (got <= 0)

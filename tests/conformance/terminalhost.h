@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/patience.h"
 #include "tests/support/port.h"
 #include "tests/support/simprocess.h"
 
 namespace nmc::terminal {
 
+using testing_support::kPatienceMs;
 using testing_support::Port;
 using testing_support::SimProcess;
 using Bytes = std::vector<std::uint8_t>;
@@ -24,8 +26,6 @@ inline const Bytes kNopToAll{0xAA, 0xFF, 0x0E, 0x0D};
 inline const Bytes kResetAll{0xAA, 0xFF, 0x0F, 0x0E};
 inline const Bytes kAllTo115200{0xAA, 0xFF, 0x1A, 10, 0x23};
 inline const Bytes kAllTo19200{0xAA, 0xFF, 0x1A, 63, 0x58};
-
-inline constexpr int kPatienceMs = 10'000;
 
 /// nmcsim with its time stepped, and a host that opens its terminal, writes, reads, hangs up and comes back.
 class Host {

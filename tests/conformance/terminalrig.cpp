@@ -11,11 +11,13 @@
 #include <map>
 #include <stdexcept>
 
+#include "tests/support/patience.h"
+
 namespace nmc::conformance {
 
 namespace {
 
-constexpr int kPatienceMs = 10'000;
+using testing_support::kPatienceMs;
 
 [[noreturn]] void fail(const std::string& what) {
     throw std::runtime_error(what);

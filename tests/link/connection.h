@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QSignalSpy>
-#include <QTest>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -10,10 +9,9 @@
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
 #include "link/connection/serialtransport.h"
+#include "tests/support/eventually.h"
 
 namespace nmc::testing_support {
-
-inline constexpr int kPatienceMs = 20'000;
 
 /// A worker and a store like those of the panel, and the events that the store emitted.
 class Connection {
@@ -84,10 +82,8 @@ public:
     const ModuleState& module(std::uint8_t index) { return *m_store.module(ModuleIndex(index)); }
 
 protected:
-    /// Returns false if the predicate does not hold in time.
-    virtual bool wait(const std::function<bool()>& predicate) {
-        return QTest::qWaitFor(predicate, kPatienceMs);
-    }
+    /// Returns false if the predicate never holds.
+    virtual bool wait(const std::function<bool()>& predicate) { return eventually(predicate); }
 
 private:
     BusWorker m_worker;

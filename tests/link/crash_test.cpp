@@ -10,14 +10,14 @@
 
 #include "link/connection/crashburst.h"
 #include "tests/support/nmcsimprocess.h"
+#include "tests/support/patience.h"
 
 namespace nmc {
 namespace {
 
 using testing_support::kAtRest;
+using testing_support::kPatienceMs;
 using testing_support::NmcsimProcess;
-
-constexpr int kLimitMs = 10'000;
 
 /// A process with its own port that ends while motor 2 moves.
 class Crasher {
@@ -27,11 +27,11 @@ public:
     }
     void crash() {
         while (!m_process.canReadLine())
-            ASSERT_TRUE(m_process.waitForReadyRead(kLimitMs));
+            ASSERT_TRUE(m_process.waitForReadyRead(kPatienceMs));
         ASSERT_EQ(m_process.readLine().trimmed(), "moving");
         ASSERT_NEAR(velocity(), 8.0, 0.1) << "the simulator must see it move, too";
         m_process.write("now\n");
-        ASSERT_TRUE(m_process.waitForFinished(kLimitMs));
+        ASSERT_TRUE(m_process.waitForFinished(kPatienceMs));
         EXPECT_EQ(m_process.exitStatus(), QProcess::CrashExit) << "the crash must not be hidden";
     }
     [[nodiscard]] double velocity() {
@@ -41,7 +41,7 @@ public:
         QElapsedTimer clock;
         clock.start();
         while (velocity() > kAtRest)
-            if (clock.elapsed() > kLimitMs)
+            if (clock.elapsed() > kPatienceMs)
                 return false;
         return true;
     }

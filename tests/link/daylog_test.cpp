@@ -8,8 +8,9 @@
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 #include <future>
+
+#include "tests/support/eventually.h"
 
 namespace nmc {
 namespace {
@@ -22,6 +23,10 @@ protected:
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("none");
     }
     QString folder() { return m_folder.path(); }
+    /// Each time, it waits for as long as a panel that ends.
+    static bool finishes(DayLog& log) {
+        return testing_support::eventually([&log] { return log.finish(); });
+    }
 
 private:
     QTemporaryDir m_folder;
@@ -56,7 +61,7 @@ TEST_F(DayLogTest, TheOldestOf31DaysGoes) {
     touch(QStringLiteral("notes.log"));
     DayLog log(folder());
     log.write("one", at(1));
-    ASSERT_TRUE(log.finish());
+    ASSERT_TRUE(finishes(log));
     EXPECT_FALSE(dir.exists(QStringLiteral("messages-2026-10-01.log")));
     EXPECT_FALSE(dir.exists(QStringLiteral("messages-2026-10-01.log.old")));
     EXPECT_TRUE(dir.exists(QStringLiteral("messages-2026-10-02.log")));
@@ -91,7 +96,7 @@ TEST_F(DayLogTest, KeepsNobodyWaitingAndLosesNothing) {
     log.write("two", at(21));
     log.write("three", at(21));
     answer.set_value();
-    ASSERT_TRUE(log.finish());
+    ASSERT_TRUE(finishes(log));
     EXPECT_EQ(content("messages-2026-11-21.log"), "one\ntwo\nthree\n");
 }
 
@@ -101,10 +106,10 @@ TEST_F(DayLogTest, TellsOnceThatItCannotKeepThem) {
     DayLog log(inTheWay.fileName());
     QSignalSpy failed(&log, &DayLog::failed);
     log.write("one", at(21));
-    ASSERT_TRUE(log.finish());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return failed.size() == 1; }));
+    ASSERT_TRUE(finishes(log));
+    ASSERT_TRUE(testing_support::eventually([&] { return failed.size() == 1; }));
     log.write("two", at(21));
-    ASSERT_TRUE(log.finish());
+    ASSERT_TRUE(finishes(log));
     QCoreApplication::processEvents();
     EXPECT_EQ(failed.size(), 1);
 }

@@ -6,18 +6,22 @@
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
-#include <QTest>
 #include <future>
 #include <map>
 #include <mutex>
+
+#include "tests/support/eventually.h"
 
 namespace nmc {
 namespace {
 
 using namespace std::chrono_literals;
+using testing_support::eventually;
 
 class FileWriterTest : public testing::Test {
 protected:
+    static constexpr std::chrono::milliseconds kPatience{testing_support::kPatienceMs};
+
     QString path(const char* name) { return m_folder.filePath(QLatin1String(name)); }
     static QByteArray content(const QString& path) {
         QFile file(path);
@@ -37,7 +41,7 @@ TEST_F(FileWriterTest, WritesAndRemovesInTheOrderThatWasAskedFor) {
     writer.write(path("b"), text("two"));
     writer.write(path("a"), text("three"));
     writer.remove(path("b"));
-    ASSERT_TRUE(writer.finish());
+    ASSERT_TRUE(writer.finish(kPatience));
     EXPECT_EQ(content(path("a")), "three");
     EXPECT_FALSE(QFile::exists(path("b")));
 }
@@ -54,9 +58,9 @@ TEST_F(FileWriterTest, TellsWhatBecameOfIt) {
     for (const char* name : {"a", "folder", "none/a"})
         writer.write(path(name), text("one"),
                      [&told, file = path(name)](const FileWriter::Result& result) { told[file] = result; });
-    ASSERT_TRUE(writer.finish());
+    ASSERT_TRUE(writer.finish(kPatience));
     EXPECT_TRUE(told.empty()) << "nothing is reported before the event loop runs";
-    ASSERT_TRUE(QTest::qWaitFor([&] { return told.size() == 3; }));
+    ASSERT_TRUE(eventually([&] { return told.size() == 3; }));
     EXPECT_TRUE(told[path("a")].has_value());
     EXPECT_EQ(told[path("folder")].error().trouble, FileErrorKind::NotAFile);
     EXPECT_EQ(told[path("none/a")].error().trouble, FileErrorKind::NoFolder);
@@ -91,12 +95,12 @@ TEST_F(FileWriterTest, KeepsNobodyWaitingForADiskThatDoesNotAnswer) {
     writer.write(path("stuck"), text("two"), count);
     writer.write(path("stuck"), text("three"), count);
     writer.write(path("elsewhere"), text("four"), count);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return told == 1; })) << "the other disk answers";
+    ASSERT_TRUE(eventually([&] { return told == 1; })) << "the other disk answers";
     EXPECT_FALSE(writer.finish(0ms));
     answer.set_value();
-    ASSERT_TRUE(writer.finish());
+    ASSERT_TRUE(writer.finish(kPatience));
     EXPECT_EQ(written, QByteArrayList({"four", "one", "three"}));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return told == 3; }));
+    ASSERT_TRUE(eventually([&] { return told == 3; }));
 }
 
 }  // namespace

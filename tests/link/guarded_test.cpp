@@ -9,7 +9,6 @@
 #include <QJsonDocument>
 #include <QProcess>
 #include <QTemporaryDir>
-#include <QTest>
 #include <array>
 #include <csignal>
 #include <deque>
@@ -18,6 +17,7 @@
 #include "link/guardian/guardreport.h"
 #include "tests/link/connection.h"
 #include "tests/support/changes.h"
+#include "tests/support/eventually.h"
 #include "tests/support/leaverunning.h"
 #include "tests/support/nmcsimprocess.h"
 
@@ -76,21 +76,20 @@ public:
     [[nodiscard]] bool letsGo() const {
         const QString program = QStringLiteral("/proc/%1/exe").arg(m_guard);
         return m_guard > 0 &&
-               QTest::qWaitFor([&] { return QFile::symLinkTarget(program).isEmpty(); }, kPatienceMs);
+               testing_support::eventually([&] { return QFile::symLinkTarget(program).isEmpty(); });
     }
     [[nodiscard]] double velocity(int module) {
         return std::abs(m_sim.state(module)[QStringLiteral("command_velocity")].toDouble());
     }
     [[nodiscard]] bool motorsStop() {
-        return QTest::qWaitFor([this] { return velocity(1) < kAtRest && velocity(2) < kAtRest; },
-                               kPatienceMs);
+        return testing_support::eventually([this] { return velocity(1) < kAtRest && velocity(2) < kAtRest; });
     }
     [[nodiscard]] std::vector<GuardReport> reports() const {
         return takeGuardReports(m_folder.path().toStdString());
     }
     /// Waits until there is a report.
     [[nodiscard]] bool isReported() const {
-        return QTest::qWaitFor([this] { return !reports().empty(); }, kPatienceMs);
+        return testing_support::eventually([this] { return !reports().empty(); });
     }
 
 private:

@@ -9,12 +9,12 @@
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
-#include <QTest>
 #include <memory>
 #include <optional>
 
 #include "asnobody.h"
 #include "link/files/unsavedwork.h"
+#include "tests/support/eventually.h"
 
 namespace nmc {
 namespace {
@@ -115,7 +115,7 @@ TEST_F(MachineIo, UnsavedWorkThatCannotBeKeptSaysSo) {
     UnsavedWork work(path("file/unsaved"));
     std::optional<FileWriter::Result> kept;
     work.keep({}, "x", [&](const FileWriter::Result& result) { kept = result; });
-    ASSERT_TRUE(QTest::qWaitFor([&] { return kept.has_value(); }));
+    ASSERT_TRUE(testing_support::eventually([&] { return kept.has_value(); }));
     EXPECT_FALSE(kept->has_value());
 }
 

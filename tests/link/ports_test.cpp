@@ -7,13 +7,13 @@
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include "link/ports/adaptermemory.h"
 #include "link/ports/latencytimer.h"
 #include "link/ports/linerate.h"
 #include "link/ports/portuser.h"
 #include "link/ports/portwatcher.h"
+#include "tests/support/eventually.h"
 
 namespace nmc {
 namespace {
@@ -96,11 +96,11 @@ TEST(F29_PortWatcher, AsksForTheListOnlyAfterSomethingHasChanged) {
         QFile file(devices.filePath(QLatin1String(name)));
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     }
-    ASSERT_TRUE(changes.wait(10'000));
+    ASSERT_TRUE(changes.wait(testing_support::kPatienceMs));
     EXPECT_EQ(asked, 1) << "three files at once are one change";
     EXPECT_EQ(changes.takeFirst().at(0).value<QList<PortEntry>>(), there);
     QFile::remove(devices.filePath(QStringLiteral("one")));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return asked == 2; }, 10'000));
+    EXPECT_TRUE(testing_support::eventually([&] { return asked == 2; }));
     EXPECT_TRUE(changes.isEmpty()) << "the same ports as before";
 }
 

@@ -8,12 +8,14 @@
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include "model/recording/recording.h"
+#include "tests/support/eventually.h"
 
 namespace nmc {
 namespace {
+
+using testing_support::eventually;
 
 class RecordingLoaderTest : public testing::Test {
 protected:
@@ -32,8 +34,8 @@ protected:
     }
     void open(const QString& file) {
         loader.start(file);
-        ASSERT_TRUE(QTest::qWaitFor([&] { return !loader.isBusy(); }, 20'000));
-        ASSERT_TRUE(QTest::qWaitFor([&] { return loaded != nullptr || failed.has_value(); }, 20'000));
+        ASSERT_TRUE(eventually([&] { return !loader.isBusy(); }));
+        ASSERT_TRUE(eventually([&] { return loaded != nullptr || failed.has_value(); }));
     }
     /// A recording of gains, followed by `rows` samples of module 2, a millisecond apart.
     static std::string recording(int rows) {

@@ -13,18 +13,19 @@
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 #include <csignal>
 #include <memory>
 #include <optional>
 
 #include "asnobody.h"
+#include "tests/support/eventually.h"
 
 namespace nmc {
 namespace {
 
 using namespace std::chrono_literals;
 using testing_support::AsNobody;
+using testing_support::eventually;
 
 class SmallFiles {
 public:
@@ -67,8 +68,6 @@ std::string piece(int number, std::size_t size) {
 
 class RecordingWriterTest : public testing::Test {
 protected:
-    static constexpr int kPatienceMs = 20'000;
-
     void make(RecordingWriter::Limits limits = {}) {
         m_writer = std::make_unique<RecordingWriter>(limits);
         QObject::connect(m_writer.get(), &RecordingWriter::failed,
@@ -89,7 +88,7 @@ protected:
         return open.open(QIODevice::ReadOnly) ? open.readAll().toStdString() : "(not read)";
     }
     bool waitForEnd() {
-        return QTest::qWaitFor([this] { return !m_failures.empty() || !m_finished.empty(); }, kPatienceMs);
+        return eventually([this] { return !m_failures.empty() || !m_finished.empty(); });
     }
     /// The problem with which the current recording ends without being stopped.
     std::optional<RecordingProblemKind> trouble() {
@@ -131,9 +130,9 @@ TEST_F(RecordingWriterTest, WritesWhatItWasGivenAndSaysHowMuch) {
 TEST_F(RecordingWriterTest, WhatHasComeIsInTheFileWhileItIsRecorded) {
     m_writer->start(path("a.csv"));
     m_writer->append("1\n");
-    EXPECT_TRUE(QTest::qWaitFor([this] { return contentOf(path("a.csv")) == "1\n"; }, kPatienceMs));
+    EXPECT_TRUE(eventually([this] { return contentOf(path("a.csv")) == "1\n"; }));
     m_writer->append("2\n");
-    EXPECT_TRUE(QTest::qWaitFor([this] { return contentOf(path("a.csv")) == "1\n2\n"; }, kPatienceMs));
+    EXPECT_TRUE(eventually([this] { return contentOf(path("a.csv")) == "1\n2\n"; }));
     EXPECT_TRUE(m_writer->isRecording());
 }
 
@@ -150,6 +149,7 @@ TEST_F(RecordingWriterTest, RecordsAgainIntoTheSameFile) {
 }
 
 TEST_F(RecordingWriterTest, LosesNothingWhenItIsClosedWhileDataWaits) {
+    make({.toClose = std::chrono::milliseconds(testing_support::kPatienceMs)});
     std::string whole;
     m_writer->start(path("a.csv"));
     for (int i = 0; i < 400; ++i) {
@@ -214,7 +214,7 @@ TEST_F(RecordingWriterTest, TellsWhenItsFileWasDeleted) {
     make({.toFlush = 10ms});
     m_writer->start(path("a.csv"));
     m_writer->append("1\n");
-    ASSERT_TRUE(QTest::qWaitFor([this] { return contentOf(path("a.csv")) == "1\n"; }, kPatienceMs));
+    ASSERT_TRUE(eventually([this] { return contentOf(path("a.csv")) == "1\n"; }));
     QFile::remove(path("a.csv"));
     m_writer->append("2\n");
     EXPECT_EQ(trouble(), RecordingProblemKind::Removed);
@@ -279,7 +279,7 @@ TEST_F(RecordingWriterTest, AReaderThatGoesAwayEndsTheRecordingAndNotTheProgram)
     auto reader = std::make_unique<IdleReader>(fifo());
     m_writer->start(path("fifo"));
     m_writer->append(piece(0, 100'000));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return reader->somethingCame(); }, kPatienceMs));
+    ASSERT_TRUE(eventually([&] { return reader->somethingCame(); }));
     reader.reset();
     EXPECT_TRUE(waitForEnd());
     ASSERT_EQ(m_failures.size(), 1U);

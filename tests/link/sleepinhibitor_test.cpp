@@ -11,7 +11,6 @@
 #include <QDBusUnixFileDescriptor>
 #include <QProcess>
 #include <QSignalSpy>
-#include <QTest>
 #include <array>
 
 #include "link/connection/simulatortransport.h"
@@ -99,15 +98,15 @@ TEST_F(H05_SleepInhibitor, DelaysSleepWhileAnythingMoves) {
     SleepInhibitor inhibitor(address);
     EXPECT_EQ(logind.asked(), 0);
     inhibitor.setMoving(true);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return logind.held() == 1; }, kPatienceMs));
+    ASSERT_TRUE(eventually([this] { return logind.held() == 1; }));
     EXPECT_EQ(logind.lastAsked(),
               (QStringList{QStringLiteral("sleep"), QStringLiteral("NMC Panel"),
                            QStringLiteral("Motors are moving."), QStringLiteral("delay")}));
     inhibitor.setMoving(true);
     inhibitor.setMoving(false);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return logind.held() == 0; }, kPatienceMs));
+    EXPECT_TRUE(eventually([this] { return logind.held() == 0; }));
     inhibitor.setMoving(true);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return logind.held() == 1; }, kPatienceMs));
+    EXPECT_TRUE(eventually([this] { return logind.held() == 1; }));
     EXPECT_EQ(logind.asked(), 2);
 }
 
@@ -115,8 +114,8 @@ TEST_F(H05_SleepInhibitor, LetsGoOfALockThatComesWhenNothingMovesAnyMore) {
     SleepInhibitor inhibitor(address);
     inhibitor.setMoving(true);
     inhibitor.setMoving(false);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return logind.asked() == 1; }, kPatienceMs));
-    EXPECT_TRUE(QTest::qWaitFor([this] { return logind.held() == 0; }, kPatienceMs));
+    ASSERT_TRUE(eventually([this] { return logind.asked() == 1; }));
+    EXPECT_TRUE(eventually([this] { return logind.held() == 0; }));
 }
 
 TEST_F(H05_SleepInhibitor, HasTheMotorsStoppedAndSleepWaitsForThat) {
@@ -168,7 +167,7 @@ TEST_F(H05_SleepInhibitor, LetsGoWhenTheStopHasRunItsCourse) {
     SleepInhibitor inhibitor(address);
     QSignalSpy stopWanted(&inhibitor, &SleepInhibitor::stopWanted);
     inhibitor.setMoving(true);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return logind.held() == 1; }, kPatienceMs));
+    ASSERT_TRUE(eventually([this] { return logind.held() == 1; }));
     inhibitor.stopFinished();
     EXPECT_EQ(logind.held(), 1) << "this stop has nothing to do with sleep";
     emit logind.PrepareForSleep(true);
@@ -176,7 +175,7 @@ TEST_F(H05_SleepInhibitor, LetsGoWhenTheStopHasRunItsCourse) {
     inhibitor.setMoving(false);
     EXPECT_EQ(logind.held(), 1) << "it waits for the end of the stop";
     inhibitor.stopFinished();
-    EXPECT_TRUE(QTest::qWaitFor([this] { return logind.held() == 0; }, kPatienceMs));
+    EXPECT_TRUE(eventually([this] { return logind.held() == 0; }));
 }
 
 TEST(H05_NoLogind, IsNoError) {

@@ -100,7 +100,7 @@ TEST(H13_SecondInstance, IsNamedWithItsNumberAlsoByAnotherNameOfThePort) {
                 return true;
         return false;
     };
-    ASSERT_TRUE(QTest::qWaitFor(holds, 20'000));
+    ASSERT_TRUE(eventually(holds));
     const QString alias = QStringLiteral("/tmp/nmc-second-%1").arg(::getpid());
     ASSERT_EQ(::symlink(sim.terminal().toLocal8Bit().constData(), alias.toLocal8Bit().constData()), 0);
     for (const QString& name : {sim.terminal(), alias}) {

@@ -8,13 +8,9 @@
 
 #include <sys/prctl.h>
 
+#include "tests/support/patience.h"
+
 namespace nmc::testing_support {
-
-namespace {
-
-constexpr int kPatienceMs = 10'000;
-
-}  // namespace
 
 NmcsimProcess::NmcsimProcess(const QString& chain, const QStringList& options) {
     m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);

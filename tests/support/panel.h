@@ -14,6 +14,7 @@
 #include <functional>
 
 #include "app/composition.h"
+#include "tests/support/eventually.h"
 #include "tests/support/nmcsimprocess.h"
 #include "tests/support/turnto.h"
 #include "widgets/common/requests.h"
@@ -187,8 +188,8 @@ public:
     QSettings& settings() { return m_settings; }
 
 protected:
-    /// Waits until `predicate` holds. False if it does not within 20 seconds.
-    virtual bool wait(const std::function<bool()>& predicate) { return QTest::qWaitFor(predicate, 20'000); }
+    /// Waits until `predicate` holds; false if it never does.
+    virtual bool wait(const std::function<bool()>& predicate) { return eventually(predicate); }
 
 private:
     QTemporaryDir m_directory;

@@ -218,7 +218,7 @@ TEST_F(ChainWindow, AModuleGetsAnotherAddressWithEnter) {
     auto* field = find<NumberField>(u"address2Box"_s);
     EXPECT_EQ(field->value(), 2);
     field->window()->activateWindow();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return field->isActiveWindow(); }));
+    ASSERT_TRUE(eventually([&] { return field->isActiveWindow(); }));
     const auto enter = [&](const QString& text, Qt::Key key) {
         field->setFocus();
         field->selectAll();
@@ -398,7 +398,7 @@ TEST_F(ChainWindow, ItsKeysActWhileItHasTheFocus) {
     showServos({{}});
     open("groupsAction");
     auto* dialog = find<QDialog>(u"chainDialog"_s);
-    ASSERT_TRUE(QTest::qWaitForWindowActive(dialog));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(dialog, testing_support::kPatienceMs));
     auto* pages = dialog->findChild<QTabWidget*>(u"chainPages"_s);
     QTest::keyClick(dialog, Qt::Key_F8);
     EXPECT_EQ(pages->currentIndex(), 2);
@@ -408,7 +408,7 @@ TEST_F(ChainWindow, ItsKeysActWhileItHasTheFocus) {
     QTest::keyClick(dialog, Qt::Key_F5);
     EXPECT_EQ(scans.size(), 1);
     window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), testing_support::kPatienceMs));
     QTest::keyClick(window.get(), Qt::Key_F7);
     EXPECT_EQ(pages->currentIndex(), 1);
 }

@@ -27,7 +27,7 @@ protected:
     void look(const QString& words) {
         QTest::keyClick(window->windowHandle(), Qt::Key_K, Qt::ControlModifier);
         ASSERT_NE(palette(), nullptr);
-        ASSERT_TRUE(QTest::qWaitForWindowActive(palette()));
+        ASSERT_TRUE(QTest::qWaitForWindowActive(palette(), testing_support::kPatienceMs));
         for (const QChar c : words)
             strike(static_cast<Qt::Key>(c.toUpper().unicode()));
     }
@@ -81,8 +81,7 @@ TEST_F(Commands, OfAnotherModuleAreShownAndNotDone) {
     ASSERT_EQ(chosen(), u"Run forward until stopped / Module 2"_s);
     strike(Qt::Key_Return);
     EXPECT_EQ(window->selectedModule(), ModuleIndex(1));
-    EXPECT_TRUE(
-        QTest::qWaitFor([this] { return QToolTip::text() == button(u"runForwardButton"_s)->toolTip(); }));
+    EXPECT_TRUE(eventually([this] { return QToolTip::text() == button(u"runForwardButton"_s)->toolTip(); }));
     EXPECT_FALSE(button(u"runForwardButton"_s)->hasFocus()) << "otherwise Space would run the command";
     EXPECT_EQ(intents.size(), 0);
 }

@@ -60,8 +60,8 @@ TEST_F(DirectionBox, TheQuestionIsWithdrawnWhenTheServoComesOn) {
     click(u"directionCheckButton"_s);
     EXPECT_TRUE(find(u"directionCheckDialog"_s)->isVisible());
     showServo({.on = true, .millisecond = 10});
-    EXPECT_TRUE(QTest::qWaitFor(
-        [this] { return window->findChild<QWidget*>(u"directionCheckDialog"_s) == nullptr; }));
+    EXPECT_TRUE(
+        eventually([this] { return window->findChild<QWidget*>(u"directionCheckDialog"_s) == nullptr; }));
     EXPECT_EQ(intents.size(), 0);
 }
 

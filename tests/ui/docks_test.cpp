@@ -72,7 +72,7 @@ protected:
         const auto seen = [this](const QString& name) {
             return !find<QDockWidget>(name)->visibleRegion().isEmpty();
         };
-        return QTest::qWaitFor([&] { return seen(dock) && !seen(other); });
+        return eventually([&] { return seen(dock) && !seen(other); });
     }
 };
 

@@ -212,7 +212,7 @@ TEST_F(FirstStepsTest, ShowWhereTheNextIsDone) {
     QSignalSpy intents(&window->requests(), &Requests::intent);
     QTest::mouseClick(window->findChild<QWidget*>(u"firstStepButton"_s), Qt::LeftButton);
     EXPECT_TRUE(fill->isVisible());
-    EXPECT_TRUE(QTest::qWaitFor([fill] { return QToolTip::text() == fill->toolTip(); }));
+    EXPECT_TRUE(eventually([fill] { return QToolTip::text() == fill->toolTip(); }));
     EXPECT_TRUE(intents.isEmpty());
 }
 
@@ -225,7 +225,7 @@ TEST_F(FirstStepsTest, ScrollToWhereTheNextIsDone) {
         area->verticalScrollBar()->setValue(0);
     ASSERT_NE(apply->visibleRegion(), QRegion(apply->rect())) << "otherwise there is nothing to scroll";
     QTest::mouseClick(window->findChild<QWidget*>(u"firstStepButton"_s), Qt::LeftButton);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return apply->visibleRegion() == QRegion(apply->rect()); }));
+    EXPECT_TRUE(eventually([&] { return apply->visibleRegion() == QRegion(apply->rect()); }));
 }
 
 TEST_F(FirstStepsTest, AreNotForWhoMayOnlyLook) {

@@ -64,7 +64,7 @@ TEST_F(Gains, NeedNoScrollBarToSaySo) {
     for (const QWidget* w = field(u"kpField"_s); w != nullptr && around == nullptr; w = w->parentWidget())
         around = qobject_cast<const QScrollArea*>(w);
     ASSERT_NE(around, nullptr);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return around->horizontalScrollBar()->maximum() == 0; }));
+    EXPECT_TRUE(eventually([&] { return around->horizontalScrollBar()->maximum() == 0; }));
 }
 
 TEST_F(Gains, NeverClaimToBeReadFromTheModule) {
@@ -170,7 +170,7 @@ TEST_F(Gains, UndoChangesTheFieldAndNotTheMotor) {
     type(u"kdField"_s, u"2000"_s);
     QTest::keyClick(field(u"kdField"_s), Qt::Key_Z, Qt::ControlModifier);
     // A button that is clicked by its shortcut first looks pressed for a moment.
-    EXPECT_TRUE(QTest::qWaitFor([this] { return field(u"kdField"_s)->value() == 1000; }));
+    EXPECT_TRUE(eventually([this] { return field(u"kdField"_s)->value() == 1000; }));
     EXPECT_EQ(field(u"kpField"_s)->value(), 150);
     click(u"undoGainsButton"_s);
     EXPECT_EQ(field(u"kpField"_s)->value(), 100);

@@ -42,7 +42,7 @@ protected:
     }
     QString shownTitle() { return browser().document()->firstBlock().text(); }
     bool active(const QString& name) {
-        return QTest::qWaitFor([&] {
+        return eventually([&] {
             const QWidget* active = QApplication::activeWindow();
             return active != nullptr && active->objectName() == name;
         });

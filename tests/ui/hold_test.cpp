@@ -26,7 +26,7 @@ protected:
         QTimer reference;
         QSignalSpy chances(&reference, &QTimer::timeout);
         reference.start(5);
-        EXPECT_TRUE(QTest::qWaitFor([&chances] { return chances.size() >= 3; }));
+        EXPECT_TRUE(eventually([&chances] { return chances.size() >= 3; }));
         EXPECT_EQ(holds.size(), before) << "no evidence comes after the end";
     }
     HoldButton* forward = nullptr;
@@ -40,14 +40,14 @@ TEST_F(Hold, AsksOnPressAndAgainWhileHeld) {
     const auto hold = holds.at(0).at(0).value<bus::HoldToMove>();
     EXPECT_EQ(hold.velocity.value(), 16384U);  // 0.25 counts/tick
     EXPECT_FALSE(hold.reverse);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return holds.size() >= 4; }));
+    EXPECT_TRUE(eventually([this] { return holds.size() >= 4; }));
     QTest::mouseRelease(forward, Qt::LeftButton);
     expectEnded();
 }
 
 TEST_F(Hold, EachPressHasANumberOfItsOwnThatItKeeps) {
     press();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return holds.size() >= 2; }));
+    ASSERT_TRUE(eventually([this] { return holds.size() >= 2; }));
     const auto number = [this](qsizetype at) { return holds.at(at).at(0).value<bus::HoldToMove>().press; };
     EXPECT_EQ(number(1), number(0));
     window->endHold();

@@ -10,11 +10,13 @@
 #include <QTest>
 #include <QTimer>
 
+#include "tests/support/eventually.h"
 #include "tests/support/virtualwheel.h"
 
 namespace nmc {
 namespace {
 
+using testing_support::eventually;
 using testing_support::VirtualInput;
 using testing_support::VirtualWheel;
 
@@ -138,7 +140,7 @@ TEST_F(JogWheels, UnpluggedInMotionItStopsAndAnotherIsFound) {
         EXPECT_EQ(changes.size(), 2);
     }
     VirtualWheel another;
-    EXPECT_TRUE(QTest::qWaitFor([this] { return wheel.isThere(); }));
+    EXPECT_TRUE(eventually([this] { return wheel.isThere(); }));
     another.push(4);
     EXPECT_EQ(pushes().size(), 1) << "the button of the first one is forgotten";
 }
@@ -195,7 +197,7 @@ TEST_F(JogWheels, TheCapOfAThreeAxisMouseMovesAtASpeed) {
     EXPECT_EQ(released.size(), 1);
     mouse.report({{EV_REL, REL_X, -400}});
     EXPECT_EQ(pushes().last(), -1);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return released.size() == 2; }))
+    EXPECT_TRUE(eventually([this] { return released.size() == 2; }))
         << "back at its centre, it reports nothing";
     mouse.report({{EV_KEY, BTN_1, 1}});
     EXPECT_EQ(stops.size(), 1);
@@ -211,7 +213,7 @@ TEST_F(JogWheels, ACapOfWhichTheKernelReportsPositionsIsHeldUntilItIsBack) {
     QTimer later;
     later.setSingleShot(true);
     later.start(300);
-    ASSERT_TRUE(QTest::qWaitFor([&later] { return !later.isActive(); }));
+    ASSERT_TRUE(eventually([&later] { return !later.isActive(); }));
     EXPECT_EQ(released.size(), 0);
     mouse.report({{EV_ABS, ABS_X, 0}});
     EXPECT_EQ(released.size(), 1);

@@ -198,7 +198,7 @@ TEST_F(LayoutsTest, TheNextWindowHasTheOneThatWasChosen) {
     window = std::make_unique<MainWindow>(settings);
     window->resize(1456, 952);
     window->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), testing_support::kPatienceMs));
     showServo();
     settle();
     EXPECT_TRUE(window->findChild<QAction*>(u"tuneLayoutAction"_s)->isChecked());

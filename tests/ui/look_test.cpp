@@ -239,7 +239,7 @@ protected:
         host.resize(300, 300);
         host.show();
         host.activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(&host));
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&host, testing_support::kPatienceMs));
     }
     ~Frames() override { look::useColours(look::Colours::System); }
     template <typename Control>

@@ -27,7 +27,7 @@ protected:
         servo.held = servo.on;
         showServo(servo);
         QTest::keyClick(window.get(), Qt::Key_F9, Qt::ControlModifier);
-        ASSERT_TRUE(QTest::qWaitFor([this] {
+        ASSERT_TRUE(eventually([this] {
             return window->findChild<QWidget*>(u"squareWavePage"_s) != nullptr &&
                    find(u"squareWavePage"_s)->isVisible();
         }));
@@ -257,7 +257,7 @@ TEST_F(LoopTestsInTheWindow, EdgesWithTheSameGainsAreLaidOverOneAnotherAndKept) 
     EXPECT_TRUE(label(u"squareWaveResults"_s).startsWith(u"Edges with these gains: 1\n"_s));
     click(u"squareWaveKeepButton"_s);
     window->findChild<QAction*>(u"responseDockAction"_s)->trigger();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"responsePage"_s)->isVisible(); }));
+    ASSERT_TRUE(eventually([this] { return find(u"responsePage"_s)->isVisible(); }));
     EXPECT_EQ(find<QTableWidget>(u"responseRunTable"_s)->rowCount(), 1);
     page.clear();
     EXPECT_TRUE(label(u"squareWaveResults"_s).isEmpty());

@@ -196,14 +196,14 @@ TEST_F(MachineWindow, TheKeyboardAloneTicksAndApplies) {
     QObject::connect(&menu(), &MachineMenu::applyRequested, &menu(),
                      [&chosen](const std::vector<PartId>& ids) { chosen = ids; });
     showSome();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(menu().differences()));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(menu().differences(), testing_support::kPatienceMs));
     menu().differences()->activateWindow();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return QApplication::activeWindow() == menu().differences(); }));
+    ASSERT_TRUE(eventually([this] { return QApplication::activeWindow() == menu().differences(); }));
     table()->setFocus();
     table()->setCurrentItem(table()->topLevelItem(0));
     QTest::keyClick(table(), Qt::Key_Space);
     QTest::keyClick(menu().differences(), Qt::Key_A, Qt::AltModifier);
-    ASSERT_TRUE(QTest::qWaitFor([&chosen] { return !chosen.empty(); }))
+    ASSERT_TRUE(eventually([&chosen] { return !chosen.empty(); }))
         << "a button clicked by a key first looks pressed for a moment";
     EXPECT_THAT(chosen, ElementsAre(PartId{ModuleIndex(0), MachinePart::Gains}));
 }
@@ -265,19 +265,19 @@ TEST_F(MachineWindow, AQuestionThatWaitsSaysSoWhereTheUserLooks) {
     menu().showFile({u"/home/anna/mill.json"_s, {}, true, {}});
     window->close();
     const QWidget* asked = find(u"unsavedDialog"_s);
-    ASSERT_TRUE(QTest::qWaitForWindowActive(const_cast<QWidget*>(asked)));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(const_cast<QWidget*>(asked), testing_support::kPatienceMs));
     EXPECT_FALSE(find(u"banner"_s)->isVisible()) << "the question is visible";
     window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return find(u"banner"_s)->isVisible(); }));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), testing_support::kPatienceMs));
+    ASSERT_TRUE(eventually([&] { return find(u"banner"_s)->isVisible(); }));
     EXPECT_EQ(text(u"bannerHeadline"_s), u"A question is waiting for your answer: Unsaved changes"_s);
     EXPECT_EQ(text(u"bannerBody"_s), u"Save the changes to \"mill\"?"_s);
     click(u"bannerAction_showQuestion"_s);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return asked->isActiveWindow(); }));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !find(u"banner"_s)->isVisible(); }));
+    EXPECT_TRUE(eventually([&] { return asked->isActiveWindow(); }));
+    EXPECT_TRUE(eventually([&] { return !find(u"banner"_s)->isVisible(); }));
     // It is answered elsewhere, and there is nothing left to ask.
     window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), testing_support::kPatienceMs));
     menu().showFile({u"/home/anna/mill.json"_s, {}, false, {}});
     EXPECT_FALSE(find(u"banner"_s)->isVisible());
 }

@@ -336,7 +336,7 @@ TEST_F(Messages, AnEventLeavesTheBannerWhenItIsOldNews) {
     find<Banner>(u"banner"_s)->setNewsLife(std::chrono::milliseconds(1));
     window->showMessage(texts::holdExpired(ModuleIndex(0)));
     EXPECT_TRUE(find(u"banner"_s)->isVisible());
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !find(u"banner"_s)->isVisible(); }));
+    EXPECT_TRUE(eventually([this] { return !find(u"banner"_s)->isVisible(); }));
     ASSERT_EQ(list()->rows().size(), 1);
     EXPECT_FALSE(list()->rows().front()->over());
 }
@@ -350,7 +350,7 @@ TEST_F(Messages, WhatIsStillTheCaseOrAsksForSomethingStaysInTheBanner) {
     window->showMessage(texts::unsavedWorkLeft({}));
     window->showMessage(texts::holdExpired(ModuleIndex(0)));
     ASSERT_EQ(button(u"bannerAll"_s)->text(), u"2 more…"_s);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return button(u"bannerAll"_s)->text() == u"1 more…"_s; }));
+    EXPECT_TRUE(eventually([this] { return button(u"bannerAll"_s)->text() == u"1 more…"_s; }));
     EXPECT_TRUE(text(u"bannerHeadline"_s).contains(u"switched its servo off"_s));
 }
 
@@ -362,7 +362,7 @@ TEST_F(Messages, ARepeatIsNewsAgain) {
     window->showMessage(texts::holdExpired(ModuleIndex(0)));
     banner->setNewsLife(std::chrono::milliseconds(2));
     window->showMessage(texts::refused({ModuleIndex(1), 1}));
-    EXPECT_TRUE(QTest::qWaitFor([this] { return button(u"bannerAll"_s)->text() == u"Read all…"_s; }));
+    EXPECT_TRUE(eventually([this] { return button(u"bannerAll"_s)->text() == u"Read all…"_s; }));
     EXPECT_EQ(text(u"bannerHeadline"_s), texts::holdExpired(ModuleIndex(0)).headline);
 }
 

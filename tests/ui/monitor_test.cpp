@@ -35,7 +35,7 @@ protected:
     QComboBox* box(const QString& objectName) { return find<QComboBox>(objectName); }
     void open() {
         window->findChild<QAction*>(u"monitorDockAction"_s)->trigger();
-        ASSERT_TRUE(QTest::qWaitFor([this] { return dock()->recording(); }));
+        ASSERT_TRUE(eventually([this] { return dock()->recording(); }));
     }
     QString cell(int row, int column) { return table()->model()->index(row, column).data().toString(); }
     QStringList column(int number) {
@@ -83,7 +83,7 @@ TEST_F(Monitor, WantsRecordsOnlyWhileItCanBeSeenAndIsNotPaused) {
     ASSERT_EQ(wanted.size(), 3);
     EXPECT_TRUE(wanted.at(2).at(0).toBool());
     dock()->close();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return wanted.size() == 4; }));
+    ASSERT_TRUE(eventually([this] { return wanted.size() == 4; }));
     EXPECT_FALSE(wanted.at(3).at(0).toBool());
 }
 
@@ -103,9 +103,9 @@ TEST_F(Monitor, IsBuiltWhenItIsFirstSeenAndKnowsTheConnectionThen) {
 TEST_F(Monitor, WantsNoneBehindAnotherTab) {
     open();
     find<QDockWidget>(u"messagesDock"_s)->raise();
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !dock()->recording(); }));
+    EXPECT_TRUE(eventually([this] { return !dock()->recording(); }));
     dock()->raise();
-    EXPECT_TRUE(QTest::qWaitFor([this] { return dock()->recording(); }));
+    EXPECT_TRUE(eventually([this] { return dock()->recording(); }));
 }
 
 TEST_F(Monitor, ShowsTimeBytesMeaningAndVerdict) {
@@ -291,11 +291,11 @@ TEST_F(Monitor, IsWorkedByKeyboard) {
     EXPECT_TRUE(box(u"packetKindBox"_s)->hasFocus());
     for (const bool paused : {true, false}) {
         QTest::keyClick(window.get(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return dock()->recording() != paused; }));
+        EXPECT_TRUE(eventually([&] { return dock()->recording() != paused; }));
     }
     showFour();
     QTest::keyClick(window.get(), Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return rows() == 0; }));
+    EXPECT_TRUE(eventually([this] { return rows() == 0; }));
 }
 
 TEST(MonitorTexts, EachVerdictSaysWhatBecameOfTheExchange) {

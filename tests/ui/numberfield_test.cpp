@@ -27,7 +27,7 @@ protected:
         field->setWords(u"The speed"_s, u"counts/tick"_s);
         field->show();
         field->activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(field.get()));
+        EXPECT_TRUE(QTest::qWaitForWindowActive(field.get(), testing_support::kPatienceMs));
         field->setFocus();
         return *field;
     }

@@ -54,7 +54,7 @@ protected:
         QTimer reference;
         QSignalSpy chances(&reference, &QTimer::timeout);
         reference.start(15);
-        EXPECT_TRUE(QTest::qWaitFor([&chances] { return chances.size() >= 3; }));
+        EXPECT_TRUE(eventually([&chances] { return chances.size() >= 3; }));
     }
     QSignalSpy holds{&window->requests(), &Requests::hold};
     QSignalSpy releases{&window->requests(), &Requests::holdReleased};
@@ -67,7 +67,7 @@ TEST_F(PendantMode, MovesWhileShiftAndAnArrowAreHeld) {
     EXPECT_EQ(hold().module, ModuleIndex(0));
     EXPECT_FALSE(hold().reverse);
     EXPECT_EQ(hold().velocity.value(), 16384U) << "the speed that the jog box shows, 0.25 counts/tick";
-    EXPECT_TRUE(QTest::qWaitFor([this] { return holds.size() >= 4; }));
+    EXPECT_TRUE(eventually([this] { return holds.size() >= 4; }));
     EXPECT_EQ(hold(3).press, hold().press);
     QTest::keyRelease(focused(), Qt::Key_Right, Qt::ShiftModifier);
     expectEnded();
@@ -336,18 +336,18 @@ protected:
     void SetUp() override { ASSERT_TRUE(pad.works()); }
     void beginWithPad() {
         begin();
-        ASSERT_TRUE(QTest::qWaitFor([this] { return saysGamepad(); }));
+        ASSERT_TRUE(eventually([this] { return saysGamepad(); }));
     }
     /// Holds the shoulder button first, then pushes the stick to the right.
     void hold() {
         pad.press(kShoulder);
         wait();
         pad.push(1);
-        ASSERT_TRUE(QTest::qWaitFor([this] { return !holds.isEmpty(); }));
+        ASSERT_TRUE(eventually([this] { return !holds.isEmpty(); }));
     }
     bool saysGamepad() { return text(u"pendantRibbonText"_s).contains(u"shoulder button of the gamepad"_s); }
     bool ended() {
-        return QTest::qWaitFor([this] { return !releases.isEmpty(); });
+        return eventually([this] { return !releases.isEmpty(); });
     }
     testing_support::VirtualPad pad;
 };
@@ -358,13 +358,13 @@ TEST_F(GamepadMode, MovesWhileAShoulderButtonAndTheStickAreHeld) {
     EXPECT_EQ(PendantMode::hold().module, ModuleIndex(0));
     EXPECT_FALSE(PendantMode::hold().reverse);
     EXPECT_EQ(PendantMode::hold().velocity.value(), 16384U) << "the speed that the jog box shows";
-    EXPECT_TRUE(QTest::qWaitFor([this] { return holds.size() >= 4; }));
+    EXPECT_TRUE(eventually([this] { return holds.size() >= 4; }));
     pad.push(0);
     ASSERT_TRUE(ended());
     expectEnded();
     const qsizetype before = holds.size();
     pad.push(-1);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return holds.size() > before; }));
+    ASSERT_TRUE(eventually([&] { return holds.size() > before; }));
     EXPECT_TRUE(PendantMode::hold(before).reverse);
 }
 
@@ -373,7 +373,7 @@ TEST_F(GamepadMode, TheCrossAndTheOtherShoulderDoTheSame) {
     pad.press(Button::LeftShoulder);
     wait();
     pad.press(Button::CrossLeft);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !holds.isEmpty(); }));
+    ASSERT_TRUE(eventually([this] { return !holds.isEmpty(); }));
     EXPECT_TRUE(PendantMode::hold().reverse);
     pad.press(Button::CrossRight);  // both directions cancel out
     ASSERT_TRUE(ended());
@@ -431,21 +431,21 @@ TEST_F(GamepadMode, EndsWhenItIsUnpluggedAndIsFoundAgain) {
     EXPECT_TRUE(window->findChild<QAction*>(u"pendantAction"_s)->isChecked())
         << "the keyboard can still be used";
     testing_support::VirtualPad another;
-    EXPECT_TRUE(QTest::qWaitFor([this] { return saysGamepad(); }));
+    EXPECT_TRUE(eventually([this] { return saysGamepad(); }));
 }
 
 TEST_F(GamepadMode, OneButtonStopsAllWithTheOtherHandsOrWithout) {
     QSignalSpy stops(window.get(), &MainWindow::stopAllRequested);
     beginWithPad();
     pad.press(Button::B);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return stops.size() == 1; }));
+    ASSERT_TRUE(eventually([&] { return stops.size() == 1; }));
     wait();
     EXPECT_EQ(stops.size(), 1) << "once for each press";
     pad.release(Button::B);
     wait();
     hold();
     pad.press(Button::B);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return stops.size() == 2; }));
+    ASSERT_TRUE(eventually([&] { return stops.size() == 2; }));
     expectEnded();
     EXPECT_TRUE(text(u"pendantRibbonText"_s).contains(u"B (○) is STOP ALL"_s));
 }
@@ -468,7 +468,7 @@ TEST_F(GamepadMode, ANotPossibleMoveSaysWhyInTheRibbon) {
     pad.press(kShoulder);
     wait();
     pad.push(1);
-    EXPECT_TRUE(QTest::qWaitFor([this] {
+    EXPECT_TRUE(eventually([this] {
         return text(u"pendantRibbonText"_s).contains(u"The servo is off. Enable it first."_s);
     })) << text(u"pendantRibbonText"_s).toStdString();
     EXPECT_EQ(holds.size(), 0);
@@ -485,7 +485,7 @@ TEST_F(GamepadMode, AKeyOfTheKeyboardEndsWhatThePadHoldsAndTheOtherWayRound) {
     QTest::keyPress(focused(), Qt::Key_Right, Qt::ShiftModifier);
     ASSERT_GT(holds.size(), before);
     pad.push(1);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return releases.size() == 2; }));
+    ASSERT_TRUE(eventually([this] { return releases.size() == 2; }));
     before = holds.size();
     wait();
     EXPECT_EQ(holds.size(), before);
@@ -554,18 +554,19 @@ const std::array kPendantEndings{
                       QTest::mousePress(w.findChild<QWidget*>(QStringLiteral("stopAllButton")),
                                         Qt::LeftButton);
                   }},
-    PendantEnding{
-        "ADialog", true,
-        [](MainWindow& w) {
-            w.askBeforeRestart();
-            ASSERT_TRUE(QTest::qWaitForWindowActive(w.findChild<QDialog*>(QStringLiteral("restartDialog"))));
-        }},
+    PendantEnding{"ADialog", true,
+                  [](MainWindow& w) {
+                      w.askBeforeRestart();
+                      ASSERT_TRUE(
+                          QTest::qWaitForWindowActive(w.findChild<QDialog*>(QStringLiteral("restartDialog")),
+                                                      testing_support::kPatienceMs));
+                  }},
     PendantEnding{"AnotherWindow", true,
                   [](MainWindow&) {
                       QWidget other;
                       other.show();
                       other.activateWindow();
-                      ASSERT_TRUE(QTest::qWaitForWindowActive(&other));
+                      ASSERT_TRUE(QTest::qWaitForWindowActive(&other, testing_support::kPatienceMs));
                   }},
     PendantEnding{"TheWindowHides", true, [](MainWindow& w) { w.hide(); }},
     PendantEnding{"TheLinkIsLost", true,

@@ -20,7 +20,7 @@ protected:
         field->setScale(scale);
         parent->show();
         parent->activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(parent.get()));
+        EXPECT_TRUE(QTest::qWaitForWindowActive(parent.get(), testing_support::kPatienceMs));
         field->setFocus();
         return *field;
     }

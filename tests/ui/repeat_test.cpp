@@ -43,7 +43,7 @@ TEST_F(Repeat, EnterWithADistanceMakesOneMove) {
 TEST_F(Repeat, AMnemonicMakesOneMove) {
     type(u"goalField"_s, u"100"_s);
     keepDown(Qt::Key_G, Qt::AltModifier, u"g"_s);
-    EXPECT_EQ(QTest::qWaitFor([this] { return intents.size() > 0; }), true);
+    EXPECT_EQ(eventually([this] { return intents.size() > 0; }), true);
     EXPECT_EQ(intents.size(), 1);
     EXPECT_EQ(field(u"goalField"_s)->text(), u"100"_s);
 }
@@ -51,7 +51,7 @@ TEST_F(Repeat, AMnemonicMakesOneMove) {
 TEST_F(Repeat, AShortcutMakesOneMove) {
     type(u"goalField"_s, u"100"_s);
     keepDown(Qt::Key_D, Qt::ControlModifier, u"\x04"_s);  // Load
-    EXPECT_EQ(QTest::qWaitFor([this] { return intents.size() > 0; }), true);
+    EXPECT_EQ(eventually([this] { return intents.size() > 0; }), true);
     EXPECT_EQ(intents.size(), 1);
 }
 

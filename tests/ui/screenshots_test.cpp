@@ -100,7 +100,7 @@ TEST_P(Screenshots, OfASimulatedReadOnlySession) {
 TEST_P(Screenshots, OfTheStepResponse) {
     showServo({.on = false});
     click(u"openStepResponseButton"_s);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"responsePage"_s)->isVisible(); }));
+    ASSERT_TRUE(eventually([this] { return find(u"responsePage"_s)->isVisible(); }));
     keep(u"stepresponse"_s, u"servoPages"_s);
 }
 

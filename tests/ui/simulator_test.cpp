@@ -96,7 +96,7 @@ protected:
 
     /// Waits until the dock sends this query, and answers it.
     void answer(const QString& line, const QJsonObject& json) {
-        ASSERT_TRUE(QTest::qWaitFor([&] { return asked(line); })) << line.toStdString();
+        ASSERT_TRUE(eventually([&] { return asked(line); })) << line.toStdString();
         lines.clear();
         window->showSimulatorAnswer(line, QJsonDocument(json).toJson(QJsonDocument::Compact));
     }
@@ -165,7 +165,7 @@ TEST_F(Simulator, AsksNothingWhileNobodyLooks) {
     QSignalSpy chances(&reference, &QTimer::timeout);
     reference.start(200);
     lines.clear();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return chances.size() >= 2; }));
+    ASSERT_TRUE(eventually([&] { return chances.size() >= 2; }));
     EXPECT_TRUE(lines.isEmpty());
 }
 
@@ -253,7 +253,7 @@ TEST_F(Simulator, WhatIsBeingTypedIsLeftAlone) {
 TEST_F(Simulator, AnAnswerFromBeforeTheClickDoesNotUndoIt) {
     attach();
     answer(u"state 1"_s, servoState());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return asked(u"state 1"_s); }));
+    ASSERT_TRUE(eventually([&] { return asked(u"state 1"_s); }));
     tick(u"sim_servo_powerBox"_s);
     window->showSimulatorAnswer(u"state 1"_s, QJsonDocument(servoState()).toJson());
     EXPECT_FALSE(button(u"sim_servo_powerBox"_s)->isChecked());

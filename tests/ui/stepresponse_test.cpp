@@ -39,7 +39,7 @@ protected:
     }
     void open() {
         window->findChild<QAction*>(u"responseDockAction"_s)->trigger();
-        ASSERT_TRUE(QTest::qWaitFor([this] { return find(u"responsePage"_s)->isVisible(); }));
+        ASSERT_TRUE(eventually([this] { return find(u"responsePage"_s)->isVisible(); }));
     }
     void openWith(const Servo& servo = {}) {
         showServo(servo);
@@ -109,7 +109,7 @@ TEST_F(Responses, AreBehindF9AndBuiltWhenTheyAreSeen) {
     EXPECT_EQ(toggle->shortcut(), QKeySequence(Qt::Key_F9));
     EXPECT_EQ(window->findChild<QWidget*>(u"responsePage"_s), nullptr);
     toggle->trigger();
-    EXPECT_TRUE(QTest::qWaitFor([this] { return find(u"responsePage"_s)->isVisible(); }));
+    EXPECT_TRUE(eventually([this] { return find(u"responsePage"_s)->isVisible(); }));
     EXPECT_TRUE(find(u"scopePanel"_s)->visibleRegion().isEmpty()) << "it lies in front of the scope";
     window->findChild<QAction*>(u"resetLayoutAction"_s)->trigger();
     EXPECT_FALSE(find(u"responseDock"_s)->isVisible());
@@ -118,14 +118,14 @@ TEST_F(Responses, AreBehindF9AndBuiltWhenTheyAreSeen) {
 TEST_F(Responses, OpenFromTheGainsPage) {
     showServo();
     click(u"openStepResponseButton"_s);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return find(u"responsePage"_s)->isVisible(); }));
+    EXPECT_TRUE(eventually([this] { return find(u"responsePage"_s)->isVisible(); }));
     EXPECT_TRUE(button(u"responseButton"_s)->isEnabled()) << "it knows the module that was shown earlier";
 }
 
 TEST_F(Responses, TakeRoomFromTheMessagesBesideThem) {
     const int before = find(u"messagesDock"_s)->width();
     openWith();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return find(u"messagesDock"_s)->width() < before; }));
+    EXPECT_TRUE(eventually([&] { return find(u"messagesDock"_s)->width() < before; }));
     EXPECT_GT(find(u"messagesDock"_s)->width(), 150);
 }
 
@@ -151,10 +151,10 @@ TEST_F(Responses, WhatTheShortcutMovesComesInSight) {
     QTest::keyClick(window.get(), Qt::Key_F9, Qt::ShiftModifier);
     EXPECT_EQ(intents.size(), 1);
     find<QDockWidget>(u"scopeDock"_s)->raise();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return button(u"responseButton"_s)->visibleRegion().isEmpty(); }));
+    ASSERT_TRUE(eventually([this] { return button(u"responseButton"_s)->visibleRegion().isEmpty(); }));
     QTest::keyClick(window.get(), Qt::Key_F9, Qt::ShiftModifier);
     EXPECT_EQ(intents.size(), 2);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !button(u"responseButton"_s)->visibleRegion().isEmpty(); }));
+    EXPECT_TRUE(eventually([this] { return !button(u"responseButton"_s)->visibleRegion().isEmpty(); }));
 }
 
 /// It settles within 10 ms, in a record of 100 ms.
@@ -419,7 +419,7 @@ TEST_F(Responses, ARunCanHaveANameAndANote) {
         ASSERT_FALSE(editors.empty());
         QTest::keyClicks(editors.back(), words);
         QTest::keyClick(editors.back(), Qt::Key_Return);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return listed(row, column) == words; }));
+        EXPECT_TRUE(eventually([&] { return listed(row, column) == words; }));
     };
     write(0, 3, u"stiffer"_s);
     write(1, 11, u"belt slack"_s);
@@ -444,7 +444,7 @@ TEST_F(Responses, ANewRunDoesNotTakeTheNameThatIsBeingWritten) {
     window->showResponse(ramp(110));
     QTest::keyClicks(editor, u"ft"_s);
     QTest::keyClick(editor, Qt::Key_Return);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return listed(1, 3) == u"soft"_s; }));
+    EXPECT_TRUE(eventually([&] { return listed(1, 3) == u"soft"_s; }));
     EXPECT_EQ(listed(0, 3), u""_s);
 }
 

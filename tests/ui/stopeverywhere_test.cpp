@@ -87,7 +87,7 @@ TEST_P(StopBeside, StopAllTakesTheClickAndEscStillWorksAfterwards) {
 
 TEST_P(StopBeside, EscStopsFromIt) {
     ASSERT_NE(other, nullptr);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return QGuiApplication::focusWindow() == other->windowHandle(); }));
+    ASSERT_TRUE(eventually([this] { return QGuiApplication::focusWindow() == other->windowHandle(); }));
     pressEsc();
     EXPECT_EQ(stops.size(), 1);
     pressStop();
@@ -97,7 +97,7 @@ TEST_P(StopBeside, EscStopsFromIt) {
 TEST_P(StopBeside, EscClosesWhatIsAWindowOfItsOwnAsWell) {
     const QPointer<QWidget> opened = other;
     const bool dock = qobject_cast<QDockWidget*>(other) != nullptr;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return QGuiApplication::focusWindow() == opened->windowHandle(); }));
+    ASSERT_TRUE(eventually([&] { return QGuiApplication::focusWindow() == opened->windowHandle(); }));
     pressEsc();
     EXPECT_EQ(stops.size(), 1);
     EXPECT_EQ(opened != nullptr && opened->isVisible(), dock) << "docks belong to the main window";
@@ -222,12 +222,12 @@ const std::array kPopups{
                QDir(t.directory.path()).mkdir(u"mill-old"_s);
                dialog->setDirectory(t.directory.path());
                auto* list = dialog->findChild<QListView*>(u"listView"_s);
-               EXPECT_TRUE(QTest::qWaitFor([&] { return list->model()->rowCount(list->rootIndex()) > 0; }));
+               EXPECT_TRUE(eventually([&] { return list->model()->rowCount(list->rootIndex()) > 0; }));
                auto* edit = dialog->findChild<QLineEdit*>(u"fileNameEdit"_s);
                edit->setFocus();
                edit->clear();
                QTest::keyClicks(edit, u"mill"_s);
-               EXPECT_TRUE(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }));
+               EXPECT_TRUE(eventually([] { return QApplication::activePopupWidget() != nullptr; }));
            }},
 };
 INSTANTIATE_TEST_SUITE_P(U10, StopThroughPopup, testing::ValuesIn(kPopups),

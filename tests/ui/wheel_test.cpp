@@ -81,7 +81,7 @@ TEST_F(Wheel, ChangesNoGroup) {
     window->showLink(connectedTo({module}));
     window->findChild<QAction*>(u"groupsAction"_s)->trigger();
     auto* box = find<QComboBox>(u"group1Box"_s);
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(box->window()));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(box->window(), testing_support::kPatienceMs));
     find(u"chainPagesBar"_s)->setFocus();
     wheel(box);
     EXPECT_EQ(changes.size(), 0);

@@ -80,7 +80,7 @@ WindowTest::WindowTest() {
     window->resize(1280, 864);
     window->show();
     window->activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    EXPECT_TRUE(QTest::qWaitForWindowActive(window.get(), testing_support::kPatienceMs));
 }
 
 void WindowTest::showInEveryDock(const ModuleIdentity& identity) {

@@ -12,6 +12,7 @@
 #include <QTest>
 #include <memory>
 
+#include "tests/support/eventually.h"
 #include "tests/support/turnto.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/requests.h"
@@ -24,6 +25,7 @@ inline void PrintTo(const QString& text, std::ostream* out) {
 }
 
 using namespace Qt::StringLiterals;
+using testing_support::eventually;
 
 /// A servo in the state that follows from these values.
 struct Servo {

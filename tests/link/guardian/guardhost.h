@@ -13,6 +13,7 @@
 #include "link/clock.h"
 #include "protocol/servocommands.h"
 #include "tests/support/lineprocess.h"
+#include "tests/support/patience.h"
 #include "tests/support/port.h"
 #include "tests/support/simprocess.h"
 
@@ -21,7 +22,7 @@ namespace nmc::testing_support {
 /// Checks the predicate until it holds; false if it never does.
 template <typename Predicate>
 bool comesTrue(Predicate predicate) {
-    const TimePoint patience = monotonicNow() + std::chrono::seconds(20);
+    const TimePoint patience = monotonicNow() + std::chrono::milliseconds(kPatienceMs);
     while (!predicate()) {
         if (monotonicNow() > patience)
             return false;
@@ -106,7 +107,7 @@ private:
         port.write(bytes);
         std::size_t heard = 0;
         while (heard < 2) {
-            const auto more = port.read(2 - heard, 10'000);
+            const auto more = port.read(2 - heard, kPatienceMs);
             if (more.empty())
                 throw std::runtime_error("no answer");
             heard += more.size();
