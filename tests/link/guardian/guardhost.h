@@ -141,10 +141,11 @@ public:
         m_process->tell(line);
         return m_process->answer();
     }
-    /// Starts its guardian and arms it with the stop of motor 1, which moves.
+    /// Starts its guardian and arms it with the stop of motor 1, which moves. Its beats are steady.
     void guardMotion() {
         m_guard = std::stoi(ask("start"));
         ASSERT_EQ(ask("arm " + std::to_string(m_chain.baud()) + ' ' + toHex(m_chain.burst())), "ok");
+        ASSERT_EQ(ask("steady"), "ok");
         ASSERT_EQ(ask("move"), "ok");
     }
     void write(const std::vector<std::uint8_t>& bytes) {
