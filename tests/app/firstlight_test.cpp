@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's main job, through its window and by object name: find a chain, set gains, enable, go to a
-// position, and stop with Esc - on the simulator in this process, and over a pseudo-terminal that nmcsim
-// serves.
+// The program's main job, through its window and by object name: find a chain, set gains, enable, set out
+// for a position, and stop with Esc - on the simulator in this process, and over a pseudo-terminal that
+// nmcsim serves.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -99,21 +99,18 @@ public:
         type("accelerationField", QStringLiteral("0.02"));
         click("goButton");
     }
-    /// Moves 8 000 counts at 8 counts/tick and 0.02 counts/tick^2, then back and far beyond, where Esc stops
-    /// it: on a busy machine, a motion that ends within half a second may go unseen.
+    /// Moves so far, at 8 counts/tick and 0.02 counts/tick^2, that no pause of this computer brings it to its
+    /// goal, and stops it with Esc. That a motor reaches its goal is tested where no guardian can stop it
+    /// because this computer gave the panel no time (tests/panel, SerialPath).
     void moveAndStop() {
-        goTo(8'000);
-        ASSERT_TRUE(waitFor(
-            [&] { return !module(1).moving() && std::abs(*module(1).latest->position - 8'000) <= 5; }));
-        ASSERT_TRUE(waitUntilEnabled("goButton"));
-        goTo(-400'000);
-        ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::AtSpeed; }));
+        goTo(-40'000'000);
+        ASSERT_TRUE(waitFor([&] { return *module(1).latest->position < -50; }));
         QTest::keyClick(&find<QLineEdit>("goalField"), Qt::Key_Escape);
         ASSERT_TRUE(waitFor([&] {
             return find<QLabel>("stopResultLabel").text().contains(QLatin1String("stopped and holding"));
         }));
         ASSERT_TRUE(waitFor([&] { return module(1).activity() == Activity::Holding; }));
-        EXPECT_GT(*module(1).latest->position, -390'000);
+        EXPECT_GT(*module(1).latest->position, -39'000'000);
     }
 
 private:
