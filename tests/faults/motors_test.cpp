@@ -54,10 +54,13 @@ TEST(M15_HomeCapturedWhileRepliesWereLost, IsToldAsItIs) {
     EXPECT_GT(bus.engine.statistics().resyncs, resyncs) << "a home search can see that the link was in doubt";
     const std::int32_t home = bus.servo(0).home;
     EXPECT_NE(home, 0);
+    int told = 0;
     for (const Sample& sample : bus.all<Sample>())
         if (sample.module == ModuleIndex(0) && sample.report.home && *sample.report.home != 0) {
             EXPECT_EQ(*sample.report.home, home);
+            ++told;
         }
+    EXPECT_GT(told, 0);
     const auto last = bus.lastSample(0);
     ASSERT_TRUE(last);
     EXPECT_FALSE(last->report.servoStatus().homeInProgress());

@@ -86,7 +86,9 @@ TEST(DerivedAcceleration, BelongsToTheMomentThatItIsOf) {
         sample.position = i * i * i;
         history.append(kModule, sample);
     }
-    for (const ScopeSample& value : derived(history, ScopeSignal::Acceleration)) {
+    const auto values = derived(history, ScopeSignal::Acceleration);
+    ASSERT_EQ(values.size(), 80U) << "as of a parabola";
+    for (const ScopeSample& value : values) {
         const double i = toSeconds(value.time - atSeconds(0)) / 0.002;
         EXPECT_NEAR(static_cast<double>(value.error), 6 * i / (0.002 * 0.002), 20);
     }

@@ -141,6 +141,7 @@ TEST_F(Controls, ObjectNamesAreUnique) {
         EXPECT_FALSE(seen.contains(widget->objectName())) << widget->objectName().toStdString();
         seen.insert(widget->objectName());
     }
+    EXPECT_GT(seen.size(), 20);
 }
 
 TEST_F(Controls, EachIsReachedByTab) {
