@@ -19,11 +19,18 @@ namespace {
 using namespace testing_support;
 using namespace std::chrono_literals;
 
-/// Time hurries only so far that the beats of this thread still arrive in time.
+/// Time hurries only so far that the beats of this thread still arrive in time; while this thread waits for
+/// that of the loop, as far as it likes.
 class HurriedRig : public LoopRig {
 public:
-    using LoopRig::LoopRig;
+    explicit HurriedRig(std::size_t samples = BusChannel::kSamples) : LoopRig(samples) {
+        hurriedclock::allow(0ms);
+    }
+    ~HurriedRig() override { hurriedclock::allow(1h); }
+    HurriedRig(const HurriedRig&) = delete;
+    HurriedRig& operator=(const HurriedRig&) = delete;
     void onTurn() override { hurriedclock::allow(200ms); }
+    void onWaiting(bool waits) override { hurriedclock::allow(waits ? Duration(1h) : Duration::zero()); }
 };
 
 TEST(BusLoop, RunsAChainAndStopsItsMotorsBeforeItCloses) {

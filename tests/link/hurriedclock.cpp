@@ -15,16 +15,17 @@ namespace {
 // else orders.
 constexpr auto kOrder = std::memory_order_relaxed;
 std::atomic<Duration::rep> g_now = Duration(std::chrono::seconds(1)).count();
-std::atomic<Duration::rep> g_hurriesUntil = 0;
+std::atomic<Duration::rep> g_allowedUntil = 0;
 
-bool hurries(TimePoint until) {
-    return until.time_since_epoch().count() <= g_hurriesUntil.load(kOrder);
+/// Number of descriptors that are ready, at the latest after this real time.
+int readyWithin(std::span<pollfd> fds, const timespec* time) {
+    return std::max(::ppoll(fds.data(), fds.size(), time, nullptr), 0);
 }
 
 }  // namespace
 
 void hurriedclock::allow(Duration time) {
-    g_hurriesUntil.store(g_now.load(kOrder) + time.count(), kOrder);
+    g_allowedUntil.store(g_now.load(kOrder) + time.count(), kOrder);
 }
 
 TimePoint monotonicNow() {
@@ -38,16 +39,21 @@ Duration asleepSoFar() {
 void wantFineTimers() {}
 
 int pollUntil(std::span<pollfd> fds, std::optional<TimePoint> until) {
-    const Duration most = until ? std::max(Duration::zero(), *until - monotonicNow()) : Duration::max();
-    const Duration wait = until && hurries(*until) ? Duration::zero() : most;
-    const auto seconds = std::chrono::floor<std::chrono::seconds>(wait);
-    timespec time{};
-    time.tv_sec = seconds.count();
-    time.tv_nsec = (wait - seconds).count();
-    const int ready = ::ppoll(fds.data(), fds.size(), until ? &time : nullptr, nullptr);
-    if (ready == 0 && until)
-        g_now.store((monotonicNow() + most).time_since_epoch().count(), kOrder);
-    return std::max(ready, 0);
+    if (!until)
+        return readyWithin(fds, nullptr);
+    constexpr timespec kAtOnce{};
+    constexpr timespec kSoon{0, 1'000'000};
+    const Duration::rep end = until->time_since_epoch().count();
+    while (true) {
+        const Duration::rep now = g_now.load(kOrder);
+        const Duration::rep next = std::min(end, g_allowedUntil.load(kOrder));
+        // Beyond what is allowed, it looks again until more is.
+        const int ready = readyWithin(fds, now >= end || next > now ? &kAtOnce : &kSoon);
+        if (ready > 0 || now >= end)
+            return ready;
+        if (next > now)
+            g_now.store(next, kOrder);
+    }
 }
 
 }  // namespace nmc

@@ -4,11 +4,12 @@
 #include "base/time.h"
 
 /// Replaces the clock of link/clock.h in a program in which one thread waits for points in time: they come at
-/// once as long as another thread allows it, and in real time otherwise. Threads still meet each other as
-/// they do in real time, but no test waits for a motor.
+/// once as long as another thread allows it, and otherwise time stands still. Threads still meet each other
+/// as they do in real time, but no test waits for a motor, and no time passes for one thread while the
+/// computer gives the other none.
 namespace nmc::hurriedclock {
 
-/// From now on, time may hurry for this long. May be called from any thread.
+/// From now on, this much time may pass, and no more. May be called from any thread.
 void allow(Duration time);
 
 }  // namespace nmc::hurriedclock

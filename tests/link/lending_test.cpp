@@ -55,8 +55,15 @@ private:
 class LineLentAt : public testing::Test, public LoopRig {
 protected:
     void onTurn() override { hurriedclock::allow(200ms); }
-    void SetUp() override { fs::remove(path); }
-    void TearDown() override { fs::remove(path); }
+    void SetUp() override {
+        hurriedclock::allow(0ms);
+        fs::remove(path);
+    }
+    /// Behind it, the loop is waited for.
+    void TearDown() override {
+        fs::remove(path);
+        hurriedclock::allow(1h);
+    }
 
     [[nodiscard]] bool is(LineLent::State state) {
         return waitUntil([&] { return last<LineLent>() != nullptr && last<LineLent>()->state == state; });

@@ -28,7 +28,9 @@ public:
     }
     template <typename T, typename... Arguments>
     void openTransport(const bus::EngineConfig& config, Arguments... arguments) {
+        onWaiting(true);
         loop.open([arguments...] { return std::make_unique<T>(arguments...); }, config);
+        onWaiting(false);
     }
 
     /// All events so far.
@@ -88,6 +90,8 @@ public:
 protected:
     /// Called on each turn of waitUntil(), after events were taken.
     virtual void onTurn() {}
+    /// Called before and after this thread waits for that of the connection before.
+    virtual void onWaiting(bool /*waits*/) {}
 
 private:
     void wake() {
