@@ -7,7 +7,6 @@ import socket
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 import unittest
 from pathlib import Path
@@ -20,18 +19,6 @@ GAINS = "gains 1 --set kp=200 kd=2000 ki=20 il=200 ol=255 cl=0 el=8000 sr=1\n"
 DONE, NOT_REACHED = 0, 3
 
 
-def free_port(taken=set(), lock=threading.Lock()):
-    """A port that no other test has been given."""
-    with lock:
-        while True:
-            with socket.socket() as listener:
-                listener.bind(("127.0.0.1", 0))
-                port = listener.getsockname()[1]
-            if port not in taken:
-                taken.add(port)
-                return port
-
-
 class DeviceServers(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -41,10 +28,18 @@ class DeviceServers(unittest.TestCase):
         for name in ("XDG_RUNTIME_DIR", "XDG_CONFIG_HOME", "XDG_DATA_HOME"):
             self.environment[name] = str(self.folder / name)
             (self.folder / name).mkdir(0o700)
-        self.port = free_port()
+        self.port = self.own_port()
         self.chain = self.start(PROGRAMS / "nmcsim", "--chain", "servo,step", stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                 text=True, bufsize=1)
         self.terminal = self.chain.stdout.readline().split()[1]
+
+    def own_port(self):
+        """One that the system gives to nobody else, because it is bound; a server that shares it may listen there."""
+        holder = socket.socket()
+        self.addCleanup(holder.close)
+        holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        holder.bind(("127.0.0.1", 0))
+        return holder.getsockname()[1]
 
     def start(self, *command, **options):
         process = subprocess.Popen([str(word) for word in command], env=self.environment, **options)
@@ -136,7 +131,7 @@ class DeviceServers(unittest.TestCase):
                 while self.ask("state 1")["command_velocity"] != 0:
                     time.sleep(0.05)
                 self.end(server)
-                self.port = free_port()
+                self.port = self.own_port()
                 self.ask("power-cycle 1")
 
     def test_says_what_is_not_there(self):
