@@ -189,8 +189,8 @@ TEST_F(JogWheels, TheCapOfAThreeAxisMouseMovesAtASpeed) {
     mouse.report({{EV_KEY, BTN_0, 1}});
     mouse.report({{EV_REL, REL_X, 35}, {EV_REL, REL_Y, 300}});
     EXPECT_TRUE(pushes().empty()) << "hardly to the side";
-    mouse.report({{EV_REL, REL_X, 175}, {EV_REL, REL_Y, 10}});
-    mouse.report({{EV_REL, REL_RX, 20}});
+    // Two reports without a pause between them, which would mean that the cap is back.
+    mouse.report({{EV_REL, REL_X, 175}, {EV_REL, REL_Y, 10}, {EV_SYN, SYN_REPORT, 0}, {EV_REL, REL_RX, 20}});
     EXPECT_EQ(pushes().last(), 0.5);
     EXPECT_EQ(released.size(), 0);
     mouse.report({{EV_REL, REL_X, 0}, {EV_REL, REL_Y, 10}});
