@@ -140,25 +140,24 @@ class AtItsOwnLine(unittest.TestCase):
         self.assertIn("Several axes have this name.", problems)
         self.assertAlmostEqual(float(out.splitlines()[-1].split("\t")[1].split()[0]), 5, delta=0.3)
 
-    def test_records_what_the_scope_can_open(self):
-        path = self.place.file("record.csv")
-        self.assertEqual(self.place.ctl("--simulator=servo,step", "record", path, "--seconds", "2")[0], DONE)
-        lines = Path(path).read_text(encoding="utf-8").splitlines()
-        self.assertEqual(lines[0], "# NMC Panel recording 1")
-        self.assertIn("# module 2 type: 3 (PIC-STEP)", lines)
-        rows = [line.split(",") for line in lines if line[0].isdigit()]
-        self.assertEqual({row[0] for row in rows}, {"1", "2"})
-        times = [float(row[1]) for row in rows if row[0] == "1"]
-        self.assertEqual(times, sorted(times))
-
-    def test_records_until_it_is_interrupted(self):
+    def test_records_what_the_scope_can_open_until_it_is_interrupted(self):
         path = Path(self.place.file("record.csv"))
-        recording = self.place.start("--simulator=servo", "record", str(path))
-        while not any(line.startswith("1,") for line in path.read_text(encoding="utf-8").splitlines()):
+
+        def rows():
+            return [line.split(",") for line in path.read_text(encoding="utf-8").splitlines() if line[:1].isdigit()]
+
+        recording = self.place.start("--simulator=servo,step", "record", str(path))
+        while {row[0] for row in rows()} != {"1", "2"}:
             self.assertIsNone(recording.poll())
             time.sleep(0.02)
         recording.send_signal(signal.SIGINT)
         self.assertEqual(recording.wait(), DONE)
+        lines = path.read_text(encoding="utf-8").splitlines()
+        self.assertEqual(lines[0], "# NMC Panel recording 1")
+        self.assertIn("# module 2 type: 3 (PIC-STEP)", lines)
+        self.assertEqual({row[0] for row in rows()}, {"1", "2"})
+        times = [float(row[1]) for row in rows() if row[0] == "1"]
+        self.assertEqual(times, sorted(times))
 
     def test_lists_every_method_but_those_without_use(self):
         code, out, _ = self.place.ctl("--help")
