@@ -62,7 +62,8 @@ struct Belief::Sent {
             return;
         b.m_lastMotion = latched;
         b.m_servo.loadWaiting = false;  // DS-V 5.2: the velocity parameter becomes 0
-        if (stop.manner == servo::StopManner::Abruptly || stop.manner == servo::StopManner::Here)
+        // Velocity mode is entered by a smooth stop, too, and only a servo that is on has it (DS-V 4.5, 5.2).
+        if (stop.manner != servo::StopManner::MotorOff)
             b.m_may.enable = true;
     }
     void operator()(const stepper::StopMotor& stop) const {

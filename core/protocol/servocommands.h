@@ -107,7 +107,7 @@ struct SetGain {
 enum class StopManner : std::uint8_t {
     AmplifierOnly,  ///< no motion bit: only AMP_EN is set or cleared
     MotorOff,
-    Abruptly,  ///< switches a disabled servo ON
+    Abruptly,  ///< this and the next two switch a disabled servo ON
     Smoothly,
     Here,  ///< not on version 1
 };

@@ -244,12 +244,16 @@ TEST(Belief, RemembersThatAServoMayBeOn) {
     EXPECT_FALSE(module.belief.on());
     module.status(kMoveDone | kPower, 0);
     EXPECT_FALSE(module.belief.mayBeOn());
-    module.unanswered(toServo(0, servo::StopMotor{true, servo::StopManner::Smoothly, {}}));
-    EXPECT_FALSE(module.belief.mayBeOn()) << "only an abrupt stop switches a servo on";
-    module.unanswered(enable(0));
-    EXPECT_TRUE(module.belief.mayBeOn());
-    module.executed(motorOff(0));
+    module.unanswered(toServo(0, servo::StopMotor{true, servo::StopManner::AmplifierOnly, {}}));
     EXPECT_FALSE(module.belief.mayBeOn());
+    // DS-V 5.2, Stop Motor: bits 2, 3 and 4.
+    for (const auto manner :
+         {servo::StopManner::Abruptly, servo::StopManner::Smoothly, servo::StopManner::Here}) {
+        module.unanswered(toServo(0, servo::StopMotor{true, manner, {}}));
+        EXPECT_TRUE(module.belief.mayBeOn()) << static_cast<int>(manner);
+        module.executed(motorOff(0));
+        EXPECT_FALSE(module.belief.mayBeOn());
+    }
 }
 
 /// What the watch at a travel limit needs to know of a run.
