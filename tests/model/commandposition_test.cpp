@@ -350,6 +350,22 @@ TEST(CommandPosition, AMotorThatMovedWhileItWasSwitchedOnIsHeldSomewhereOnItsWay
     EXPECT_EQ(command.at(atSeconds(1)), (CommandEstimate{95, 90, 100}));
 }
 
+/// DS-V 4.5: in velocity mode it goes on at the motor's velocity. From 20 counts/tick, which are 39 062
+/// counts/s, it takes 20 x 19 / 2 = 190 counts to come to rest at 1 count/tick^2.
+TEST(CommandPosition, AMotorThatASmoothStopSwitchedOnIsHeldThereOnlyIfItStood) {
+    for (const bool stood : {true, false}) {
+        CommandPosition command;
+        command.apply(sampleOf(0, kMoveDone | kPosError | kPower, 0, stood ? 781 : 0));
+        command.apply(executedAt(0.02, stopWith(servo::StopManner::Smoothly)));
+        command.apply(stood ? sampleOf(0.02, kMoveDone | kPosError | kPower, kServoOn, 781)
+                            : sampleOf(0.02, kPosError | kPower, kServoOn, 781));
+        command.apply(sampleOf(0.05, kMoveDone | kPosError | kPower, kServoOn, stood ? 781 : 971));
+        const auto held = command.at(atSeconds(1));
+        EXPECT_EQ(held.has_value(), stood);
+        EXPECT_EQ(held.value_or(exactly(781)), exactly(781));
+    }
+}
+
 /// At 19 200 Bd with replies lost for 80 ms: the start was carried out, and only its answer was lost. Until
 /// that is known, the statuses belong neither to the old motion nor to a known new one.
 TEST(CommandPosition, AMotionThatNobodyKnowsOfYetIsAGap) {

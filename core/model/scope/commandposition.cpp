@@ -75,7 +75,7 @@ void CommandPosition::apply(const bus::Sample& sample) {
     learnContradiction(sample, status);
     if (!m_servoOn)
         switchedOff();
-    else if (m_awaiting == Awaiting::HeldPosition)
+    else if (m_awaiting == Awaiting::HeldPosition || m_awaiting == Awaiting::HeldIfItStood)
         learnHeldPosition(sample);
     // A module that reports its error may be an SC, whose slew bit means "constant speed or stopped".
     else if (sample.report.aux && !sample.report.positionError && sample.time >= m_effective)
@@ -226,7 +226,8 @@ void CommandPosition::stop(const servo::StopMotor& stop, const bus::CommandExecu
     else if (stop.manner == servo::StopManner::Here)
         rest(exactly(stop.here.value()));
     else if (!wasOn)
-        m_awaiting = Awaiting::HeldPosition;
+        m_awaiting =
+            stop.manner == servo::StopManner::Smoothly ? Awaiting::HeldIfItStood : Awaiting::HeldPosition;
     else if (stop.manner == servo::StopManner::Smoothly)
         runAt(0.0, begun(executed));
     else
@@ -324,6 +325,11 @@ void CommandPosition::learnHeldPosition(const bus::Sample& sample) {
     if (!sample.report.position)
         return;
     const double now = *sample.report.position;
+    // Velocity mode is entered at the motor's velocity (DS-V 4.5), from which a smooth stop has a way to go.
+    if (m_awaiting == Awaiting::HeldIfItStood && m_lastPosition != now) {
+        m_awaiting = Awaiting::Nothing;
+        return;
+    }
     const bool atOnce = sample.time == m_commanded && !m_repeated;
     const double last = m_lastPosition.value_or(now);
     const double before = atOnce ? now : last;

@@ -56,8 +56,9 @@ private:
     /// The event that makes the command position known again.
     enum class Awaiting : std::uint8_t {
         Nothing,
-        HeldPosition,  ///< the servo was just switched on: it holds at the position in the next sample
-        EndOfMove,     ///< a trapezoidal move from an unknown position: when it is done, it is at its goal
+        HeldPosition,   ///< the servo was just switched on: it holds at the position in the next sample
+        HeldIfItStood,  ///< likewise, by a smooth stop, which a motor that was moving does not hold at once
+        EndOfMove,      ///< a trapezoidal move from an unknown position: when it is done, it is at its goal
     };
     enum class Motion : std::uint8_t { None, Trapezoid, Velocity };
     /// A search for home that stops the motor when home is found.
