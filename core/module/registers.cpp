@@ -5,6 +5,15 @@
 
 namespace nmc {
 
+namespace {
+
+/// Motor off and Stop Here leave the velocity as it is loaded.
+[[nodiscard]] bool zeroesVelocity(servo::StopManner manner) {
+    return manner == servo::StopManner::Abruptly || manner == servo::StopManner::Smoothly;
+}
+
+}  // namespace
+
 void ServoRegisters::apply(const ServoCommand& command) {
     std::visit(Overloaded{
                    [this](const servo::LoadTrajectory& loaded) {
@@ -22,7 +31,8 @@ void ServoRegisters::apply(const ServoCommand& command) {
                    [this](const StartMotion&) { started(); },
                    [this](const servo::StopMotor& stop) {
                        amplifierEnabled = stop.amplifierEnable;
-                       if (stop.manner != servo::StopManner::AmplifierOnly)
+                       loadWaiting = loadWaiting && stop.manner == servo::StopManner::AmplifierOnly;
+                       if (zeroesVelocity(stop.manner))
                            stopped();
                    },
                    [this](const servo::SetGain& set) {

@@ -23,8 +23,8 @@ struct PathControl {
 /// Registers of a PIC-SERVO (DS-V 5.2).
 struct ServoRegisters {
     void apply(const ServoCommand& command);
-    /// Call when the chip has stopped the motor, by command or by itself: its velocity is 0, and a loaded
-    /// trajectory no longer waits.
+    /// Call when the chip has stopped the motor abruptly or smoothly, by command or by itself: its velocity
+    /// is 0, and a loaded trajectory no longer waits.
     void stopped();
     /// The trajectory that a start would run: the last load, together with the values kept from earlier ones.
     [[nodiscard]] servo::LoadTrajectory trajectory() const;

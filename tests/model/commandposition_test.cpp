@@ -181,6 +181,18 @@ TEST(CommandPosition, AStopTakesTheVelocityAway) {
     EXPECT_EQ(command.at(atSeconds(9))->position, held);
 }
 
+/// DS-V 5.2, Stop Motor: of the manners, only "abruptly" and "smoothly" set the goal velocity to zero.
+TEST(CommandPosition, StopHereLeavesTheVelocity) {
+    CommandPosition command = holdingAt100();
+    command.apply(executedAt(0, velocityMode(4 << 16, 1'024)));
+    command.apply(executedAt(1, servo::StopMotor{true, servo::StopManner::Here, Counts(130)}));
+    servo::LoadTrajectory again = velocityMode(0, 1'024);
+    again.velocity.reset();
+    command.apply(executedAt(2, again));
+    // 256 ticks to 4 counts/tick at 1/64, which cover 256 x 257 / 2 / 64 = 514 counts.
+    EXPECT_NEAR(command.at(atSeconds(2 + 256 * kTick))->position, 130 + 514, 4);
+}
+
 TEST(CommandPosition, StopHereJumps) {
     CommandPosition command = holdingAt100();
     command.apply(executedAt(1, servo::StopMotor{true, servo::StopManner::Here, Counts(130)}));

@@ -81,6 +81,24 @@ TEST(ModuleState, ConstantVelocityIsMotionAlthoughMoveDoneIsSet) {
     EXPECT_EQ(module.activity(), Activity::Holding);
 }
 
+/// DS-V 5.2, Stop Motor: of the manners, only "abruptly" and "smoothly" set the goal velocity to zero. A run
+/// that is then started without a velocity has the one before.
+TEST(ModuleState, OnlyTwoMannersOfStoppingTakeTheLoadedVelocityAway) {
+    servo::LoadTrajectory again = velocityMode(0, 100);
+    again.velocity.reset();
+    for (const auto& [manner, counts] : {std::pair(servo::StopManner::MotorOff, 3),
+                                         {servo::StopManner::Here, 3},
+                                         {servo::StopManner::Abruptly, 0},
+                                         {servo::StopManner::Smoothly, 0}}) {
+        ModuleState module = holdingServo();
+        module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
+        module.apply(executedAt(2.0, stopWith(manner)));
+        EXPECT_FALSE(module.loadWaiting);
+        module.apply(executedAt(3.0, again));
+        EXPECT_EQ(module.goalVelocity, counts) << static_cast<int>(manner);
+    }
+}
+
 /// A servo that holds 20 000, and is 3 counts away from it.
 ModuleState heldAt20000() {
     ModuleState module = holdingServo();
