@@ -29,6 +29,13 @@ namespace {
     return asks && !payload.data.empty() ? std::optional(StatusItems(payload.data[0])) : std::nullopt;
 }
 
+/// The chip may obey a Hard Reset to FF whatever its group. A PIC-SERVO up to version 4 and a PIC-I/O do not
+/// (DS-S 5.1 Hard Reset; docs/family.md).
+[[nodiscard]] bool mayObeyResetOfAll(const ModuleIdentity& module) {
+    const bool firstServo = module.type == ModuleType::Servo && hasDataSheet(module);
+    return !firstServo && module.type != ModuleType::Io;
+}
+
 /// The identity in a reply with these items from a module of any type: the one that has a reply of that
 /// length, and reports itself.
 [[nodiscard]] std::optional<ModuleIdentity> identityIn(StatusItems items, ByteSpan reply) {
@@ -170,8 +177,9 @@ void Lending::followGroup(Ask& ask, bool right, TimePoint latched) {
 /// It is not answered; those that may have obeyed are gone until they have an address again.
 void Lending::followReset(BusAddress address) {
     const auto obeys = [address](const ModuleInfo& info) {
-        return info.address == address || address == kEverybody ||
-               (address.value() >= kFirstGroup && (!info.group || BusAddress(info.group->group) == address));
+        const bool member = !info.group || BusAddress(info.group->group) == address;
+        return info.address == address || (address.value() >= kFirstGroup && member) ||
+               (address == kEverybody && mayObeyResetOfAll(info.identity));
     };
     std::vector<ModuleInfo> rest = m_chain.infos();
     if (std::erase_if(rest, obeys) > 0)

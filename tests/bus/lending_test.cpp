@@ -199,6 +199,20 @@ TEST_F(Lent, APacketDuringAReplyBeginsAnew) {
     EXPECT_EQ(bus.lastSample(1)->report.position, bus.servo(1).position);
 }
 
+/// Up to version 4, a PIC-SERVO obeys FF only while that is its group (DS-V 4.1; DS-S 5.1, Hard Reset), so it
+/// goes on, and must still be stopped.
+TEST_F(Lent, AServoInAnotherGroupDoesNotObeyAResetOfAll) {
+    send(packet(2, 0x21, {2, 0x81}));
+    send(packet(kAll, 0x0F), 100ms);
+    const auto left = bus.last<ModulesSeen>().value();
+    ASSERT_EQ(left.modules.size(), 1U);
+    EXPECT_EQ(left.modules[0].address, BusAddress(2));
+    const std::size_t from = bus.samplesOf(0);
+    send(packet(2, 0x0E));
+    EXPECT_EQ(bus.samplesOf(0), from + 1);
+    EXPECT_EQ(bus.stopAll()->stopped, std::vector<ModuleIndex>{kFirst});
+}
+
 class LentFamily : public Lent {
 protected:
     LentFamily() : Lent({kServo, kStep, kIo}) {}
