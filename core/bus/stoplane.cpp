@@ -23,6 +23,10 @@ constexpr Duration kAfterSilence = std::chrono::milliseconds(100);
 constexpr Duration kBetweenLooks = std::chrono::milliseconds(20);
 constexpr Duration kBetweenLateLooks = std::chrono::milliseconds(250);
 constexpr unsigned kEarlyLooks = 100;
+/// After such a query, the others wait for at least this long, so that something else is sent in between:
+/// three motors that slow down would otherwise occupy a slow line, and nobody would be polled that is about
+/// to leave its travel limits.
+constexpr Duration kGiveWay = std::chrono::milliseconds(5);
 /// Commands may get through even if no answer does (faults.md F-11, F-19).
 constexpr Duration kBlindEvery = std::chrono::milliseconds(500);
 
@@ -76,7 +80,18 @@ Line::Script StopLane::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
                 : owed->target.silences() > kAtOnce ? now + kAfterSilence
                 : moves ? now + (owed->looks < kEarlyLooks ? kBetweenLooks : kBetweenLateLooks)
                         : now;
+    if (moves)
+        giveWay(now);
     return after;
+}
+
+/// No stop waits for this: only queries of motors that were seen to slow down.
+void StopLane::giveWay(TimePoint now) {
+    for (Chain::Module& module : m_chain.modules()) {
+        auto& owed = module.owed;
+        if (owed && owed->looks > 0 && !owed->target.needsStop() && !owed->target.almostStopped())
+            owed->due = std::max(owed->due, now + kGiveWay);
+    }
 }
 
 // ---- stops of all modules ----

@@ -96,6 +96,7 @@ private:
     [[nodiscard]] Next nextOwed(TimePoint now);
     [[nodiscard]] Next blindScript(TimePoint now);
     [[nodiscard]] Line::Script groupScript();
+    void giveWay(TimePoint now);
 
     [[nodiscard]] Line::Script scriptFor(const std::vector<Order>& stops, bool nulls,
                                          Duration underWay = {}) const;

@@ -156,6 +156,35 @@ TEST_F(TravelLimit, LeavesAMoveAloneThatEndsByItself) {
     EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 0U);
 }
 
+/// Four motors take 2 / (26 / 65536) = 5041 ticks, 2.6 s, to come to rest. At 19 200 Bd, a query takes about
+/// 9 ms, so that with 20 ms between two of the same motor there is always one of them due.
+TEST_F(TravelLimit, IsKeptWhileManyOthersSlowDown) {
+    constexpr std::uint8_t kOthers = 4;
+    constexpr std::uint32_t kVerySlow = 26;
+    GroupBus chain(servos(1 + kOthers));
+    ASSERT_TRUE(chain.connect());
+    for (std::uint8_t i = 1; i <= kOthers; ++i)
+        ASSERT_EQ(chain.put(i, kGroup).outcome, Outcome::Done);
+    for (std::uint8_t i = 0; i <= kOthers; ++i) {
+        servo::LoadTrajectory load = twoPerTick(i == 0 ? kSlow : kVerySlow);
+        load.startNow = true;
+        ASSERT_EQ(chain.perform({gains(i), enable(i), toServo(i, load)}), Outcome::Done);
+    }
+    chain.runFor(4s);
+    const std::int32_t limit = chain.servo(0).position + 4'000;
+    chain.engine.setTravelLimits({{std::nullopt, limit}});
+    chain.submitGroup(GroupCommand{kGroup, GroupCommand::Action::StopSmoothly});
+    const std::size_t from = chain.samplesOf(0);
+    chain.runFor(500ms);
+    EXPECT_GT(chain.samplesOf(0), from + 2);
+    chain.runFor(4s);
+    EXPECT_EQ(chain.count<StoppedBeforeLimit>(), 1U);
+    EXPECT_LE(chain.servo(0).position, limit);
+    for (std::uint8_t i = 0; i <= kOthers; ++i)
+        EXPECT_EQ(chain.servo(i).commandVelocity, 0) << int{i};
+    chain.expectNoViolations();
+}
+
 /// The stop of all modules does what the limit requires.
 TEST_F(TravelLimit, IsSilentWhileEverythingIsBeingStopped) {
     enableFirst();
