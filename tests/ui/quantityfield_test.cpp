@@ -103,6 +103,29 @@ TEST_F(Quantities, ARangeThatBeginsAboveZeroDoesNotSayZero) {
         << field.problemText().toStdString();
 }
 
+TEST_F(Quantities, ANumberThatAnotherRangeOrUnitAllowsIsTheValue) {
+    QuantityField& speed = shown(QuantityField::Kind::Velocity, AxisScale::servo({}, 1));
+    speed.setNativeRange(1, 10);
+    speed.showNative(5);
+    speed.selectAll();
+    QTest::keyClicks(&speed, u"20"_s);
+    EXPECT_FALSE(speed.native());
+    speed.setNativeRange(1, 100);
+    EXPECT_EQ(speed.problem(), Problem::None);
+    EXPECT_EQ(speed.native(), 20);
+    EXPECT_NE(speed.otherView()->text(), u"–"_s);
+    QuantityField& distance =
+        shown(QuantityField::Kind::Distance, AxisScale::servo({UnitKind::Turns, 2'000}, 1));
+    distance.setNativeRange(1, 2'000);
+    distance.showNative(1'000);
+    distance.selectAll();
+    QTest::keyClicks(&distance, u"5"_s);
+    EXPECT_FALSE(distance.native());
+    distance.setScale(AxisScale::servo({}, 1));
+    EXPECT_EQ(distance.text(), u"5"_s);
+    EXPECT_EQ(distance.native(), 5) << "counts, as its label says now";
+}
+
 /// 100 counts per mm; the zero is at 1000 counts.
 TEST_F(Quantities, APositionCountsFromItsZeroAndStaysTheSamePlace) {
     QuantityField& field =

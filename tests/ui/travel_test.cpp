@@ -208,6 +208,18 @@ TEST_F(TravelPanel, NoFieldTakesMoreThanTheHighestVelocity) {
               98'304U);
 }
 
+TEST_F(TravelPanel, AVelocityThatAHigherLimitAllowsIsSent) {
+    standAt(500);
+    enter(u"fastestField"_s, u"1.5"_s);
+    type(u"velocityField"_s, u"2"_s);
+    whyNot(u"goHomeButton"_s);
+    enter(u"fastestField"_s, u"3"_s);
+    EXPECT_EQ(field(u"velocityField"_s)->text(), u"2"_s);
+    click(u"goHomeButton"_s);
+    const Pace pace = lastIntent<intent::GoHome>().pace;
+    EXPECT_EQ(std::get<ServoPace>(pace).velocity.value(), 131'072U);
+}
+
 TEST_F(TravelPanel, ThePresentPositionBecomesALimit) {
     standAt(1'234);
     click(u"highestHereButton"_s);

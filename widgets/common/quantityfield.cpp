@@ -86,12 +86,12 @@ void QuantityField::setZero(const std::optional<WorkZero>& zero, bool keepsNumbe
         m_native.reset();
     else if (m_native && keepsNumber)
         *m_native += *after - *before;
+    if (!m_native)
+        NumberField::showNothing();
     setAccessibleName(zero ? m_accessible + u", "_s + texts::from(*zero) : m_accessible);
     refresh();
     if (m_native)
         showNative(*m_native);
-    else
-        showNothing();
 }
 
 void QuantityField::showNative(double native) {
@@ -117,8 +117,7 @@ std::optional<double> QuantityField::native() const {
 }
 
 void QuantityField::takeText() {
-    const std::optional<double> user = value();
-    m_native = user ? std::optional(std::clamp(toNative(*user), m_min, m_max)) : std::nullopt;
+    m_native.reset();
     refresh();
     emit nativeEdited();
 }
@@ -129,16 +128,19 @@ void QuantityField::refresh() {
     setUnavailable(tellable()       ? QString()
                    : countsOfZero() ? texts::refusal(Refusal::ServoRateUnknown)
                                     : texts::zeroInUse(m_zero));
+    if (tellable()) {
+        setDecimals(decimalsWanted());
+        const auto [lowest, highest] = std::minmax({toUser(m_min), toUser(m_max)});
+        setRange(lowest, highest);
+        const double finest = std::pow(10.0, -decimals());
+        setSingleStep(m_scale.native() ? m_step : std::max(roundBelow(std::abs(toUser(m_step))), finest));
+        // Also a text that had no value in the range or unit of before, and has one now.
+        if (const std::optional<double> user = value(); user && !m_native)
+            m_native = std::clamp(toNative(*user), m_min, m_max);
+    }
     const std::optional<double> now = tellable() ? native() : m_native;
     // In counts it would be the place by the counter, which is another number.
     look::setText(m_other, m_zero ? texts::from(*m_zero) : now ? otherText(*now) : u"–"_s);
-    if (!tellable())
-        return;
-    setDecimals(decimalsWanted());
-    const auto [lowest, highest] = std::minmax({toUser(m_min), toUser(m_max)});
-    setRange(lowest, highest);
-    const double finest = std::pow(10.0, -decimals());
-    setSingleStep(m_scale.native() ? m_step : std::max(roundBelow(std::abs(toUser(m_step))), finest));
 }
 
 double QuantityField::toUser(double native) const {
