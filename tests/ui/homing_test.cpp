@@ -111,6 +111,19 @@ TEST_F(Homing, WhatIsBeingTypedIsNotOverwrittenByAStatus) {
     EXPECT_TRUE(button(u"homeButton"_s)->isEnabled());
 }
 
+/// 40 000 is too many counts per tick, but not too many turns of 1000 counts per second.
+TEST_F(Homing, SearchesWithWhatIsShownInAnotherUnit) {
+    show();
+    type(u"homingVelocityField"_s, u"40000"_s);
+    EXPECT_EQ(reason(u"homeButton"_s), field(u"homingVelocityField"_s)->problemText());
+    machine.axes[0].unit = {UnitKind::Turns, 1'000.0, {}};
+    window->showMachine(machine);
+    EXPECT_EQ(field(u"homingVelocityField"_s)->value(), 7'812.5) << "4000 counts/tick, the last valid number";
+    click(u"homeButton"_s);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_EQ(std::get<intent::Home>(intents.at(0).at(1).value<Intent>()).recipe.velocity, 4'000.0);
+}
+
 TEST_F(Homing, SaysWhyItIsNotPossible) {
     show({.on = false});
     EXPECT_EQ(reason(u"homeButton"_s), texts::refusal(Refusal::ServoOff));

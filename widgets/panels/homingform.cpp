@@ -215,8 +215,12 @@ void HomingForm::showChip(const AxisScale& scale, int version, double speedUnit)
             least = velocity ? speedUnit : 1.0;
             most = velocity ? 250.0 * speedUnit : 1e6;
         }
+        const bool valid = quantity.field->native().has_value();
         quantity.field->setScale(scale);
         quantity.field->setNativeRange(least, most);
+        // A number that was beyond the range of before is not in the recipe, although it is a value now.
+        if (!valid && quantity.field->native())
+            quantity.field->showNative(m_recipe.*quantity.value);
     }
     refresh();
 }
