@@ -88,6 +88,14 @@ TEST_F(Axis, U05_AnotherUnitKeepsEveryAmountAndSendsNothing) {
     EXPECT_EQ(go.velocity.value(), 65536U);
 }
 
+TEST_F(Axis, CountsDropTheCountsPerUnit) {
+    readInTurns();
+    choose(u"axisUnitBox"_s, u"native counts"_s);
+    choose(u"axisUnitBox"_s, u"turns"_s);
+    EXPECT_EQ(machine.axes.front().unit.countsPerUnit, 1.0);
+    EXPECT_EQ(field(u"countsPerUnitField"_s)->value(), 1.0);
+}
+
 TEST_F(Axis, ValuesAreTypedInTheUsersUnit) {
     readInTurns();
     type(u"goalField"_s, u"-0,75"_s);

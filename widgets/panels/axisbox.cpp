@@ -241,6 +241,8 @@ void AxisBox::connectControls() {
         edit([typed = text.trimmed().toStdString()](AxisSettings& axis) { axis.unit.ownSymbol = typed; });
     });
     connect(m_unit, &QComboBox::currentIndexChanged, this, [this] {
+        if (kind() == UnitKind::Native)
+            m_countsPerUnit->showValue(1.0);  // as below, for the unit that is chosen next
         edit([chosen = kind()](AxisSettings& axis) {
             axis.unit.kind = chosen;
             if (chosen == UnitKind::Native)
