@@ -132,6 +132,8 @@ TEST_F(StepperPanelTest, ReadsInTheUsersUnitAndChangesNothingBySwitchingIt) {
     EXPECT_EQ(field(u"stepperGoalField"_s)->value(), 5.0) << "1000 steps of 200 a millimetre";
     EXPECT_EQ(text(u"stepperGoalFieldUnit"_s), u"mm"_s);
     EXPECT_EQ(field(u"stepperSpeedField"_s)->value(), 2.0);
+    EXPECT_TRUE(field(u"stepperSpeedField"_s)->toolTip().contains(u" mm/s)"_s))
+        << field(u"stepperSpeedField"_s)->toolTip().toStdString();
     EXPECT_EQ(text(u"stepperSpeedFieldPerSecond"_s), u"= 400 steps/s"_s);
     EXPECT_EQ(plain(u"stepperSpeedOutcome"_s), u"Runs at 400 steps/s (2 mm/s): speed 16 of 250."_s);
     // 25 steps/s each 10 ms are 2 500 steps/s^2, 12.5 mm/s^2.

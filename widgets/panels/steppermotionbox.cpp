@@ -196,8 +196,10 @@ std::optional<WorkZero> StepperMotionBox::zero() const {
 void StepperMotionBox::showModule() {
     m_goal->setScale(m_context.scale());
     m_goal->setZero(zero());
+    const bool otherUnit = m_context.scale() != m_speed->scale();
     m_speed->setScale(m_context.scale());
-    if (m_shownSpeeds != stepperdefaults::speedMode(m_context.state().stepper, m_context.settings()) ||
+    if (otherUnit ||
+        m_shownSpeeds != stepperdefaults::speedMode(m_context.state().stepper, m_context.settings()) ||
         m_shownSpeed != m_context.settings().motion.*speedSetting() ||
         m_shownFastest != m_context.settings().travel.fastest)
         showSpeed();
