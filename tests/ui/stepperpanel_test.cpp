@@ -108,6 +108,17 @@ TEST_F(StepperPanelTest, SaysTheRangeAndSendsNothingOutOfIt) {
     EXPECT_EQ(text(u"stepperRampOutcome"_s), u"No ramp."_s);
 }
 
+TEST_F(StepperPanelTest, DoesNotGoHomeAtAnotherSpeedThanTheOneThatIsTyped) {
+    Stepper stepper = Stepper::holding();
+    stepper.module.home.found(500, stepper.time);
+    show(stepper);
+    EXPECT_TRUE(button(u"stepperGoHomeButton"_s)->isEnabled())
+        << button(u"stepperGoHomeButton"_s)->toolTip().toStdString();
+    type(u"stepperSpeedField"_s, u"6251"_s);
+    EXPECT_FALSE(button(u"stepperGoHomeButton"_s)->isEnabled());
+    EXPECT_EQ(button(u"stepperGoHomeButton"_s)->toolTip(), field(u"stepperSpeedField"_s)->problemText());
+}
+
 TEST_F(StepperPanelTest, KeepsSpeedsInTheSettingsPerKindOfMotion) {
     show(Stepper::holding());
     type(u"stepperSpeedField"_s, u"800"_s);

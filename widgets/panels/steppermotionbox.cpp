@@ -369,6 +369,8 @@ void StepperMotionBox::refreshCommands() {
                    load ? later : Common::tr("Runs forward until stopped."));
     QString reason = m_context.reasonNow(IntentKind::GoHome);
     if (reason.isEmpty())
+        reason = whyNoMovesBy();
+    if (reason.isEmpty())
         reason = m_context.reasonFor(Intent(intent::GoHome{paceOf(m_context.state(), m_context.settings())}));
     m_goHome->setPossible(reason, tr("Moves to home with a ramp, at the travel speed."));
     m_startLoaded->setPossible(m_context.reasonNow(IntentKind::StartLoaded), tr("Starts the loaded motion."));
