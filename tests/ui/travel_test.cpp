@@ -6,6 +6,7 @@
 #include "tests/model/stepperfixture.h"
 #include "tests/support/motionof.h"
 #include "widgets/common/askdialog.h"
+#include "widgets/common/words.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -226,6 +227,15 @@ TEST_F(TravelPanel, ThePresentPositionBecomesALimit) {
     EXPECT_EQ(kept().highest, 1'234);
     standAt(0, false);
     EXPECT_TRUE(whyNot(u"lowestHereButton"_s).contains(u"Home"_s)) << "there is nothing to count from";
+}
+
+TEST_F(TravelPanel, AnOldPositionBecomesNoLimit) {
+    ModuleState module = Servo{.position = 1'234, .millisecond = m_millisecond += 10}.state();
+    module.home.found(0, module.latestTime);
+    module.silent = true;
+    window->showLink(connectedTo({module}));
+    for (const QString& here : {u"lowestHereButton"_s, u"highestHereButton"_s})
+        EXPECT_EQ(whyNot(here), texts::refusal(Refusal::PositionUnknown));
 }
 
 TEST_F(TravelPanel, ThePositionIsDeclaredRightAfterAQuestion) {

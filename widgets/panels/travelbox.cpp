@@ -308,7 +308,7 @@ void TravelBox::refresh() {
         noPlace = texts::refusal(Refusal::NotConnected);
     else if (!module.home.place())
         noPlace = texts::refusal(Refusal::HomeUnknown);
-    else if (!module.latest || !module.latest->position)
+    else if (m_context.age() || !module.latest || !module.latest->position)
         noPlace = texts::refusal(Refusal::PositionUnknown);
     m_here[Lowest]->setPossible(noPlace, tr("Sets the lowest position to the present position."));
     m_here[Highest]->setPossible(noPlace, tr("Sets the highest position to the present position."));
