@@ -263,6 +263,17 @@ TEST_F(LoopTestsInTheWindow, EdgesWithTheSameGainsAreLaidOverOneAnotherAndKept) 
     EXPECT_TRUE(label(u"squareWaveResults"_s).isEmpty());
 }
 
+/// As a run, they would count as steps of the module that has its number now.
+TEST_F(LoopTestsInTheWindow, EdgesOfAnEarlierConnectionAreNotKept) {
+    openWith();
+    window->loopTests().squareWave().showEdge(ramp());
+    EXPECT_TRUE(button(u"squareWaveKeepButton"_s)->isEnabled());
+    window->showLink({});
+    showServo();
+    EXPECT_FALSE(button(u"squareWaveKeepButton"_s)->isEnabled());
+    EXPECT_TRUE(label(u"squareWaveResults"_s).isEmpty());
+}
+
 /// 10 counts there and back, half a period of 0.1 s.
 TEST(SquarePlotHands, KeysAndADoubleClickZoomAndFit) {
     SquarePlot plot;

@@ -56,8 +56,10 @@ void LoopTestsDock::showModule(const PanelView& view) {
 }
 
 void LoopTestsDock::forgetModules() {
-    if (m_frequency != nullptr)
-        m_frequency->forgetModules();
+    if (m_tabs == nullptr)
+        return;
+    m_square->clear();
+    m_frequency->forgetModules();
 }
 
 void LoopTestsDock::showNothing() {

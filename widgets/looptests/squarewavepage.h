@@ -31,7 +31,7 @@ public:
     // These emit nothing.
     void showModule(const PanelView& view);
     void showNothing();
-    /// A wave begins: discards the edges of the previous one.
+    /// A wave begins, or another connection: discards the edges of the previous one.
     void clear();
     void showEdge(KeptResponse edge);
 
