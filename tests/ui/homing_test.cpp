@@ -205,6 +205,19 @@ TEST_F(Homing, ShowsItsCourseAndCancelNeverWaits) {
     EXPECT_FALSE(text(u"homingResultLabel"_s).contains(u"Done"_s));
 }
 
+TEST_F(Homing, WhatIsSetForTheNextSearchWasNotDoneByTheLast) {
+    show();
+    report(ProcedureStage::Searching);
+    report(ProcedureStage::Done, {}, 512);
+    const QString course = text(u"homingStagesLabel"_s);
+    EXPECT_TRUE(course.startsWith(u"✓\u00A0Searching"_s)) << course.toStdString();
+    click(u"thenIndexBox"_s);
+    EXPECT_EQ(text(u"homingStagesLabel"_s), course);
+    report(ProcedureStage::Searching);
+    EXPECT_EQ(text(u"homingStagesLabel"_s).count(u'▶'), 1);
+    EXPECT_EQ(text(u"homingStagesLabel"_s).count(u"Searching"_s), 2) << "for the index, too";
+}
+
 TEST_F(Homing, ReadsOutWhatTheSearchSays) {
     show();
     click(u"homeButton"_s);

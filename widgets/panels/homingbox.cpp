@@ -154,12 +154,11 @@ void HomingBox::refresh() {
 
 /// "✓ Searching   ▶ Going to home   · Setting position to 0": each stage is a shape followed by words.
 QString HomingBox::stages() const {
-    const QList<ProcedureStage> list = stagesOf(effective(m_form->recipe(), m_context.state().info.identity));
     const auto search = report();
     QStringList words;
-    for (int i = 0; i < list.size(); ++i) {
+    for (int i = 0; i < m_course.size(); ++i) {
         ProcedureReport stage;
-        stage.stage = list[i];
+        stage.stage = m_course[i];
         const bool done = search && (search->stage == ProcedureStage::Done || i < m_reached);
         const bool now = m_context.runs(ProcedureKind::Homing) && i == m_reached;
         const QString mark = done ? u"✓"_s : now ? u"▶"_s : u"·"_s;
@@ -170,15 +169,15 @@ QString HomingBox::stages() const {
 
 void HomingBox::refreshProgress() {
     const auto search = report();
-    if (!search) {
+    // What is set for the next search was not done by the last one.
+    if (!search || m_course.isEmpty() || m_context.runs(ProcedureKind::Homing))
+        m_course = stagesOf(effective(m_form->recipe(), m_context.state().info.identity));
+    if (!search)
         m_reached = -1;
-    } else if (search->stage == ProcedureStage::Preparing) {
+    else if (search->stage == ProcedureStage::Preparing)
         m_reached = 0;
-    } else {
-        const auto list = stagesOf(effective(m_form->recipe(), m_context.state().info.identity));
-        if (list.contains(search->stage))
-            m_reached = static_cast<int>(list.indexOf(search->stage));
-    }
+    else if (m_course.contains(search->stage))
+        m_reached = static_cast<int>(m_course.indexOf(search->stage));
     look::setText(m_stages, stages());
     QString result = search ? texts::procedureStage(*search) : tr("No search yet.");
     if (search && search->stage == ProcedureStage::Done && search->home)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
 #include <QWidget>
 #include <optional>
 
@@ -42,7 +43,8 @@ private:
     QLabel* m_result;
     QLabel* m_hint;
     std::optional<HomingRecipe> m_shown;  ///< recipe in the settings, as last shown
-    int m_reached = -1;                   ///< index of the present stage in stages()
+    QList<ProcedureStage> m_course;       ///< stages of the last search; while there is none, of the next
+    int m_reached = -1;                   ///< index of the present stage in m_course
 };
 
 }  // namespace nmc
