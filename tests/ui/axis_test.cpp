@@ -184,6 +184,7 @@ INSTANTIATE_TEST_SUITE_P(Chips, AxisOfEach, testing::Values(ModuleType::Servo, M
 TEST_F(Axis, ItsUnitIsWorkedOutFromLabels) {
     showPage(u"Axis"_s);
     click(u"workOutUnitButton"_s);
+    EXPECT_EQ(find<QDialog>(u"unitDialog"_s)->windowTitle(), u"Module 1: Calculate the unit"_s);
     choose(u"unitDialogKind"_s, u"linear, in millimetres"_s);
     type(u"unitDialogLines"_s, u"500"_s);
     type(u"unitDialogMotorTurns"_s, u"2"_s);

@@ -25,8 +25,11 @@ constexpr int kDecimals = 6;
 
 UnitDialog::UnitDialog(ModuleContext& context, QWidget* parent)
     : QDialog(parent), m_context(context), m_form(new QFormLayout(this)) {
-    look::name(this, u"unitDialog"_s, tr("Calculate the unit"));
-    setWindowTitle(tr("Calculate the unit"));
+    // It stays open while the page of another module is shown.
+    const QString title =
+        Common::tr("%1: %2").arg(texts::moduleName(context.state().info.index), tr("Calculate the unit"));
+    look::name(this, u"unitDialog"_s, title);
+    setWindowTitle(title);
     setAttribute(Qt::WA_DeleteOnClose);
     m_kind =
         form::newChoice({.name = u"unitDialogKind"_s,
