@@ -51,6 +51,19 @@ TEST_F(Axes, SayThatAPositionIsOld) {
     EXPECT_FALSE(find<QLabel>(u"axisPosition2"_s)->font().strikeOut());
 }
 
+TEST_F(Axes, AreReadOutAsTheyAreNamedNow) {
+    EXPECT_EQ(button(u"axisHoldForwardButton2"_s)->accessibleName(), u"Hold to move Module 2 forward"_s);
+    machine.axes.resize(2);
+    machine.axes[1].name = "lift";
+    window->showMachine(machine);
+    EXPECT_EQ(button(u"axisHoldForwardButton2"_s)->accessibleName(),
+              u"Hold to move Module 2 \"lift\" forward"_s);
+    EXPECT_EQ(button(u"axisStepReverseButton2"_s)->accessibleName(), u"Step Module 2 \"lift\" in reverse"_s);
+    EXPECT_EQ(find<QLabel>(u"axisPosition2"_s)->accessibleDescription(), u"Position of Module 2 \"lift\""_s);
+    EXPECT_EQ(button(u"axisHomeEarlierButton2"_s)->accessibleName(),
+              u"Home: – Home Module 2 \"lift\" one place earlier"_s);
+}
+
 TEST_F(Axes, AreHeldSlowlyOrFast) {
     QTest::mousePress(button(u"axisHoldReverseButton2"_s), Qt::LeftButton);
     ASSERT_EQ(holds.size(), 1U);

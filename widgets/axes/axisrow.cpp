@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <cmath>
+#include <utility>
 
 #include "model/intent/jog.h"
 #include "model/intent/rights.h"
@@ -29,28 +30,20 @@ AxisRow::AxisRow(const PanelView& view, Requests& requests, int line, QGridLayou
       m_state(new QLabel(box)),
       m_position(new QLabel(box)) {
     const QString number = QString::number(line);
-    const QString who = texts::moduleName(m_context.state().info.index);
     look::nameText(m_name, u"axisName"_s + number, Common::tr("Axis"));
-    look::nameText(m_state, u"axisState"_s + number, tr("State of %1").arg(who));
-    look::nameText(m_position, u"axisPosition"_s + number, tr("Position of %1").arg(who));
+    m_state->setObjectName(u"axisState"_s + number);
+    m_position->setObjectName(u"axisPosition"_s + number);
     m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_position->setFont(look::tabular(m_position->font()));
-    m_holdReverse = newHold(u"axisHoldReverseButton"_s + number, Common::tr("◂ Hold"),
-                            tr("Hold to move %1 in reverse").arg(who), true);
-    m_holdForward = newHold(u"axisHoldForwardButton"_s + number, Common::tr("Hold ▸"),
-                            tr("Hold to move %1 forward").arg(who), false);
-    const auto newCommand = [&](const QString& name, const QString& text, const QString& sentence,
-                                const std::function<void()>& act) {
-        return new Command({.name = name + number, .icon = {}, .text = text, .accessible = sentence}, box,
-                           act);
+    m_holdReverse = newHold(u"axisHoldReverseButton"_s + number, Common::tr("◂ Hold"), true);
+    m_holdForward = newHold(u"axisHoldForwardButton"_s + number, Common::tr("Hold ▸"), false);
+    const auto newCommand = [&](const QString& name, const QString& text, const std::function<void()>& act) {
+        return new Command({.name = name + number, .icon = {}, .text = text, .accessible = {}}, box, act);
     };
-    m_stepReverse = newCommand(u"axisStepReverseButton"_s, Common::tr("◂| Step"),
-                               tr("Step %1 in reverse").arg(who), [this] { step(true); });
-    m_stepForward = newCommand(u"axisStepForwardButton"_s, Common::tr("Step |▸"),
-                               tr("Step %1 forward").arg(who), [this] { step(false); });
-    m_earlier =
-        newCommand(u"axisHomeEarlierButton"_s, tr("Home earlier"), tr("Home %1 one place earlier").arg(who),
-                   [this] { emit earlierWanted(m_context.state().info.index); });
+    m_stepReverse = newCommand(u"axisStepReverseButton"_s, Common::tr("◂| Step"), [this] { step(true); });
+    m_stepForward = newCommand(u"axisStepForwardButton"_s, Common::tr("Step |▸"), [this] { step(false); });
+    m_earlier = newCommand(u"axisHomeEarlierButton"_s, tr("Home earlier"),
+                           [this] { emit earlierWanted(m_context.state().info.index); });
     int column = 0;
     for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_state, m_position, m_holdReverse,
                                                            m_holdForward, m_stepReverse->button(),
@@ -59,12 +52,11 @@ AxisRow::AxisRow(const PanelView& view, Requests& requests, int line, QGridLayou
     m_context.whenSeen(m_name, [this] { refresh(); });
 }
 
-HoldButton* AxisRow::newHold(const QString& objectName, const QString& text, const QString& name,
-                             bool reverse) {
+HoldButton* AxisRow::newHold(const QString& objectName, const QString& text, bool reverse) {
     auto* button = new HoldButton(m_box);
     button->setIcon(icons::tinted(u"hand-stop"_s));
     button->setText(text);
-    look::name(button, objectName, name);
+    button->setObjectName(objectName);
     connect(button, &HoldButton::held, this, [this, button, reverse] { hold(*button, reverse); });
     connect(button, &HoldButton::holdEnded, &m_context, &ModuleContext::release);
     return button;
@@ -142,10 +134,23 @@ QString AxisRow::whyNotStepped(bool reverse) const {
     return steps ? QString() : texts::refusal(steps.error());
 }
 
+/// Each control says of which axis it is, as that is named now.
+void AxisRow::nameControls(const QString& who) {
+    m_state->setAccessibleDescription(tr("State of %1").arg(who));
+    m_position->setAccessibleDescription(tr("Position of %1").arg(who));
+    m_holdReverse->setAccessibleName(tr("Hold to move %1 in reverse").arg(who));
+    m_holdForward->setAccessibleName(tr("Hold to move %1 forward").arg(who));
+    m_stepReverse->button()->setAccessibleName(tr("Step %1 in reverse").arg(who));
+    m_stepForward->button()->setAccessibleName(tr("Step %1 forward").arg(who));
+    m_earlier->button()->setAccessibleName(m_earlier->text() + u' ' +
+                                           tr("Home %1 one place earlier").arg(who));
+}
+
 void AxisRow::refresh() {
     const ModuleState& module = m_context.state();
     const AxisScale scale = m_context.scale();
-    look::setText(m_name, texts::moduleName(module.info.index));
+    const QString who = texts::moduleName(module.info.index);
+    look::setText(m_name, who);
     look::setText(m_state, texts::activity(module.activity()));
     m_state->setToolTip(texts::activityMeaning(module, scale));
     const auto position = module.latest ? module.latest->position : std::nullopt;
@@ -170,7 +175,10 @@ void AxisRow::refresh() {
                        : QString(),
         tr("Home all homes this axis as number %1. Click to move it one place earlier. Nothing moves.")
             .arg(m_place));
-    m_earlier->setText(m_place > 0 ? tr("Home: %1.").arg(m_place) : tr("Home: –"));
+    const QString place = m_place > 0 ? tr("Home: %1.").arg(m_place) : tr("Home: –");
+    m_earlier->setText(place);
+    if (std::exchange(m_named, who + place) != who + place)
+        nameControls(who);
 }
 
 void AxisRow::hold(const HoldButton& button, bool reverse) {

@@ -43,10 +43,10 @@ signals:
 
 private:
     void refresh();
+    void nameControls(const QString& who);
     void hold(const HoldButton& button, bool reverse);
     void step(bool reverse);
-    [[nodiscard]] HoldButton* newHold(const QString& objectName, const QString& text, const QString& name,
-                                      bool reverse);
+    [[nodiscard]] HoldButton* newHold(const QString& objectName, const QString& text, bool reverse);
     [[nodiscard]] std::optional<bus::HoldToMove> wantedHold(bool reverse) const;
     [[nodiscard]] std::optional<Intent> wantedStep(bool reverse) const;
     [[nodiscard]] QString whyNotHeld(bool reverse) const;
@@ -57,6 +57,7 @@ private:
     JogSpeed m_speed = JogSpeed::Slow;
     double m_step = 1.0;
     int m_place = 0;
+    QString m_named;  ///< axis and place that the controls were named by last
     QLabel* m_name;
     QLabel* m_state;
     QLabel* m_position;
