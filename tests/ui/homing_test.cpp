@@ -188,6 +188,10 @@ TEST_F(Homing, ShowsItsCourseAndCancelNeverWaits) {
     EXPECT_TRUE(text(u"homingStagesLabel"_s).startsWith(u"▶\u00A0Searching"_s));
     EXPECT_EQ(text(u"homingResultLabel"_s), u"Searching"_s);
     EXPECT_FALSE(button(u"onLimit2Box"_s)->isEnabled());
+    for (const QString& locked : {u"homingVelocityField"_s, u"homingTimeField"_s}) {
+        EXPECT_FALSE(field(locked)->isEnabled());
+        EXPECT_EQ(field(locked)->toolTip(), u"A search for home is running."_s) << locked.toStdString();
+    }
     EXPECT_FALSE(button(u"armLimitStopButton"_s)->isEnabled());
     EXPECT_FALSE(button(u"homeButton"_s)->isEnabled());
     click(u"cancelHomingButton"_s);

@@ -133,8 +133,7 @@ void HomingForm::buildMotion(FormGrid* grid) {
                                    .min = 0.1,
                                    .max = kLongestTime,
                                    .decimals = 1,
-                                   .digits = kFieldDigits,
-                                   .meaning = tr("A search stops and fails after this time.")},
+                                   .digits = kFieldDigits},
                                   this);
     grid->addRow(Common::tr("Time limit"), m_timeLimit, {new QLabel(u"s"_s, this)});
     connect(m_timeLimit, &NumberField::edited, this, [this] {
@@ -152,7 +151,7 @@ void HomingForm::addQuantity(FormGrid* grid, QuantityField::Kind kind, const QSt
                                      .digits = kFieldDigits,
                                      .meaning = meaning},
                                     this);
-    m_quantities.append({field, value, grid->addRow(text, field)});
+    m_quantities.append({field, value, grid->addRow(text, field), meaning});
     connect(field, &QuantityField::nativeEdited, this, [this, field, value] {
         m_recipe.*value = field->native().value_or(m_recipe.*value);
         tell();
@@ -269,10 +268,11 @@ void HomingForm::refresh() {
     for (QAbstractButton* button : {m_forward, m_reverse})
         look::setPossible(button, locked, tr("The search direction, in which the switch closes."));
     for (const Quantity& quantity : m_quantities) {
+        quantity.field->setMeaning(locked.isEmpty() ? quantity.meaning : locked);
         quantity.field->setEnabled(!m_locked && uses(quantity.value));
         quantity.label->setEnabled(quantity.field->isEnabled());
     }
-    m_timeLimit->setEnabled(!m_locked);
+    m_timeLimit->setPossible(locked, tr("A search stops and fails after this time."));
     refreshStops();
 }
 

@@ -49,6 +49,7 @@ private:
         QuantityField* field;
         Number value;
         QLabel* label;
+        QString meaning;
     };
 
     void buildConditions(FormGrid* grid);
