@@ -92,8 +92,7 @@ TEST_F(Flight, AnEarlierFaultIsStillShownAfterALaterOneOfItsKind) {
     ASSERT_TRUE(panel.answersFor(3));
     ASSERT_NO_FATAL_FAILURE(panel.setGoing());
     (void)sim.control(QStringLiteral("set 1 power 0"));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.count(told) == 2; }))
-        << panel.headlines().join(QStringLiteral(" | ")).toStdString();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(told) == 2; }));
     ASSERT_TRUE(clickShow(told));
     const double second = strips().time().left();
     ASSERT_TRUE(clickShow(told, 1));
