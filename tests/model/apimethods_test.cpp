@@ -234,8 +234,11 @@ TEST(ApiMethods, SetOnlyWhatIsAnOutput) {
               0xFFF);
     EXPECT_EQ(chain.call("set_direction", {{"axis", 1}, {"input", true}}).error().refusal,
               Refusal::NotAnIoModule);
-    EXPECT_EQ(
-        chain.intentOf<iointent::SetPwm>("set_pwm", {{"axis", 3}, {"output", 2}, {"value", 255}}).output, 1U);
+    const Json pwm{{"axis", 3}, {"output", 2}, {"value", 255}};
+    EXPECT_EQ(chain.intentOf<iointent::SetPwm>("set_pwm", pwm).output, 1U);
+    io.pins.pwm.reset();
+    EXPECT_EQ(chain.call("set_pwm", pwm).error().kind, Kind::OutputsUnknown)
+        << "one command sets both, so the other one would be switched off";
     EXPECT_EQ(set(1, 1).error().kind, Kind::NotAnOutput) << "limit 1 is an input";
     EXPECT_EQ(set(2, 6).error().kind, Kind::FieldWrong);
     // OUT5 is high after power-up, the rest low (DS-S 2.3).

@@ -250,6 +250,9 @@ struct AxisCall {
             iointent::SetDirection{static_cast<std::uint16_t>(input ? before | pins : before & ~pins)});
     }
     [[nodiscard]] Or<Call> setPwm() const {
+        // One command sets both outputs, and the other one may not change unasked.
+        if (module.isIo() && !module.pins.pwm)
+            return tl::unexpected(Problem{Problem::Kind::OutputsUnknown});
         return call(iointent::SetPwm{whole("output") - 1U, static_cast<std::uint8_t>(whole("value"))});
     }
 };
