@@ -150,7 +150,7 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
     m_last = report;
     if (report.position) {
         // An encoder at rest on an edge alternates by one count.
-        m_rolls = m_place && std::abs(countsBetween(*m_place, *report.position)) > 1;
+        m_rolls = m_place && std::abs(std::int64_t{countsBetween(*m_place, *report.position)}) > 1;
         m_place = m_position = report.position;
     }
     if (report.home)

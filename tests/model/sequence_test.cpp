@@ -359,6 +359,9 @@ TEST(EntryStates, StartInTheMiddleOnlyWhereAFreshRunWouldBe) {
     Machine forEver = machine;
     insertRow(forEver.program.sequences[0], 1, action::Repeat{0, 0});
     EXPECT_EQ(kinds(whyNotRun("Main", 2, forEver, modules)), std::vector{SequenceFault::Unreachable});
+    modules[0].latest->position = 1'100 - 0x7FFFFFFF - 1;
+    EXPECT_THAT(kinds(whyNotRun("Main", 1, machine, modules)), testing::Contains(SequenceFault::NotThere))
+        << "nowhere is farther away, and 32 bits have no positive number for it";
 }
 
 TEST(EntryStates, TheLastCallIsTheOneThatCounts) {

@@ -22,7 +22,7 @@ double holding(const ModuleState& module) {
     const auto goal = module.goal();
     if (!goal)
         return gains.ol;
-    const auto error = static_cast<double>(std::abs(countsBetween(*module.latest->position, *goal)));
+    const auto error = std::abs(static_cast<double>(countsBetween(*module.latest->position, *goal)));
     return (gains.kp * error + 1.0 * gains.ki * gains.il) / 256;
 }
 }  // namespace

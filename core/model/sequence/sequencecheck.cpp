@@ -204,7 +204,7 @@ private:
         const auto goal = goalOf(place.axis, module);
         if (!goal || module.moving() || !module.latest || !module.latest->position)
             return false;
-        const std::int32_t off = std::abs(countsBetween(*goal, *module.latest->position));
+        const std::int64_t off = std::abs(std::int64_t{countsBetween(*goal, *module.latest->position)});
         return module.goal() == *goal ||
                off <= std::max(kStillCounts, homeTolerance(m_machine.axis(place.axis.module).unit));
     }
