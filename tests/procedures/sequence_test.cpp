@@ -277,6 +277,22 @@ TEST_F(Sequences, WhatIsToldSomethingElseDoesNotGoOnUnwatched) {
     EXPECT_LT(std::abs(bench.shafts()[0]), 990) << "it was stopped on its way to 1 000";
 }
 
+TEST_F(Sequences, AStartOfAGroupThatIsWithheldTakesNothingOver) {
+    bench.start("Main");
+    bench.turns(15);
+    ASSERT_TRUE(bench.modules[0].moving());
+    bus::GroupFinished finished{bus::OperationId(999),
+                                bus::Outcome::Forbidden,
+                                bus::GroupCommand{},
+                                {{kX, bus::MemberOutcome::Withheld}},
+                                false};
+    SequenceNews{*bench.run}(finished);
+    EXPECT_FALSE(bench.run->report().end) << "nothing was sent";
+    finished.members.front().outcome = bus::MemberOutcome::Done;
+    SequenceNews{*bench.run}(finished);
+    EXPECT_EQ(bench.run->report().end, SequenceEnd::TakenOver);
+}
+
 TEST_F(Sequences, AStopThatItWasNotToldOfEndsIt) {
     bench.start("Main");
     bench.turns(15);

@@ -28,7 +28,8 @@ struct SequenceNews {
     void operator()(const AnyOf<bus::ForeignTraffic, bus::StopFinished> auto&) const { run.onStopOfAll(); }
     void operator()(const bus::GroupFinished& finished) const {
         for (const bus::GroupMember& member : finished.members)
-            run.onTakenOver(member.module);
+            if (member.outcome != bus::MemberOutcome::Withheld)  // nothing was sent to anybody
+                run.onTakenOver(member.module);
     }
     void operator()(const AnyOf<bus::ChainFound, bus::ConnectFailed> auto&) const { run.onClosed(); }
     void operator()(const AnyOf<bus::OperationFinished, bus::CommandRefused, bus::RateChanged,
