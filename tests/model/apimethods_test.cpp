@@ -188,6 +188,30 @@ TEST(ApiMethods, JogNoFasterThanTheButtonsOfTheWindow) {
     EXPECT_TRUE(isRefused(1, 1.26));
 }
 
+/// 16.16 fixed point, and 1 to 250 times 25 steps/s times the speed multiplier (DS-S 4.3).
+TEST(ApiMethods, MoveAtNoVelocityThatTheChipDoesNotHave) {
+    Chain chain;
+    const auto isRefused = [&](const char* method, int axis, double velocity) {
+        const auto call = chain.call(method, {{"axis", axis}, {"to", 1}, {"velocity", velocity}});
+        return !call && call.error() == api::Problem{Kind::FieldWrong, "velocity"};
+    };
+    EXPECT_FALSE(isRefused("move", 1, 1.0 / 65'536));
+    EXPECT_TRUE(isRefused("move", 1, 0.7 / 65'536));
+    chain.link.modules[1].stepper.parameters = stepper::SetParameters{.speedMode = stepper::SpeedMode::X2};
+    EXPECT_FALSE(isRefused("move", 2, 50));
+    EXPECT_TRUE(isRefused("move", 2, 49));
+    EXPECT_FALSE(isRefused("move", 2, 12'500));
+    EXPECT_TRUE(isRefused("move", 2, 12'501));
+    // A jog below the lowest speed of a profile would be at that speed (DS-S 5.1).
+    chain.link.modules[1].stepper.parameters->minimumProfileSpeed = 4;
+    EXPECT_FALSE(isRefused("jog", 2, -200));
+    EXPECT_TRUE(isRefused("jog", 2, -199));
+    // 200 steps are 3 degrees: 3 degrees/s are as slow as that, however they are rounded.
+    chain.machine.axes[1].unit = {UnitKind::Degrees, 200.0 / 3.0};
+    EXPECT_FALSE(isRefused("jog", 2, 3));
+    EXPECT_TRUE(isRefused("jog", 2, 2.9));
+}
+
 TEST(ApiMethods, RefuseWhatCannotBeMeant) {
     Chain chain;
     const auto kindOf = [&](const char* method, const Json& parameters) {

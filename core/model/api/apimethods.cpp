@@ -10,6 +10,7 @@
 #include "model/intent/pace.h"
 #include "model/module/modulescale.h"
 #include "model/module/servodefaults.h"
+#include "model/module/stepperdefaults.h"
 #include "model/sequence/sequencecheck.h"
 
 namespace nmc::api {
@@ -145,21 +146,27 @@ struct AxisCall {
             return tl::unexpected(refused(Refusal::GoalOutOfRange));
         return static_cast<std::int32_t>(counts);
     }
-    [[nodiscard]] Or<double> velocity() const {
+    /// Without its sign, in the chip's unit.
+    [[nodiscard]] Or<double> velocity(double slowest, double fastest) const {
+        constexpr double kGrain = 1 + 1e-9;  // absorbs the rounding of the conversion
         const auto native = scale.nativeVelocity(std::abs(value("velocity")));
         if (!native)
             return tl::unexpected(refused(Refusal::ServoRateUnknown));
-        return *native <= servodefaults::kLargest || module.isStepper() ? Or<double>(*native)
-                                                                        : tl::unexpected(wrong("velocity"));
+        if (*native * kGrain < slowest || *native > fastest * kGrain)
+            return tl::unexpected(wrong("velocity"));
+        return *native;
     }
     /// At the velocity and acceleration given, or else at those of the axis.
     [[nodiscard]] Or<Pace> pace() const {
         AxisSettings axis = settings;
         if (has("velocity")) {
-            const auto native = velocity();
+            const StepperSpeed mode = stepperdefaults::speedMode(module.stepper, settings);
+            const auto native = module.isStepper()
+                                    ? velocity(mode.slowest(), mode.fastest())
+                                    : velocity(servodefaults::kSmallest, servodefaults::kLargest);
             if (!native)
                 return tl::unexpected(native.error());
-            if (*native == 0 || value("velocity") < 0)
+            if (value("velocity") < 0)
                 return tl::unexpected(wrong("velocity"));
             axis.motion.velocity = *native;
         }
@@ -167,7 +174,7 @@ struct AxisCall {
             const auto native = scale.nativeAcceleration(value("acceleration"));
             if (!native)
                 return tl::unexpected(refused(Refusal::ServoRateUnknown));
-            if (*native <= 0 || *native > servodefaults::kLargest || module.isStepper())
+            if (*native < servodefaults::kSmallest || *native > servodefaults::kLargest || module.isStepper())
                 return tl::unexpected(wrong("acceleration"));
             axis.motion.acceleration = *native;
         }
@@ -204,12 +211,10 @@ struct AxisCall {
         return call(intent::Home{*settings.homing, homeTolerance(settings.unit)});
     }
     [[nodiscard]] Or<Call> jog() const {
-        const auto native = velocity();
+        const JogRange range = jogRange(module, settings);  // as for a held button
+        const auto native = velocity(range.slowest, range.cap);
         if (!native)
             return tl::unexpected(native.error());
-        // As for a held button.
-        if (*native == 0 || *native > jogRange(module, settings).cap)
-            return tl::unexpected(wrong("velocity"));
         const bool reverse = (value("velocity") < 0) != scale.reversed();
         const auto hold = nmc::jog(module, settings, *native, reverse);
         if (!hold)
