@@ -65,12 +65,15 @@ void ApiFeed::publishSamples() {
     const auto known = [](float value) { return value == value ? Json(value) : Json(); };
     const bool wanted =
         std::ranges::any_of(m_subscriptions, [](const auto& each) { return each.second.samples; });
+    // Another chain has a history of its own, of which nothing has been published.
+    if (std::exchange(m_zero, history.zero()) != history.zero())
+        m_published.clear();
     m_published.resize(history.modules());
     std::size_t count = 0;
     Json modules = Json::array();
     for (std::size_t i = 0; i < history.modules(); ++i) {
         const ModuleHistory& module = *history.module(ModuleIndex(static_cast<std::uint8_t>(i)));
-        if (!wanted || module.count() < m_published[i]) {
+        if (!wanted) {
             m_published[i] = module.count();
             continue;
         }

@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "link/api/apiserver.h"
@@ -48,6 +49,7 @@ private:
     std::map<ApiServer::Client, Subscription> m_subscriptions;
     QTimer m_pace;
     std::vector<std::uint64_t> m_published;  ///< samples of each module
+    std::optional<TimePoint> m_zero;         ///< of the history that they are in
 };
 
 }  // namespace nmc

@@ -590,6 +590,31 @@ TEST_F(OtherProgramsAtAPicIo, AreSentItsCounterAndItsInputs) {
     EXPECT_TRUE(row[8].is_boolean()) << row.dump();
 }
 
+TEST(OtherProgramsAtAPort, AreSentTheFirstSampleOfAnotherChainThere) {
+    RuntimeFolder runtime;
+    VirtualChain sim(u"servo,servo"_s), other(u"servo"_s);
+    VirtualPanel panel;
+    const QString port = sim.terminal();
+    panel.composition().show({.port = port, .baud = 115'200});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
+    panel.window().findChild<QAction*>(u"letProgramsInAction"_s)->trigger();
+    OtherProgram client(panel, ApiServer::pathFor(port));
+    client.hello();
+    EXPECT_TRUE(client.call("subscribe", {{"samples", true}}).contains("result"));
+    ASSERT_TRUE(panel.answersFor(1));
+    panel.disconnect();
+    ASSERT_TRUE(panel.waitFor([&] { return !sim.open(); }));
+    sim.rename(u"elsewhere"_s);
+    other.rename(port);
+    client.arrived().clear();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(port));
+    double first = 0;
+    do {
+        first = client.notification("samples")["params"]["modules"][0]["rows"][0][0].get<double>();
+    } while (first > 0.9);  // of the chain of before
+    EXPECT_EQ(first, 0.0);
+}
+
 /// Every sample is either in a row that it gets, or counted as missed.
 TEST_F(OtherPrograms, ThatAreTooSlowAreToldHowManySamplesTheyMissed) {
     OtherProgram client(panel, path());
