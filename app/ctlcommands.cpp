@@ -417,7 +417,12 @@ CtlCommands::Exit CtlCommands::record(const Command& command, const Words& words
         return begun;
     const auto exit =
         follow({{"samples", true}}, *until, [&](const std::string& method, const Json& parameters) {
-            return method == "samples" ? write(recording.rowsOf(parameters)) : Done;
+            if (method != "samples")
+                return Done;
+            if (recording.isOfThisChain(parameters))
+                return write(recording.rowsOf(parameters));
+            m_problems << "Another chain is at the port now. The recording has ended." << Qt::endl;
+            return NotCarriedOut;
         });
     if (!exit && exit.error().kind == ApiClient::Error::Kind::Interrupted)
         return Done;

@@ -329,6 +329,21 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
         self.assertEqual([line[0] for line in lines if line[0].isdigit()], ["1", "2", "2"])
         self.assertEqual(panel.parameters_of("subscribe"), [{"samples": True}, {}])
 
+    def test_records_no_samples_of_another_chain(self):
+        def samples(axis, seconds):
+            return "samples", {"missed": 0, "modules": [
+                {"axis": axis, "rows": [[seconds, 100, None, None, 8, 0, 51, False, None]]}]}
+
+        for other in (samples(1, 0.0), samples(3, 7.5)):
+            with self.subTest(other):
+                panel = PanelAsWritten(self, news={"subscribe": (samples(1, 7.0), other)})
+                path = panel.place.file("record.csv")
+                code, _, problems = panel.ctl("record", path, "--seconds", "60")
+                self.assertEqual(code, NOT_CARRIED_OUT)
+                self.assertIn("Another chain", problems)
+                lines = Path(path).read_text(encoding="utf-8").splitlines()
+                self.assertEqual([line.split(",")[:2] for line in lines if line[0].isdigit()], [["1", "0.000000000"]])
+
     def test_watches_several_axes_of_one_name(self):
         axes = [{**PanelAsWritten.AXIS, "name": "B", "number": number, "position": 10 * number} for number in (1, 2)]
         panel = PanelAsWritten(self, news={"subscribe": 3 * (("state", {"modules": axes}),)})

@@ -407,6 +407,21 @@ TEST(ApiRecording, HoldsWhatTheScopeWouldSave) {
               (AnalogInput{"pressure", {0.5, -10, "kPa"}}));
 }
 
+TEST(ApiRecording, EndsWithItsChain) {
+    api::ApiRecording recording = apiRecording();
+    const auto samples = [](int axis, double time) {
+        return Json::parse(R"({"missed": 0, "modules": [{"axis": )" + std::to_string(axis) +
+                           R"(, "rows": [[)" + std::to_string(time) +
+                           R"(, 0, null, null, 0, 0, 0, false, false]]}]})");
+    };
+    EXPECT_TRUE(recording.isOfThisChain(samples(1, 5)));
+    EXPECT_FALSE(recording.isOfThisChain(samples(3, 5))) << "it has two modules";
+    (void)recording.rowsOf(samples(1, 5));
+    EXPECT_TRUE(recording.isOfThisChain(samples(1, 5.1)));
+    EXPECT_TRUE(recording.isOfThisChain(samples(2, 4.9))) << "another module";
+    EXPECT_FALSE(recording.isOfThisChain(samples(1, 0))) << "times begin anew";
+}
+
 TEST(ApiRecording, HasAGapInEachModuleWhereSamplesWereMissed) {
     api::ApiRecording recording = apiRecording();
     std::string text = recording.head();

@@ -69,6 +69,19 @@ ApiRecording::ApiRecording(const Json& state, std::string program, std::string s
         m_header.modules.push_back(moduleOf(axis));
 }
 
+bool ApiRecording::isOfThisChain(const Json& samples) const {
+    for (const Json& module : samples.at("modules")) {
+        const auto index = module.at("axis").get<std::size_t>() - 1;
+        const auto last = m_last.find(index);
+        const Json& rows = module.at("rows");
+        const bool goesBack =
+            last != m_last.end() && !rows.empty() && rows.front().at(0).get<double>() < last->second;
+        if (index >= m_header.modules.size() || goesBack)
+            return false;
+    }
+    return true;
+}
+
 std::string ApiRecording::rowsOf(const Json& samples) {
     std::string rows;
     if (samples.at("missed") != 0)
@@ -81,6 +94,7 @@ std::string ApiRecording::rowsOf(const Json& samples) {
         for (const Json& row : module.at("rows")) {
             const double time = row.at(0).get<double>();
             m_begin = m_begin.value_or(time);
+            m_last[index] = time;
             ScopeSample sample = sampleOf(row, TimePoint(fromSeconds(time - *m_begin)), io);
             sample.gapBefore = m_gaps.erase(index) > 0 || sample.gapBefore;
             appendRow(rows, ModuleIndex(static_cast<std::uint8_t>(index)), sample, m_header.zero);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,13 +20,17 @@ public:
 
     /// What the file begins with.
     [[nodiscard]] std::string head() const { return recordingHead(m_header); }
-    /// The rows for the parameters of a "samples" notification.
+    /// Whether the parameters of a "samples" notification are of the chain that `state` was of: the times of
+    /// another one begin anew.
+    [[nodiscard]] bool isOfThisChain(const Json& samples) const;
+    /// The rows for them.
     [[nodiscard]] std::string rowsOf(const Json& samples);
 
 private:
     RecordingHeader m_header;
-    std::optional<double> m_begin{};  ///< s, time of the first sample
-    std::set<std::size_t> m_gaps{};   ///< modules of which samples are missing before the next one
+    std::optional<double> m_begin{};         ///< s, time of the first sample
+    std::map<std::size_t, double> m_last{};  ///< s, of each module
+    std::set<std::size_t> m_gaps{};          ///< modules of which samples are missing before the next one
 };
 
 }  // namespace nmc::api
