@@ -165,6 +165,19 @@ TEST_F(Sequences, APanelsStopOfItsModuleEndsIt) {
         << find<QAbstractButton>("runFromRowButton")->toolTip().toStdString();
 }
 
+TEST_F(Sequences, EndsWithItsConnection) {
+    ASSERT_NO_FATAL_FAILURE(makeSequence());
+    ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Ended"_s); })) << state().toStdString();
+    EXPECT_FALSE(find<QAbstractButton>("stopSequenceButton")->isEnabled());
+    EXPECT_EQ(panel.count(u"its motors were commanded to stop"_s), 0) << "nothing could be sent";
+    sim.plugIn();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    EXPECT_FALSE(find<QAbstractButton>("runSequenceButton")->toolTip().contains(u"already running"_s));
+}
+
 TEST_F(Sequences, GoesToAPoint) {
     ASSERT_NO_FATAL_FAILURE(makeSequence());
     auto* table = find<QTableView>("pointTable");

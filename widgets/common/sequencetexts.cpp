@@ -100,6 +100,7 @@ QString why(const SequenceReport& report) {
             return Texts::tr("The A/D value of %1 did not reach its level in time.").arg(module);
         case SequenceEnd::NotHomed:
             return Texts::tr("%1 did not find home.").arg(module);
+        case SequenceEnd::Closed:
         case SequenceEnd::LinkInDoubt:
             return Texts::tr("The link was unreliable.");
         case SequenceEnd::Unresponsive:
@@ -229,7 +230,9 @@ QString sequenceState(const SequenceReport& report) {
 }
 
 std::optional<Message> sequenceOver(const SequenceReport& report) {
-    if (!report.over() || report.end == SequenceEnd::ByUser || report.end == SequenceEnd::StopOfAll)
+    // Somebody has ended it, or the message about the connection says what became of the motors.
+    if (!report.over() || report.end == SequenceEnd::ByUser || report.end == SequenceEnd::StopOfAll ||
+        report.end == SequenceEnd::Closed)
         return std::nullopt;
     Message message{.key = u"sequence"_s, .headline = Texts::tr("%1 is done.").arg(runName(report))};
     if (!report.end)

@@ -84,7 +84,8 @@ void SequenceController::look() {
 }
 
 void SequenceController::advance() {
-    if (!running())
+    // A run that ends with its connection is over before this turn, and has not been reported as such.
+    if (!m_run || (m_reported && m_reported->over()))
         return;
     SequenceRun::Next next = m_run->next(asOfRun(name(), m_store.link().modules), monotonicNow());
     if (auto* send = std::get_if<SequenceRun::Send>(&next))

@@ -108,7 +108,7 @@ void SequenceRun::onStopOfAll() {
 
 void SequenceRun::onClosed() {
     m_saysNothingMore = true;
-    endBy(SequenceEnd::LinkInDoubt);
+    endBy(SequenceEnd::Closed);
     m_inFlight = 0;
     m_procedure.reset();
     m_report.stage = m_report.over() ? m_report.stage : SequenceStage::Over;

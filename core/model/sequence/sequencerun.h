@@ -33,6 +33,7 @@ enum class SequenceStage : std::uint8_t {
 enum class SequenceEnd : std::uint8_t {
     ByUser,
     StopOfAll,
+    Closed,       ///< the connection has ended: nothing more can be sent
     TakenOver,    ///< `module` was sent something else, or is moved by something else
     LimitClosed,  ///< a limit switch of `module` closed during the move
     NotArrived,   ///< `module` stopped before its goal, or was given another one
