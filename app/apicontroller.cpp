@@ -393,24 +393,29 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
     if (m_commander.sequences().running())
         return refuse(client, id, api::refused(Refusal::Moving));
     m_notBegun.reset();
+    Session& own = session(client);
+    own.awaitsEnd = true;  // it may end as soon as it begins
     if (sequence)
         m_commander.sequences().start(machine, name, 0, false);
     else
         m_commander.sequences().goTo(machine, name);
-    if (m_notBegun)
+    if (m_notBegun) {
+        own.awaitsEnd = false;
         return fail(client, id, kRefused, *m_notBegun, "SequenceRefused");
+    }
     // A motor that rests is moved by the sequence from now on, whichever program has moved it before.
     const auto isTaken = [this, parts = m_commander.sequences().parts()](ModuleIndex module) {
         return parts.contains(module) && !m_store.module(module)->moving();
     };
     for (auto& [other, session] : m_sessions) {
-        session.runs = session.awaitsEnd = other == client;
+        session.runs = other == client && own.awaitsEnd;
         if (other != client)
             std::erase_if(session.moved, isTaken);
     }
-    session(client).sequenceFailure.reset();
+    if (own.awaitsEnd)
+        own.sequenceFailure.reset();
     for (const ModuleState& module : m_store.link().modules)  // it may move any of them
-        session(client).forget(module.info.index);
+        own.forget(module.info.index);
     answer(client, id, {{"accepted", true}});
 }
 

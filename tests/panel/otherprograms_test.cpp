@@ -229,6 +229,21 @@ TEST_F(OtherPrograms, WaitForAllAxesAndTheSequence) {
     EXPECT_EQ(client.answer(waits)["error"]["data"]["reason"], "NotCarriedOut");
 }
 
+/// An input that must be active already: its row has no time to wait.
+TEST_F(OtherPrograms, LearnFromWaitThatASequenceHasEndedAsSoonAsItBegan) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(control(client));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+    Program program;
+    program.sequences.push_back({"check", {action::WaitForInput{ModuleIndex(0), InputPin::Limit1, true, 0}}});
+    emit panel.window().requests().programEdited(program);
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_EQ(client.call("start_sequence", {{"name", "check"}})["result"]["accepted"], true);
+        EXPECT_EQ(client.call("wait")["error"]["data"]["reason"], "NotCarriedOut");
+    }
+}
+
 TEST_F(OtherPrograms, AreNotToldThatAMoveWasCancelledWhichTheyHaveFollowedUpThemselves) {
     OtherProgram client(panel, path());
     client.hello();
