@@ -349,10 +349,11 @@ void MachineController::saved(const QString& path, const Machine& asked, const P
         m_window.endMessage(texts::key::machineFile());
     if (!result || !wanted)
         return showFile();
-    // Edits made in the meantime are not in the file.
-    if (m_machine == asked)
+    // Edits made in the meantime are not in the file; those of axes moved the unknown keys as well.
+    if (m_machine == asked) {
         m_machine = written.machine;
-    m_unknown = written.unknown;
+        m_unknown = written.unknown;
+    }
     m_saved = written.machine;
     m_path = path;
     remember(path);

@@ -14,6 +14,8 @@
 #include <QJsonDocument>
 #include <QLabel>
 #include <QTreeWidget>
+#include <functional>
+#include <vector>
 
 #include "link/files/machineio.h"
 #include "model/machinefile/machinefile.h"
@@ -406,6 +408,30 @@ TEST_F(MachineFiles, UnknownKeysAreStillThereAfterSaving) {
     save(panel);
     EXPECT_THAT(readFile(path, kMaxMachineFile).value(), testing::HasSubstr("\"serial\": \"A-17\""));
     EXPECT_EQ(machineIn(path).axes[0].name, "Z");
+}
+
+TEST_F(MachineFiles, UnknownKeysOfAnAxisThatLeftDuringASaveAreNotGivenToTheNext) {
+    std::string text = writeMachine(twoServos());
+    text.insert(text.find("\"name\": \"X axis\""), "\"note\": \"first\", ");
+    text.insert(text.find("\"name\": \"Y axis\""), "\"note\": \"second\", ");
+    const QString path = write("keys.json", text);
+    VirtualPanel panel;
+    panel.start();
+    open(panel, path);
+    click(panel, "applyDifferencesButton");
+    rename(panel, "Z");
+    std::vector<std::function<void()>> waits;
+    setBackground([&waits](std::function<void()> work) { waits.push_back(std::move(work)); });
+    strike(panel, Qt::CTRL | Qt::Key_S);
+    emit panel.composition().connection().accepted({ModuleIdentity{ModuleType::Servo, 4}}, {ModuleIndex(0)});
+    setBackground([](const std::function<void()>& work) { work(); });
+    for (const auto& work : waits)
+        work();
+    EXPECT_TRUE(panel.waitFor([&] { return !menu(panel).file().saving; }));
+    save(panel);
+    const std::string saved = readFile(path, kMaxMachineFile).value();
+    EXPECT_THAT(saved, testing::HasSubstr("\"note\": \"second\""));
+    EXPECT_THAT(saved, testing::Not(testing::HasSubstr("\"note\": \"first\"")));
 }
 
 TEST_F(MachineFiles, ABadFileNamesLineAndFieldAndNothingChanges) {
