@@ -75,6 +75,9 @@ TEST(PathFile, TellsEveryProblemWithItsLine) {
         problems("Y\n1;5\n2,5\n"),
         (std::vector<PathProblem>{{.kind = PathFault::NotANumber, .line = 2, .column = "Y", .text = "1;5"},
                                   {.kind = PathFault::CellCount, .line = 3, .value = 2, .allowed = 1}}));
+    EXPECT_EQ(
+        problems("Y\n+1\n+-2\n"),
+        (std::vector<PathProblem>{{.kind = PathFault::NotANumber, .line = 3, .column = "Y", .text = "+-2"}}));
     EXPECT_EQ(problems("").front().kind, PathFault::NoColumns);
     EXPECT_EQ(problems("# rate 60\n").front().kind, PathFault::NoColumns);
     EXPECT_EQ(problems("Y\n5\n").front(),

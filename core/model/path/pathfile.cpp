@@ -29,7 +29,7 @@ constexpr std::string_view kBlank = " \t\r";
 
 template <typename Number>
 [[nodiscard]] std::optional<Number> numberIn(std::string_view text) {
-    if (text.starts_with('+'))
+    if (text.starts_with('+') && !text.starts_with("+-"))
         text.remove_prefix(1);
     Number number{};
     const char* const end = text.data() + text.size();
