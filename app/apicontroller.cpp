@@ -362,6 +362,10 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
         noteMoved(client, call.module);
     if (operation)
         m_pending[call.module] = session.operations[call.module] = *operation;
+    if (operation && leadsToGoal(intent)) {
+        session.replaced.insert(call.module);
+        session.failures.erase(call.module);
+    }
     answer(client, id, {{"accepted", true}});
 }
 
@@ -377,6 +381,7 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
     session.held = hold;
     session.heldAt = monotonicNow();
     session.forget(hold.module);
+    session.replaced.insert(hold.module);
     noteMoved(client, hold.module);
     answer(client, id, {{"accepted", true}});
 }
@@ -475,7 +480,7 @@ void ApiController::noteEnded(const ProcedureReport& report) {
     const auto message =
         texts::procedureEnded(report, scaleOf(*module, m_store.machine().axis(report.module)));
     for (auto& [client, session] : m_sessions)
-        if (session.moved.contains(report.module))
+        if (session.moved.contains(report.module) && !session.replaced.contains(report.module))
             session.failures[report.module] = message ? message->headline : texts::wasCancelled();
 }
 

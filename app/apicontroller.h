@@ -79,6 +79,9 @@ private:
         std::map<ModuleIndex, QString> failures{};
         /// Where its last request to a module leads, once that is known.
         std::map<ModuleIndex, std::optional<std::int32_t>> goals{};
+        /// Its last request to these is a motion that is no procedure: a procedure that ends was requested
+        /// before, and is ended by it.
+        std::set<ModuleIndex> replaced{};
         std::optional<QString> sequenceFailure{};  ///< the same for the last sequence
         std::vector<Pending> waits{};
         bus::HoldToMove held{};  ///< the last jog
@@ -90,6 +93,7 @@ private:
             operations.erase(module);
             failures.erase(module);
             goals.erase(module);
+            replaced.erase(module);
         }
     };
     struct Asked {

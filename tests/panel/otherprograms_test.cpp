@@ -269,6 +269,18 @@ TEST_F(OtherPrograms, AreNotToldThatAMoveWasCancelledWhichTheyHaveFollowedUpThem
     EXPECT_TRUE(jogged.contains("result")) << jogged.dump();
 }
 
+TEST_F(OtherPrograms, AreNotToldThatMovesWereCancelledWhichTheirJogHasReplaced) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move_by", {{"axis", 1}, {"by", 100'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim) && panel.module().moving(); }));
+    EXPECT_EQ(client.call("jog", {{"axis", 1}, {"velocity", 1}})["result"]["accepted"], true);
+    const Json jogged = client.call("wait", {{"axis", 1}});
+    ASSERT_TRUE(jogged.contains("result")) << jogged.dump();
+    EXPECT_LT(jogged["result"]["position"].get<double>(), 90'000);
+}
+
 TEST_F(OtherPrograms, AreNotToldThatAMoveWasCancelledWhichWasDone) {
     OtherProgram client(panel, path());
     client.hello();
