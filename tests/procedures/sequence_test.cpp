@@ -293,6 +293,21 @@ TEST_F(Sequences, AStartOfAGroupThatIsWithheldTakesNothingOver) {
     EXPECT_EQ(bench.run->report().end, SequenceEnd::TakenOver);
 }
 
+TEST_F(Sequences, WhatIsPutIntoAnotherGroupDoesNotGoOnUnwatched) {
+    bench.start("Main");
+    bench.turns(15);
+    ASSERT_TRUE(bench.modules[0].moving());
+    const bus::GroupFinished finished{bus::OperationId(999),
+                                      bus::Outcome::Done,
+                                      bus::GroupChange{kX, {}},
+                                      {{kX, bus::MemberOutcome::Done}},
+                                      false};
+    SequenceNews{*bench.run}(finished);
+    EXPECT_EQ(bench.goOn().end, SequenceEnd::TakenOver);
+    bench.expectRest();
+    EXPECT_LT(std::abs(bench.shafts()[0]), 990) << "it was stopped on its way to 1 000";
+}
+
 TEST_F(Sequences, AStopThatItWasNotToldOfEndsIt) {
     bench.start("Main");
     bench.turns(15);

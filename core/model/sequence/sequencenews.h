@@ -27,9 +27,12 @@ struct SequenceNews {
     /// The motors that were set in motion from here have been sent a stop.
     void operator()(const AnyOf<bus::ForeignTraffic, bus::StopFinished> auto&) const { run.onStopOfAll(); }
     void operator()(const bus::GroupFinished& finished) const {
+        // Only a start of the group moves a motor on: after anything else, it would go to its goal unwatched.
+        const auto* command = std::get_if<bus::GroupCommand>(&finished.what);
+        const bool moved = command != nullptr && command->action == bus::GroupCommand::Action::StartMotion;
         for (const bus::GroupMember& member : finished.members)
             if (member.outcome != bus::MemberOutcome::Withheld)  // nothing was sent to anybody
-                run.onTakenOver(member.module);
+                run.onTakenOver(member.module, moved);
     }
     void operator()(const AnyOf<bus::ChainFound, bus::ConnectFailed> auto&) const { run.onClosed(); }
     void operator()(const AnyOf<bus::OperationFinished, bus::CommandRefused, bus::RateChanged,
