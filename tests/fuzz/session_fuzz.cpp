@@ -285,8 +285,8 @@ void Session::checkPacket(const std::vector<std::uint8_t>& bytes) {
         return expect(m_connecting, "N1: the chain was changed without being asked");
     const std::size_t module = bytes[1] - std::size_t{1};
     if (code == CommandCode::StopMotor && module < m_asked.size()) {
-        constexpr std::uint8_t kAbruptly = 0x04;
-        const bool enables = bytes[3] & kAbruptly;
+        constexpr std::uint8_t kAbruptly = 0x04, kSmoothly = 0x08, kHere = 0x10;
+        const bool enables = (bytes[3] & (kAbruptly | kSmoothly | kHere)) != 0;
         return expect(!enables || m_asked[module].on, "N1: a stop that switches a servo on");
     }
     if (!changesSomething(code) || (code == CommandCode::StopMotor && module >= m_asked.size()))
