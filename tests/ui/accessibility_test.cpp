@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What assistive technology is told: the names of messages, and states. tests/accessibility listens to the
 // real program.
-#include <QAccessible>
-
 #include "windowtest.h"
 
 namespace nmc {

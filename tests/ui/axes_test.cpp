@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of all axes: hold, step, enable and home any of them from one place.
-#include <QComboBox>
-
 #include "model/settings/machine.h"
 #include "widgets/axes/axesdock.h"
 #include "widgets/common/requests.h"

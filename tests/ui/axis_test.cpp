@@ -1,10 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QComboBox>
-#include <QDialog>
-#include <QTabWidget>
-
 #include "tests/model/stepperfixture.h"
 #include "tests/support/motionof.h"
 #include "widgets/chain/chainmodel.h"

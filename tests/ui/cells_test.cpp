@@ -2,9 +2,6 @@
 // Compares what the two data sheets let a host say with the controls of the window, in both directions: each
 // command and each bit of a command has a control, and each control of a panel that sends something is in the
 // table.
-#include <QAbstractButton>
-#include <QAction>
-#include <QComboBox>
 #include <array>
 #include <span>
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractItemView>
-
 #include "widgets/chain/chainmodel.h"
 #include "windowtest.h"
 

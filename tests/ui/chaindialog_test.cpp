@@ -1,15 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDialog>
-#include <QLineEdit>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QTabWidget>
-#include <QTableWidget>
-
 #include "widgets/chain/chainmenu.h"
 #include "windowtest.h"
 

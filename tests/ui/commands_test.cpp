@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands as objects: the Module menu, the palette that finds them, their keys.
-#include <QAbstractButton>
-#include <QLineEdit>
-#include <QMenu>
-#include <QMenuBar>
-#include <QToolTip>
-#include <QTreeWidget>
-
 #include "tests/model/stepperfixture.h"
 #include "tests/support/motionof.h"
 #include "widgets/panels/command.h"

@@ -1,11 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QComboBox>
-#include <QDialog>
-#include <QDockWidget>
-#include <QLineEdit>
-
 #include "widgets/common/texts.h"
 #include "windowtest.h"
 

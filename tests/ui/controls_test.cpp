@@ -1,18 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QAction>
-#include <QComboBox>
-#include <QDialog>
-#include <QGridLayout>
-#include <QLabel>
-#include <QLayout>
-#include <QMenu>
-#include <QPlainTextEdit>
-#include <QRegularExpression>
-#include <QSet>
-#include <QSlider>
-#include <QTabWidget>
-
 #include "inlanguage.h"
 #include "widgets/common/printdialog.h"
 #include "widgets/machine/machinemenu.h"

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The box of the direction check: what it asks, sends and shows.
-#include <QAbstractButton>
-#include <QTabWidget>
-
 #include "widgets/common/texts.h"
 #include "windowtest.h"
 

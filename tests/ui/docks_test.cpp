@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // However many docks are open, and however small the window is: each dock is visible, or a tab of one that
 // is, and none covers another, the panel or the bars above.
-#include <QAction>
-#include <QDockWidget>
-
 #include "windowtest.h"
 
 namespace nmc {

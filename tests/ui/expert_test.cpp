@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every bit of a chip's motion commands has a control on the Expert page, and every control there is one: the
 // control bytes of DS-V 5.2 and DS-S 5.1, as printed.
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDialog>
-
 #include "tests/model/stepperfixture.h"
 #include "windowtest.h"
 

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a user sees who runs the program for the first time: what to connect to, and how to make the motor
 // move.
-#include <QComboBox>
-#include <QScrollBar>
-#include <QToolTip>
-
 #include "widgets/panels/holdbutton.h"
 #include "windowtest.h"
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the focus goes when the control that has it can no longer be used; with real keys, which go to the
 // focus.
-#include <QAbstractButton>
-#include <QTabBar>
-
 #include "windowtest.h"
 
 namespace nmc {

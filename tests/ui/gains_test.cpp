@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QComboBox>
-#include <QScrollArea>
-#include <QScrollBar>
-
 #include "windowtest.h"
 
 namespace nmc {

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is shown above everything else of a module, whatever is scrolled or selected below it.
-#include <QAbstractItemModel>
-#include <QListView>
-#include <QRegularExpression>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QTabWidget>
-
 #include "tests/model/stepperfixture.h"
 #include "widgets/chain/chainmodel.h"
 #include "windowtest.h"

@@ -1,16 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The manual in the program: what F1 opens, and reading on from there.
-#include <QAction>
-#include <QDir>
-#include <QListWidget>
-#include <QMenu>
-#include <QRegularExpression>
-#include <QScrollBar>
-#include <QTabBar>
-#include <QTextBlock>
-#include <QTextBrowser>
-#include <QTextFragment>
-
 #include "widgets/common/look.h"
 #include "widgets/common/printdialog.h"
 #include "widgets/help/manual.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QDialog>
 #include <functional>
 
 #include "widgets/panels/holdbutton.h"

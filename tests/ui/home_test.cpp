@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the window shows home, and whether it goes there.
-#include <QAbstractButton>
-#include <QAbstractItemView>
-
 #include "widgets/chain/chainmodel.h"
 #include "widgets/common/words.h"
 #include "windowtest.h"

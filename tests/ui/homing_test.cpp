@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QAccessible>
-#include <QTabWidget>
-
 #include "model/intent/homingplan.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"

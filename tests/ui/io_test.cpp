@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QTabWidget>
-
 #include "tests/support/motionof.h"
 #include "widgets/common/words.h"
 #include "windowtest.h"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Checks Qt's requirements of an item model for all models of the window, while their contents change at
 // random.
-#include <QAbstractItemModelTester>
-#include <QAbstractItemView>
-#include <QHeaderView>
-
 #include "sim/random.h"
 #include "widgets/chain/chainmodel.h"
 #include "widgets/monitor/packetmodel.h"

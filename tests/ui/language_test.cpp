@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Selecting the language of the panel.
-#include <QAction>
-#include <QFontMetrics>
-#include <QMenu>
-#include <QMessageBox>
-
 #include "inlanguage.h"
 #include "windowtest.h"
 

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layouts of the window, and the loop of editing, applying, stepping and looking in them.
-#include <QAction>
-#include <QDockWidget>
-#include <QScrollArea>
-#include <QTabWidget>
-
 #include "widgets/scope/scopepanel.h"
 #include "windowtest.h"
 

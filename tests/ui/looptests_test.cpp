@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Square waves and frequency responses in the window: what is requested, why it is not possible, and what is
 // shown.
-#include <QAbstractButton>
-#include <QAction>
-#include <QComboBox>
-#include <QFileDialog>
-#include <QLabel>
-#include <QTabWidget>
-#include <QTableWidget>
 #include <complex>
 #include <numbers>
 

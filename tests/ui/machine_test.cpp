@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The machine part of the File menu, the table of differences, and the questions before unsaved work is given
 // up.
-#include <QAction>
-#include <QFileDialog>
-#include <QMenu>
-#include <QPushButton>
-#include <QTreeWidget>
-
 #include "model/machinefile/machinecompare.h"
 #include "widgets/machine/machinemenu.h"
 #include "windowtest.h"

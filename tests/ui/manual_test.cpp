@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compares what the manual says about the window with the window itself.
-#include <QAbstractButton>
-#include <QAction>
-#include <QDockWidget>
-#include <QFile>
-#include <QRegularExpression>
-#include <QShortcut>
-
 #include "windowtest.h"
 
 namespace nmc {

@@ -1,11 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QClipboard>
-#include <QComboBox>
-#include <QFileDialog>
-#include <QGuiApplication>
-#include <QPointer>
-
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/messages/messagerow.h"

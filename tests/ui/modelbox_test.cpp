@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Model page: what it requests, what it shows of the answers, and which answers no longer count.
-#include <QAction>
-#include <QSlider>
-#include <QTabWidget>
-#include <QTableWidget>
-
 #include "responserecords.h"
 #include "widgets/common/requests.h"
 #include "widgets/response/responsedock.h"

@@ -1,14 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QAction>
-#include <QClipboard>
-#include <QComboBox>
-#include <QFileDialog>
-#include <QGuiApplication>
-#include <QScrollBar>
-#include <QTabWidget>
-#include <QTableView>
-
 #include "tests/model/packetrecords.h"
 #include "tests/support/choosefile.h"
 #include "widgets/monitor/monitordock.h"

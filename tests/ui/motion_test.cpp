@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-
 #include "tests/support/motionof.h"
 #include "widgets/common/words.h"
 #include "windowtest.h"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/numberfield.h"
 
-#include <QApplication>
-#include <QClipboard>
-#include <QWheelEvent>
-
 #include "inlanguage.h"
 #include "tests/support/motionof.h"
 #include "windowtest.h"

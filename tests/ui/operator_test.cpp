@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Operator mode in the window: who begins it, who leaves it, and what can be used in the meantime.
-#include <QAction>
-#include <QCheckBox>
-#include <QDialog>
-#include <QMenu>
-#include <QTabWidget>
-
 #include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/operatorlock.h"
 #include "widgets/sequences/sequencesdock.h"

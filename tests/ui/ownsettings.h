@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QComboBox>
-#include <QScrollArea>
-#include <QTabBar>
 #include <functional>
 
 #include "model/machinefile/machinefile.h"

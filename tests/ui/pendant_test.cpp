@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keyboard, gamepad and jog wheel as a pendant: a motion takes two hands, and whatever takes one of them away
 // stops it.
-#include <QAbstractItemView>
-#include <QAction>
-#include <QDialog>
-#include <QMenu>
 #include <functional>
 
 #include "tests/model/stepperfixture.h"

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Takes the pictures of the manual again; "cmake --build ... --target update_pictures" stores them there.
-#include <QDir>
-#include <QFileInfo>
-
 #include "windowtest.h"
 
 namespace nmc {

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The panel of a PIC-I/O, by mouse and keys. IO1 and IO2 are outputs, and IO1 and IO12 read high.
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDialog>
-#include <QLineEdit>
-#include <QTreeWidget>
-
 #include "scopehistory.h"
 #include "widgets/scope/scopeplot.h"
 #include "widgets/scope/statuslane.h"

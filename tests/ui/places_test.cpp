@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Controls that can start a motor stay where they are under the pointer: no message, state or typing moves
 // them.
-#include <QAbstractButton>
-#include <QTabBar>
-
 #include "inlanguage.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/modulepage.h"

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keys that are held down: they go on typing and moving the focus, but give no command twice.
-#include <QComboBox>
-#include <QTabBar>
-
 #include "widgets/panels/holdbutton.h"
 #include "windowtest.h"
 

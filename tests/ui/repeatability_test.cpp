@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The box for repeatability and backlash: what it asks for, shows and offers.
-#include <QAbstractButton>
-#include <QComboBox>
-
 #include "model/intent/homingplan.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/words.h"

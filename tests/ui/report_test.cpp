@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a report of a problem contains, and that it is only written to a file.
-#include <QAction>
-#include <QDialogButtonBox>
-#include <QDir>
-#include <QFileDialog>
-#include <QPlainTextEdit>
-
 #include "bus/exchangerecord.h"
 #include "widgets/help/problemreport.h"
 #include "widgets/machine/machinemenu.h"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/response/responseplot.h"
 
-#include <QPainter>
-#include <QRegularExpression>
-#include <QWheelEvent>
-
 #include "responserecords.h"
 #include "widgets/common/look.h"
 #include "widgets/common/texts.h"

@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QComboBox>
-#include <QLabel>
-#include <QPushButton>
-#include <QTest>
 #include <algorithm>
 #include <cmath>
 

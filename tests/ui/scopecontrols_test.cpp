@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scope's controls, by mouse, wheel and keyboard.
-#include <QAbstractButton>
-#include <QAction>
-#include <QComboBox>
-#include <QLabel>
-#include <QMenu>
-#include <QRegularExpression>
-#include <QSplitter>
-#include <QTableWidget>
-#include <QTreeWidget>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 

@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scope/scopefiles.h"
 
-#include <QAction>
-#include <QClipboard>
-#include <QDropEvent>
-#include <QFileDialog>
-#include <QMenu>
-#include <QMimeData>
-#include <QRegularExpression>
-#include <QXmlStreamReader>
-#include <regex>
-
 #include "model/recording/recordingreader.h"
 #include "scopehistory.h"
 #include "widgets/common/palettes.h"
@@ -179,9 +169,9 @@ TEST_F(ScopeFilesTest, APageHoldsThePictureInVectors) {
 }
 
 /// A page without the date and the random numbers that its writer inserts.
-std::string pageIn(std::string pdf) {
-    static const std::regex chance("/CreationDate[^\n]*|/ID[^\n]*|<xmp[^\n]*");
-    return std::regex_replace(pdf, chance, "");
+QString pageIn(const std::string& pdf) {
+    static const QRegularExpression chance(u"/CreationDate[^\n]*|/ID[^\n]*|<xmp[^\n]*"_s);
+    return QString::fromLatin1(QByteArray::fromStdString(pdf)).remove(chance);
 }
 
 TEST_F(ScopeFilesTest, PaperKnowsNothingOfTheScreensColours) {

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the panels and dialogs, light and dark, in every language with a translation, kept as artefacts
 // of the run; nothing in them is cut off. Runs once for each scale (tests/ui/CMakeLists.txt).
-#include <QAction>
-#include <QApplication>
-#include <QDir>
-#include <QPushButton>
-#include <QTabWidget>
-
 #include "inlanguage.h"
 #include "widgets/common/look.h"
 #include "windowtest.h"

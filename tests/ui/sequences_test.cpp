@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of points and sequences: what can be done when, and why not; and its item models.
-#include <QAbstractItemModelTester>
-#include <QComboBox>
-#include <QLineEdit>
-#include <QTableView>
-
 #include "model/sequence/sequencecheck.h"
 #include "model/sequence/sequenceedit.h"
 #include "sim/random.h"

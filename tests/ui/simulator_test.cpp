@@ -1,17 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QAction>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QSlider>
-#include <QTabWidget>
-
 #include "widgets/common/words.h"
 #include "windowtest.h"
 

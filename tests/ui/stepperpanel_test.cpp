@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QCheckBox>
-#include <QComboBox>
-#include <QTabWidget>
-#include <QWheelEvent>
-
 #include "tests/model/stepperfixture.h"
 #include "tests/support/motionof.h"
 #include "windowtest.h"

@@ -1,15 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QAction>
-#include <QClipboard>
-#include <QComboBox>
-#include <QDateTime>
-#include <QFileDialog>
-#include <QLineEdit>
-#include <QLocale>
-#include <QTabWidget>
-#include <QTableWidget>
-
 #include "responserecords.h"
 #include "tests/support/choosefile.h"
 #include "widgets/common/look.h"

@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QComboBox>
-#include <QDialog>
-#include <QMenu>
-
 #include "widgets/common/texts.h"
 #include "widgets/messages/messagelist.h"
 #include "windowtest.h"

@@ -1,17 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // STOP ALL and Esc in every state of every window of the program: questions, dialogs, popups.
-#include <QAbstractButton>
-#include <QComboBox>
-#include <QCompleter>
-#include <QContextMenuEvent>
-#include <QDialog>
-#include <QDialogButtonBox>
-#include <QDockWidget>
-#include <QFileDialog>
-#include <QMenu>
-#include <QMessageBox>
-#include <QPointer>
-#include <QTimer>
 #include <functional>
 
 #include "widgets/common/printdialog.h"

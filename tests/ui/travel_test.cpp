@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Travel and speed limits, as a user sets and meets them.
-#include <QAbstractButton>
-#include <QComboBox>
-
 #include "tests/model/stepperfixture.h"
 #include "tests/support/motionof.h"
 #include "widgets/common/askdialog.h"

@@ -1,12 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractItemView>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QFileDialog>
-#include <QPushButton>
-#include <QTemporaryDir>
-#include <QToolButton>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 

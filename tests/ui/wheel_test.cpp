@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wheel over controls that have a value, with events as they come from the system: they may set the
 // focus, and are passed on to the parents.
-#include <QComboBox>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QSlider>
-#include <QTabBar>
-#include <QWheelEvent>
-
 #include "widgets/chain/chainmenu.h"
 #include "windowtest.h"
 

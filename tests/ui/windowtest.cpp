@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "windowtest.h"
 
-#include <QAbstractButton>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QPalette>
-
 #include "widgets/common/words.h"
 
 namespace nmc {

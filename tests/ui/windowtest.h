@@ -4,12 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QLabel>
-#include <QSet>
-#include <QSettings>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
+// Precompiled, so that what the tests of the window need of Qt is included here only.
+#include <QtTest>
+#include <QtWidgets>
 #include <memory>
 
 #include "tests/support/eventually.h"

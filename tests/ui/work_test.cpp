@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work offsets: what the present position is called, and every place where a position is then read or typed.
-#include <QAbstractButton>
-#include <QAbstractItemModel>
-#include <QComboBox>
-#include <QLineEdit>
-#include <QListView>
-
 #include "tests/model/stepperfixture.h"
 #include "tests/support/motionof.h"
 #include "widgets/chain/chainmodel.h"
