@@ -2,10 +2,6 @@
 // What a program that was killed leaves behind, and what the next one reports about it; with real processes.
 #include <gtest/gtest.h>
 
-#include <QFile>
-#include <QProcess>
-#include <QProcessEnvironment>
-
 #include "tests/support/eventually.h"
 #include "tests/support/leaverunning.h"
 #include "tests/support/panel.h"

@@ -3,12 +3,6 @@
 // modules are needed.
 #include <gtest/gtest.h>
 
-#include <QAction>
-#include <QDialog>
-#include <QFile>
-#include <QFileDialog>
-#include <QSignalSpy>
-
 #include "tests/support/choosefile.h"
 #include "tests/support/panel.h"
 

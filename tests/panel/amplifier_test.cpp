@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Amplifier page of an SC, used with mouse and keys; the oracle is what the simulator knows about the
 // module.
-#include <gtest/gtest.h>
-
-#include <QComboBox>
-#include <QDialog>
-#include <QLabel>
-
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {

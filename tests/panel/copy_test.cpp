@@ -1,17 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Settings copied from one axis to others, in the whole program: the differences are shown, Apply sends
 // exactly those commands, and only to the chosen modules.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QAction>
-#include <QComboBox>
-#include <QDialog>
-#include <QLabel>
-#include <QLineEdit>
-#include <QListWidget>
-#include <QTreeWidget>
-
 #include "tests/support/changes.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/machine/machinemenu.h"

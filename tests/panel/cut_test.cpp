@@ -1,19 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing in the panel of a module is cut off: on every page, in every language, in the window as it first
 // opens, and in a small one.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QAction>
-#include <QComboBox>
-#include <QDockWidget>
-#include <QLabel>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QStatusBar>
-#include <QTabWidget>
-
 #include "tests/support/virtualpanel.h"
 #include "tests/ui/inlanguage.h"
 #include "widgets/common/elidedlabel.h"

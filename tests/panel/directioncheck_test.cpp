@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a servo about which nothing is known to its first homing, with the whole program and the simulator;
 // and one whose encoder is reversed.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QLabel>
-#include <QTabWidget>
-
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {

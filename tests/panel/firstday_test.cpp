@@ -2,8 +2,6 @@
 // The mistakes of a first day, one after the other in one session: each is reported in a sentence, none moves
 // a motor or loses anything, and after each the work goes on. Controls are found by the names that a screen
 // reader says.
-#include <gtest/gtest.h>
-
 #include "tests/support/hand.h"
 #include "widgets/common/texts.h"
 

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program's main job: find a chain, set gains, enable, go to a position, hold to move, and stop with Esc;
 // and what it reports if there is no chain, or another one.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QLabel>
-#include <QLineEdit>
-
 #include "tests/support/virtualpanel.h"
 #include "widgets/panels/holdbutton.h"
 

@@ -2,8 +2,6 @@
 // A whole first shift: a user who has never seen the panel sets up two axes and works with them until the
 // evening, finding each control by the name that a screen reader says, in a window of 1280 x 800. What the
 // motors did is checked with the simulator.
-#include <gtest/gtest.h>
-
 #include "tests/support/hand.h"
 #include "widgets/common/texts.h"
 

@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happened around a fault or a stop, shown in the scope of the whole program.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QAction>
-#include <QFileDialog>
-#include <QLabel>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-
 #include "tests/support/virtualpanel.h"
 #include "widgets/common/requests.h"
 #include "widgets/messages/banner.h"

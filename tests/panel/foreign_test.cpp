@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What comes over the line apart from answers: packets of another host, and an adapter's echo.
-#include <gtest/gtest.h>
-
-#include <QPushButton>
-
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Messages about what happened are kept, with their causes, and outlive the session.
-#include <gtest/gtest.h>
-
-#include <QDir>
-#include <QLabel>
-
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {

@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The homing page in the whole program, by object name, with the simulator, which knows where home is.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QAction>
-#include <QCheckBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QTabWidget>
-#include <QTimer>
-
 #include "model/intent/homingplan.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/axes/axesdock.h"

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A PIC-I/O, through the window and by object name; the oracle is what the simulator knows about its pins.
-#include <gtest/gtest.h>
-
-#include <QCheckBox>
-#include <QComboBox>
-#include <QLabel>
-
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {

@@ -3,8 +3,6 @@
 // it.
 #include "app/knownchain.h"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/virtualpanel.h"
 #include "widgets/response/responsedock.h"
 #include "widgets/sequences/sequencesdock.h"

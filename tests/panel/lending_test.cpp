@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line lent to a program, in the whole window: what the program does is shown, and the panel does nothing
 // but stop (docs/lending.md). The program is at a real terminal.
-#include <gtest/gtest.h>
-
-#include <QAction>
-#include <QFileInfo>
-#include <QLabel>
-#include <QLineEdit>
 #include <numeric>
 
 #include "tests/support/port.h"

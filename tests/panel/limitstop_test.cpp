@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A limit stop that is armed for each motion, in the whole program, checked with the simulated motor.
-#include <gtest/gtest.h>
-
-#include <QAction>
-#include <QApplication>
-#include <QLabel>
-
 #include "tests/support/virtualpanel.h"
 #include "widgets/mainwindow/operatorlock.h"
 

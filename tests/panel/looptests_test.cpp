@@ -1,15 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Square waves, frequency responses and the report, in the whole program, by its buttons, with the simulator.
-#include <gtest/gtest.h>
-
-#include <QAction>
-#include <QFile>
-#include <QFileDialog>
-#include <QLabel>
-#include <QLineEdit>
-#include <QTableWidget>
-#include <QTemporaryDir>
-
 #include "tests/support/choosefile.h"
 #include "tests/support/virtualpanel.h"
 

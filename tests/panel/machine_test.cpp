@@ -2,18 +2,7 @@
 // The machine file in the whole program, with a simulator that counts what reaches the modules: opening sends
 // nothing, Apply sends what is ticked and nothing else, and no work is lost.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <QAbstractButton>
-#include <QAction>
-#include <QDir>
-#include <QFile>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QLabel>
-#include <QTreeWidget>
 #include <functional>
 #include <vector>
 

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file records which motors move; if one is left behind, the next program reports what it means.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QFile>
-
 #include "link/guardian/guardreport.h"
 #include "tests/support/leaverunning.h"
 #include "tests/support/virtualpanel.h"

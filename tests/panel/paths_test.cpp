@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Paths, with mouse and keys; the oracle is what the simulator knows about its modules.
-#include <gtest/gtest.h>
-
-#include <QComboBox>
-#include <QFile>
-#include <QFileDialog>
-#include <QLabel>
-#include <QTableView>
 #include <cmath>
 #include <numbers>
 

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pendant and operator mode in the whole program, checked with the simulated motor.
-#include <gtest/gtest.h>
-
-#include <QAction>
-#include <QLineEdit>
-
 #include "tests/support/virtualpad.h"
 #include "tests/support/virtualpanel.h"
 #include "tests/support/virtualwheel.h"

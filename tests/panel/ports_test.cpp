@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Adapters that go and come back, and slow ones, in the whole window; and the messages about ports.
-#include <gtest/gtest.h>
-
-#include <QClipboard>
-#include <QDir>
-#include <QFile>
-#include <QFileInfo>
-#include <QLabel>
 #include <optional>
 
 #include "tests/support/virtualpanel.h"

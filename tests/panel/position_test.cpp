@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last position of an axis is offered after its module has lost power, in the window.
-#include <gtest/gtest.h>
-
-#include <QLabel>
-
 #include "link/files/machineio.h"
 #include "tests/support/hand.h"
 #include "widgets/machine/machinemenu.h"

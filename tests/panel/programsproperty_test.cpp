@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Programs, the user and a noisy line in any order: no motor moves that nobody with the right to has moved,
 // and every stop acts. The oracle is what the simulator knows about the motors.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
 #include <map>
 #include <memory>
 #include <optional>

@@ -2,15 +2,6 @@
 // faults.md H-02: a read-only connection, in the whole window, to a chain that another program has started.
 // The motor keeps running through everything that stops motors elsewhere; what is sent over the line is
 // covered by tests/bus/readonly_test.cpp.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QAction>
-#include <QComboBox>
-#include <QJsonArray>
-#include <QLabel>
-#include <QMenu>
-#include <QTabWidget>
 #include <atomic>
 
 #include "model/intent/homingplan.h"

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings are made and opened, with the simulator and a German locale.
-#include <gtest/gtest.h>
-
-#include <QAction>
-#include <QFile>
-#include <QFileDialog>
-#include <QLabel>
-#include <QLocale>
 #include <bit>
 
 #include "model/recording/recordingreader.h"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Repeatability and backlash in the whole program: the load of the simulated motor has 37 counts of play, and
 // the panel finds them and takes them over.
-#include <gtest/gtest.h>
-
-#include <QRegularExpression>
 #include <cmath>
 
 #include "tests/support/changes.h"

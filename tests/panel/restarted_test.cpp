@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A module restarts in the middle of the chain.
-#include <gtest/gtest.h>
-
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {

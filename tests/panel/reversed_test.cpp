@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An axis whose forward direction is the chip's reverse: what the user reads and enters has the direction of
 // the axis, while the simulator reports what the motor does in the counts of the chip.
-#include <gtest/gtest.h>
-
 #include "tests/support/hand.h"
 #include "widgets/common/texts.h"
 

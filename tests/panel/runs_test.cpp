@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step responses stay with their machine from session to session, and a file that cannot be read is not lost.
-#include <gtest/gtest.h>
-
-#include <QDir>
-#include <QFile>
-#include <QFileDialog>
-#include <QSettings>
-#include <QTableWidget>
-#include <QTest>
-
 #include "app/runkeeper.h"
 #include "model/machinefile/machinefile.h"
 #include "model/machinefile/responsestore.h"

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A user teaches points, makes a sequence of them and runs it, in the window; the simulator knows where the
 // motor is.
-#include <gtest/gtest.h>
-
-#include <QAbstractItemView>
-#include <QApplication>
-#include <QDockWidget>
-#include <QLabel>
-#include <QLineEdit>
-#include <QTableView>
-
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {

@@ -1,16 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that the servo's panel can request, in the whole program by object name, with the simulator.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QTabWidget>
-
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {

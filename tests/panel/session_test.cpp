@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program is requested to end, or hangs: what happens to the motors.
-#include <gtest/gtest.h>
-
 #include <csignal>
 
 #include "app/unixsignals.h"

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A disk that does not answer, or refuses: the panel goes on, only the user stops motors, and the result of
 // each request is reported when it is known.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QDialog>
-#include <QDockWidget>
-#include <QFileDialog>
-#include <QLineEdit>
 #include <functional>
 #include <utility>
 #include <vector>

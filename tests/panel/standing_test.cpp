@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A fault is shown as long as it lasts, and only for the chain that has it.
-#include <gtest/gtest.h>
-
-#include <QAction>
-#include <QPushButton>
-
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {

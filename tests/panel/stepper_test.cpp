@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that a PIC-STEP can do, through the window and by object name; the oracle is what the simulator
 // knows about the motor, and it must have seen nothing that a chip would not tolerate.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QTabWidget>
-
 #include "link/command/procedurecontroller.h"
 #include "tests/support/virtualpanel.h"
 

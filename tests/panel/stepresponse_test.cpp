@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step responses in the whole program, by object name, with the simulator, which knows what the motor did.
-#include <gtest/gtest.h>
-
-#include <QAbstractButton>
-#include <QLabel>
-#include <QLineEdit>
-#include <QTableWidget>
-
 #include "tests/support/virtualpanel.h"
 #include "widgets/response/responsepage.h"
 #include "widgets/response/responseplot.h"

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // STOP ALL and Esc in the whole program, whatever is open: the simulated motor stops.
-#include <gtest/gtest.h>
-
-#include <QAction>
-#include <QApplication>
-#include <QComboBox>
-#include <QMenu>
-#include <QMouseEvent>
 #include <functional>
 
 #include "tests/support/virtualpanel.h"

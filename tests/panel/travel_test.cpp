@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Travel limits that are set while the motor runs, through the window.
-#include <gtest/gtest.h>
-
 #include "tests/support/hand.h"
 
 namespace nmc {

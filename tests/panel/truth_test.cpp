@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window says about a motor, compared with what the simulated motor does.
-#include <gtest/gtest.h>
-
-#include <QLabel>
-#include <QLineEdit>
-
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {

@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From gains of zero to a settled loop, in the whole program, by its buttons, with the simulator.
-#include <gtest/gtest.h>
-
-#include <QAction>
-#include <QComboBox>
-#include <QJsonObject>
-#include <QLabel>
-#include <QLineEdit>
-#include <QRegularExpression>
-#include <QTableWidget>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>

@@ -2,7 +2,6 @@
 // Work offsets in the whole program: nothing is sent for them, typed positions lead to the right place, and
 // they are in the machine file.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "link/files/machineio.h"
 #include "model/machinefile/machinefile.h"

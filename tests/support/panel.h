@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractItemView>
-#include <QComboBox>
-#include <QDir>
-#include <QFileInfo>
-#include <QLabel>
-#include <QLineEdit>
-#include <QPushButton>
-#include <QSettings>
-#include <QTemporaryDir>
-#include <QTest>
+#include <gtest/gtest.h>
+
+// Precompiled for the tests of the panel, so that what they need of Qt is included here only.
+#include <QtTest>
+#include <QtWidgets>
 #include <functional>
 
 #include "app/composition.h"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QCoreApplication>
-#include <QTableWidget>
-
 #include "link/files/inbackground.h"
 #include "tests/support/panel.h"
 #include "tests/support/virtualchain.h"
