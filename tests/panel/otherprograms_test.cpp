@@ -46,8 +46,9 @@ protected:
         ASSERT_NO_FATAL_FAILURE(decide("grantControlButton"));
         ASSERT_EQ(client.answer(asked)["result"]["granted"], true);
     }
-    /// Motor 1 holds.
+    /// The program has introduced itself and may move motors; motor 1 holds.
     void ready(OtherProgram& client) {
+        client.hello();
         ASSERT_NO_FATAL_FAILURE(control(client));
         ASSERT_EQ(client.call("set_gains", kGains)["result"]["accepted"], true);
         ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
@@ -56,7 +57,6 @@ protected:
     }
     /// Motor 1 is on its way to a distant place.
     void setGoing(OtherProgram& client) {
-        client.hello();
         ASSERT_NO_FATAL_FAILURE(ready(client));
         EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
         ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
@@ -109,7 +109,6 @@ TEST_F(OtherPrograms, MoveNothingWithoutControl) {
 
 TEST_F(OtherPrograms, MoveWhereTheyWantOnceTheUserAgrees) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_TRUE(ribbon().contains(u"\"scan.py\" may move motors"_s)) << ribbon().toStdString();
     EXPECT_EQ(client.call("state")["result"]["control"], "scan.py");
@@ -126,7 +125,6 @@ TEST_F(OtherPrograms, MoveWhereTheyWantOnceTheUserAgrees) {
 /// The axis needs half a second within 20 counts of its goal.
 TEST_F(OtherPrograms, WaitUntilTheMotorHasStayedWithinTheToleranceOfItsAxis) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     AxisSettings axis = panel.composition().machine().axes.at(0);
     axis.arrival = {20, 0.5};
@@ -156,7 +154,6 @@ TEST_F(OtherPrograms, AreRefusedInTheWordsOfTheWindow) {
 
 TEST_F(OtherPrograms, LearnFromWaitWhatFailed) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
     const int waits = client.request("wait", {{"axis", 1}});
@@ -174,7 +171,6 @@ TEST_F(OtherPrograms, LearnFromWaitWhatFailed) {
 
 TEST_F(OtherPrograms, AreNotToldThatTheyHaveStoppedTheirMovesThemselves) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move_by", {{"axis", 1}, {"by", 100'000}})["result"]["accepted"], true);
     ASSERT_TRUE(panel.waitFor([&] { return moves(sim) && panel.module().moving(); }));
@@ -187,7 +183,6 @@ TEST_F(OtherPrograms, AreNotToldThatTheyHaveStoppedTheirMovesThemselves) {
 TEST_F(OtherPrograms, LearnFromWaitThatTheUserInterruptedTheirMove) {
     for (const bool stopsAll : {true, false}) {
         OtherProgram client(panel, path());
-        client.hello();
         ASSERT_NO_FATAL_FAILURE(ready(client));
         EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
         const int one = client.request("wait", {{"axis", 1}});
@@ -204,7 +199,6 @@ TEST_F(OtherPrograms, LearnFromWaitThatTheUserInterruptedTheirMove) {
 
 TEST_F(OtherPrograms, WaitForAllAxesAndTheSequence) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 500}})["result"]["accepted"], true);
     const Json rest = client.call("wait")["result"]["modules"][0];
@@ -239,7 +233,6 @@ TEST_F(OtherPrograms, LearnFromWaitThatASequenceHasEndedAsSoonAsItBegan) {
 
 TEST_F(OtherPrograms, AreNotToldThatAMoveWasCancelledWhichTheyHaveFollowedUpThemselves) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     Program program;
     program.points.push_back({"far", {{ModuleIndex(0), 1'000, false}}});
@@ -264,7 +257,6 @@ TEST_F(OtherPrograms, AreNotToldThatAMoveWasCancelledWhichTheyHaveFollowedUpThem
 
 TEST_F(OtherPrograms, AreNotToldThatMovesWereCancelledWhichTheirJogHasReplaced) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move_by", {{"axis", 1}, {"by", 100'000}})["result"]["accepted"], true);
     ASSERT_TRUE(panel.waitFor([&] { return moves(sim) && panel.module().moving(); }));
@@ -276,7 +268,6 @@ TEST_F(OtherPrograms, AreNotToldThatMovesWereCancelledWhichTheirJogHasReplaced) 
 
 TEST_F(OtherPrograms, AreNotToldThatAMoveWasCancelledWhichWasDone) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 500}})["result"]["accepted"], true);
     ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
@@ -311,7 +302,6 @@ TEST_F(OtherPrograms, WaitForTheEndOfAStopThatWouldCancelWhatComesNext) {
 
 TEST_F(OtherPrograms, WaitNoLongerForAStopOnceTheLineIsLost) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     ASSERT_EQ(client.call("jog", {{"axis", 1}, {"velocity", 2}})["result"]["accepted"], true);
     const int stop = client.request("stop");
@@ -327,7 +317,6 @@ TEST_F(OtherPrograms, WaitNoLongerForAStopOnceTheLineIsLost) {
 
 TEST_F(OtherPrograms, WaitUntilHomeIsKnown) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 300}})["result"]["accepted"], true);
     EXPECT_TRUE(client.call("wait", {{"axis", 1}})["result"]["home"].is_null());
@@ -369,7 +358,6 @@ TEST_F(OtherPrograms, LearnWhoHasControlWhereverTheStateIs) {
 
 TEST_F(OtherPrograms, LoseControlByEsc) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 100'000}})["result"]["accepted"], true);
     ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
@@ -381,7 +369,6 @@ TEST_F(OtherPrograms, LoseControlByEsc) {
 
 TEST_F(OtherPrograms, LoseControlByACommandOfTheUser) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     emit panel.window().requests().intent(ModuleIndex(1), intent::ClearStickyBits{});
     EXPECT_FALSE(client.notification("control_lost").is_null());
@@ -393,7 +380,6 @@ TEST_F(OtherPrograms, LoseControlWhenTheUserLetsASequenceGoOn) {
     program.points.push_back({"far", {{ModuleIndex(0), 100'000, false}}});
     emit panel.window().requests().programEdited(program);
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("go_to_point", {{"name", "far"}})["result"]["accepted"], true);
     const int waits = client.request("wait");
@@ -476,7 +462,6 @@ TEST_F(OtherPrograms, LeaveNoMotorMovingThatOnlyTheyHaveCommanded) {
 
 TEST_F(OtherPrograms, DoNotStopWhatTheUserMovesWhenTheyVanish) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 10}})["result"]["accepted"], true);
     ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
@@ -491,7 +476,6 @@ TEST_F(OtherPrograms, DoNotStopWhatTheUserMovesWhenTheyVanish) {
 
 TEST_F(OtherPrograms, DoNotStopTheSequenceOfAnotherOneWhenTheyVanish) {
     OtherProgram first(panel, path()), second(panel, path());
-    first.hello("first");
     second.hello("second");
     ASSERT_NO_FATAL_FAILURE(ready(first));
     EXPECT_TRUE(first.call("release_control").contains("result"));
@@ -511,7 +495,6 @@ TEST_F(OtherPrograms, DoNotStopTheSequenceOfAnotherOneWhenTheyVanish) {
 
 TEST_F(OtherPrograms, MayLetTheirMovesFinish) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     EXPECT_TRUE(client.call("release_control").contains("result"));
     ASSERT_NO_FATAL_FAILURE(control(client, {{"on_disconnect", "finish"}}));
@@ -525,7 +508,6 @@ TEST_F(OtherPrograms, MayLetTheirMovesFinish) {
 /// A jog is evidence for 250 ms, as a held button is; calls sooner than that keep it up.
 TEST_F(OtherPrograms, JogOnlyWhileTheySaySo) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     const Json jog{{"axis", 1}, {"velocity", 0.5}};
     for (int i = 0; i < 20; ++i) {
@@ -545,7 +527,6 @@ TEST_F(OtherPrograms, JogOnlyWhileTheySaySo) {
 
 TEST_F(OtherPrograms, AreToldWhyAJogHasEndedByItself) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     const Json jog{{"axis", 1}, {"velocity", 0.5}};
     Json answer = client.call("jog", jog);
@@ -560,7 +541,6 @@ TEST_F(OtherPrograms, AreToldWhyAJogHasEndedByItself) {
 
 TEST_F(OtherPrograms, EndAJogByAStopAndNothingIsSaidOfAHoldThatExpired) {
     OtherProgram client(panel, path());
-    client.hello();
     ASSERT_NO_FATAL_FAILURE(ready(client));
     for (int i = 0; i < 5; ++i) {
         EXPECT_EQ(client.call("jog", {{"axis", 1}, {"velocity", 0.5}})["result"]["accepted"], true);

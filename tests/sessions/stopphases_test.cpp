@@ -101,9 +101,7 @@ TEST_P(StopInPhase, TellsTheChainThatWasKnownLastAndThenAsksIt) {
     for (const std::uint64_t bytes : kMoments) {
         SCOPED_TRACE(bytes);
         Rig rig(threeAt(GetParam().baud));
-        enter(rig, bytes);
-        if (HasFatalFailure())
-            return;
+        ASSERT_NO_FATAL_FAILURE(enter(rig, bytes));
         const std::size_t from = rig.wire.size();
         rig.stopAll();
         rig.run(StopOath::kStopBound);
@@ -135,9 +133,7 @@ TEST_P(StopInPhase, StopsEveryModuleThatHearsAndSaysSo) {
     for (const std::uint64_t bytes : kMoments) {
         SCOPED_TRACE(bytes);
         Rig rig(threeAt(GetParam().baud));
-        enter(rig, bytes);
-        if (HasFatalFailure())
-            return;
+        ASSERT_NO_FATAL_FAILURE(enter(rig, bytes));
         stop(rig);
         ASSERT_EQ(rig.stopsFinished(), 1U);
         EXPECT_THAT(numbers(rig.bus.last<StopFinished>()->stopped), ElementsAre(0, 1, 2));
@@ -154,9 +150,7 @@ TEST_P(StopInPhase, StopsEveryModuleThatHearsAndSaysSo) {
 /// it.
 TEST_P(StopInPhase, CallsAModuleThatDoesNotAnswerUnreached) {
     Rig rig(threeAt(GetParam().baud));
-    enter(rig, 40);
-    if (HasFatalFailure())
-        return;
+    ASSERT_NO_FATAL_FAILURE(enter(rig, 40));
     rig.fault("silent", kForLong, false, 1);
     stop(rig);
     ASSERT_EQ(rig.stopsFinished(), 1U);
@@ -171,9 +165,7 @@ TEST_P(StopInPhase, CallsAModuleThatDoesNotAnswerUnreached) {
 /// A module that is not seen at rest is reported as not confirmed: it answers that it is still moving.
 TEST_P(StopInPhase, CallsAModuleThatMovesOnUnconfirmed) {
     Rig rig(threeAt(GetParam().baud));
-    enter(rig, 40);
-    if (HasFatalFailure())
-        return;
+    ASSERT_NO_FATAL_FAILURE(enter(rig, 40));
     rig.fault("ignore=stop_motor", kForLong, true, 0);
     stop(rig);
     ASSERT_EQ(rig.stopsFinished(), 1U);
@@ -188,9 +180,7 @@ TEST_P(StopInPhase, CallsAModuleThatMovesOnUnconfirmed) {
 /// A shaft that a load drives after its motor was switched off is not a motor at rest.
 TEST_P(StopInPhase, CallsAShaftThatALoadDrivesUnconfirmed) {
     Rig rig(threeAt(GetParam().baud));
-    enter(rig, 40);
-    if (HasFatalFailure())
-        return;
+    ASSERT_NO_FATAL_FAILURE(enter(rig, 40));
     // The power of its driver fails, so the servo switches off and stays off (DS-V 4.5).
     rig.bus.chain.set(ModuleIndex(0), sim::Input::Power, 0.0, rig.bus.now);
     rig.load(0, 0.02);
@@ -206,9 +196,7 @@ TEST_P(StopInPhase, CallsAShaftThatALoadDrivesUnconfirmed) {
 /// Commands may still arrive (faults.md F-19), but no module can be confirmed.
 TEST_P(StopInPhase, ConfirmsNobodyWhenNothingIsHeard) {
     Rig rig(threeAt(GetParam().baud));
-    enter(rig, 40);
-    if (HasFatalFailure())
-        return;
+    ASSERT_NO_FATAL_FAILURE(enter(rig, 40));
     rig.fault("mute rx", kForLong, false);
     stop(rig);
     ASSERT_EQ(rig.stopsFinished(), 1U);
@@ -223,9 +211,7 @@ TEST_P(StopInPhase, EndsOnceWhenItIsAskedForTwice) {
     for (const std::uint64_t between : {0U, 20U, 60U}) {
         SCOPED_TRACE(between);
         Rig rig(threeAt(GetParam().baud));
-        enter(rig, 40);
-        if (HasFatalFailure())
-            return;
+        ASSERT_NO_FATAL_FAILURE(enter(rig, 40));
         rig.stopAll();
         rig.runBytes(between, 100ms);
         const bool first = !rig.stopping();
@@ -261,9 +247,7 @@ TEST_P(StopBeforeAChainIsKnown, WaitsForTheSearchAndThenActs) {
     for (const std::uint64_t bytes : {0U, 1U, 17U, 40U, 150U, 500U}) {
         SCOPED_TRACE(bytes);
         Rig rig(threeAt(GetParam()));
-        leaveBehind(rig);
-        if (HasFatalFailure())
-            return;
+        ASSERT_NO_FATAL_FAILURE(leaveBehind(rig));
         rig.connect();
         rig.runBytes(bytes, 1s);
         const bool known = rig.known.has_value();
@@ -283,9 +267,7 @@ TEST_P(StopBeforeAChainIsKnown, CallsNobodyStoppedWhenTheSearchFailsLate) {
     for (const std::uint64_t bytes : {0U, 40U, 150U, 400U}) {
         SCOPED_TRACE(bytes);
         Rig rig(threeAt(GetParam()));
-        leaveBehind(rig);
-        if (HasFatalFailure())
-            return;
+        ASSERT_NO_FATAL_FAILURE(leaveBehind(rig));
         rig.bus.fault("module 2 silent on=read_status");
         rig.faultsUntil = rig.bus.now + kForLong;
         rig.connect();
@@ -304,9 +286,7 @@ TEST_P(StopBeforeAChainIsKnown, CallsNobodyStoppedWhenTheSearchFailsLate) {
 /// A stop always acts: it can be sent to a module that has reported its identity at that rate.
 TEST_P(StopBeforeAChainIsKnown, StopsWhoeverHasSaidWhatItIsWhenTheSearchFailsLate) {
     Rig rig(threeAt(GetParam()));
-    leaveBehind(rig);
-    if (HasFatalFailure())
-        return;
+    ASSERT_NO_FATAL_FAILURE(leaveBehind(rig));
     rig.bus.fault("module 2 silent on=read_status");
     rig.faultsUntil = rig.bus.now + kForLong;
     rig.connect();
