@@ -125,10 +125,8 @@ TEST(FirstLight, MovesAMotorOfTheBuiltInSimulator) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.found(3); }));
     EXPECT_EQ(panel.module(2).info.identity.version, 1);
     EXPECT_TRUE(panel.window().windowTitle().contains(QLatin1String("Simulator")));
-    panel.selectModule(1);
-    panel.setGainsAndEnable();
-    if (HasFatalFailure())
-        return;
+    ASSERT_NO_FATAL_FAILURE(panel.selectModule(1));
+    ASSERT_NO_FATAL_FAILURE(panel.setGainsAndEnable());
     panel.moveAndStop();
 }
 
@@ -140,10 +138,8 @@ TEST(FirstLightOnATerminal, MovesAMotorWithoutAViolation) {
     EXPECT_TRUE(panel.window().windowTitle().startsWith(QLatin1String("NMC Panel")));
     EXPECT_FALSE(panel.window().windowTitle().contains(QLatin1String("Simulator")));
     EXPECT_FALSE(panel.tells("guardian")) << "a guardian that works is not mentioned";
-    panel.selectModule(1);
-    panel.setGainsAndEnable();
-    if (HasFatalFailure())
-        return;
+    ASSERT_NO_FATAL_FAILURE(panel.selectModule(1));
+    ASSERT_NO_FATAL_FAILURE(panel.setGainsAndEnable());
     panel.moveAndStop();
     const QJsonObject state = sim.state(2);
     EXPECT_TRUE(state[QStringLiteral("servo_on")].toBool());

@@ -15,9 +15,7 @@ using testing_support::VirtualPanel;
 class Flight : public testing::Test {
 protected:
     void begin() {
-        panel.startMoving(sim);
-        if (HasFatalFailure())
-            return;
+        ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
         ASSERT_TRUE(panel.answersFor(0.5));
     }
     ScopePanel& scope() { return *panel.window().findChild<ScopePanel*>(); }
