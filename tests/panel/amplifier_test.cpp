@@ -13,39 +13,28 @@ using testing_support::VirtualPanel;
 
 class AmplifierPage : public testing::Test {
 protected:
-    void SetUp() override {
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor(
-            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
-    }
-    template <typename Widget>
-    Widget& find(const char* name) {
-        auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));
-        EXPECT_NE(widget, nullptr) << name;
-        testing_support::turnTo(*widget);
-        return *widget;
-    }
+    void SetUp() override { ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal())); }
     void press(const char* name) {
-        auto& button = find<QAbstractButton>(name);
+        auto& button = panel.find<QAbstractButton>(name);
         ASSERT_TRUE(panel.waitFor([&] { return button.isEnabled(); })) << button.toolTip().toStdString();
         QTest::mouseClick(&button, Qt::LeftButton, {}, {button.height() / 2, button.height() / 2});
     }
     /// As long as nothing is selected, the first press selects the first option.
     void chooseLimits(int option) {
-        auto& box = find<QComboBox>("limitProtectionBox");
+        auto& box = panel.find<QComboBox>("limitProtectionBox");
         box.setFocus();
         for (int i = box.currentIndex(); i < option; ++i)
             QTest::keyClick(&box, Qt::Key_Down);
         ASSERT_EQ(box.currentIndex(), option);
     }
     [[nodiscard]] QString mark(const char* setting) {
-        return find<QLabel>((std::string(setting) + "State").c_str()).toolTip();
+        return panel.find<QLabel>((std::string(setting) + "State").c_str()).toolTip();
     }
     void apply() {
         ASSERT_NO_FATAL_FAILURE(press("applyAmplifierButton"));
         ASSERT_NO_FATAL_FAILURE(press("applyAmplifierQuestionGo"));
-        ASSERT_TRUE(
-            panel.waitFor([&] { return find<QLabel>("amplifierState").text().startsWith(u"✓ Applied"_s); }));
+        ASSERT_TRUE(panel.waitFor(
+            [&] { return panel.find<QLabel>("amplifierState").text().startsWith(u"✓ Applied"_s); }));
     }
     void enableAndRun() {
         panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
@@ -101,7 +90,7 @@ TEST_F(AmplifierPage, ALimitThatSwitchesOffIsToldAsTheCause) {
 
 TEST_F(AmplifierPage, WhatTheLimitInputsDoIsUnknownUntilItIsChosen) {
     ASSERT_NO_FATAL_FAILURE(press("antiphaseBox"));
-    const auto& apply = find<QAbstractButton>("applyAmplifierButton");
+    const auto& apply = panel.find<QAbstractButton>("applyAmplifierButton");
     EXPECT_FALSE(apply.isEnabled());
     EXPECT_TRUE(apply.toolTip().contains(u"Choose what the limit inputs do."_s))
         << apply.toolTip().toStdString();
@@ -124,7 +113,7 @@ TEST_F(AmplifierPage, EverySettingShowsWhetherItWasSent) {
 TEST_F(AmplifierPage, AnEditCanBeUndoneAndReverted) {
     ASSERT_NO_FATAL_FAILURE(chooseLimits(1));
     ASSERT_NO_FATAL_FAILURE(apply());
-    const auto& threePhase = find<QAbstractButton>("threePhaseBox");
+    const auto& threePhase = panel.find<QAbstractButton>("threePhaseBox");
     ASSERT_NO_FATAL_FAILURE(press("threePhaseBox"));
     EXPECT_EQ(mark("threePhase"), u"● not sent"_s);
     ASSERT_NO_FATAL_FAILURE(press("undoAmplifierButton"));
@@ -141,8 +130,8 @@ TEST_F(AmplifierPage, AnEditIsKeptWhileTheModuleReportsOnlyItsStatus) {
     ASSERT_NO_FATAL_FAILURE(chooseLimits(2));
     ASSERT_NO_FATAL_FAILURE(press("stepperInputBox"));
     EXPECT_TRUE(panel.answersFor(0.3));
-    EXPECT_EQ(find<QComboBox>("limitProtectionBox").currentIndex(), 2);
-    EXPECT_TRUE(find<QAbstractButton>("stepperInputBox").isChecked());
+    EXPECT_EQ(panel.find<QComboBox>("limitProtectionBox").currentIndex(), 2);
+    EXPECT_TRUE(panel.find<QAbstractButton>("stepperInputBox").isChecked());
 }
 
 TEST_F(AmplifierPage, NothingIsSentWithoutAYes) {

@@ -175,8 +175,7 @@ TEST_F(CopyAxis, CancelChangesNothing) {
 TEST_F(CopyAxis, OnAReadOnlyConnectionSettingsAreFilledInAndNothingIsSent) {
     {
         VirtualPanel other;  // it gives the modules their addresses
-        other.composition().show({sim.terminal(), 115'200, false, false, false});
-        ASSERT_TRUE(other.waitFor([&] { return other.connected() && other.module().latest; }));
+        ASSERT_NO_FATAL_FAILURE(other.startAt(sim.terminal()));
     }
     ASSERT_NO_FATAL_FAILURE(begin(true));
     before = changes(sim);

@@ -54,9 +54,7 @@ protected:
 
     void SetUp() override {
         panel.window().resize(GetParam().size);
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor(
-            [&] { return panel.connected() && panel.composition().store().link().modules.size() == 4; }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
     }
     void TearDown() override {
         for (const auto& [line, where] : m_first)
@@ -74,8 +72,7 @@ protected:
         ASSERT_TRUE(panel.answersFor(0.5));
     }
     void select(int module) {
-        auto* list = panel.window().findChild<QAbstractItemView*>(u"chainList"_s);
-        list->setCurrentIndex(list->model()->index(module, 0));
+        panel.select(module);
         ASSERT_TRUE(panel.answersFor(0.2));
     }
     /// The pages of the selected module.

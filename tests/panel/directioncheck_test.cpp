@@ -13,18 +13,11 @@ using namespace Qt::StringLiterals;
 class FirstSession : public testing::Test {
 protected:
     void begin() {
-        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
         panel.window().resize(1'500, 1'100);  // all of the panel is visible
-        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
     }
-    void show(const char* page) {
-        testing_support::turnTo(*panel.window().findChild<QWidget*>(QLatin1String(page)));
-    }
-    QString text(const char* label) {
-        auto* found = panel.window().findChild<QLabel*>(QLatin1String(label));
-        testing_support::turnTo(*found);
-        return found->text();
-    }
+    void show(const char* page) { panel.find(page); }
+    QString text(const char* label) { return panel.find<QLabel>(label).text(); }
     void click(const char* name) {
         const auto ready = [&] {
             auto* button = panel.window().findChild<QAbstractButton*>(QLatin1String(name));

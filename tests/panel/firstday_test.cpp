@@ -27,10 +27,6 @@ protected:
             return panel.connected() && panel.composition().store().link().modules.size() == modules;
         })) << all();
     }
-    void select(int module) {
-        auto* list = panel.window().findChild<QAbstractItemView*>(u"chainList"_s);
-        list->setCurrentIndex(list->model()->index(module, 0));
-    }
 
     QTemporaryDir folder;
     VirtualChain nobody{std::vector<ModuleIdentity>{}};
@@ -83,7 +79,7 @@ TEST_F(FirstDay, EachMistakeIsSaidAndMovesNothing) {
 
     // Encoder channels A and B are swapped: the check finds this before the servo is ever on.
     std::ignore = sim.control(u"fault module 2 reverse"_s);
-    select(1);
+    panel.select(1);
     ASSERT_NO_FATAL_FAILURE(hand.turnTo(u"Axis"_s));
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Direction check"_s));
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Pulse motor"_s));
@@ -92,7 +88,7 @@ TEST_F(FirstDay, EachMistakeIsSaidAndMovesNothing) {
 
     // A stepper without motor power.
     std::ignore = sim.control(u"set 3 power 0"_s);
-    select(2);
+    panel.select(2);
     ASSERT_NO_FATAL_FAILURE(hand.turnTo(u"Parameters"_s));
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Starting values"_s));
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Apply parameters"_s));
@@ -102,7 +98,7 @@ TEST_F(FirstDay, EachMistakeIsSaidAndMovesNothing) {
     EXPECT_FALSE(hand.find<QAbstractButton>(u"Hold to move forward"_s)->isEnabled());
 
     // After all that, the first motor still runs and stops.
-    select(0);
+    panel.select(0);
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Run forward"_s));
     ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));

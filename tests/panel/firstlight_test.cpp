@@ -7,7 +7,6 @@
 namespace nmc {
 namespace {
 
-using testing_support::turnTo;
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
 using namespace std::chrono_literals;
@@ -15,44 +14,13 @@ using namespace std::chrono_literals;
 class FirstLight : public testing::Test {
 protected:
     void connectTo(const VirtualChain& chain, std::size_t modules) {
-        panel.composition().show({chain.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor([&] { return found(modules); }));
-    }
-    [[nodiscard]] bool found(std::size_t modules) {
-        return panel.connected() && panel.composition().store().link().modules.size() == modules;
-    }
-    template <typename Widget = QWidget>
-    Widget& find(const char* name) {
-        auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));
-        if (widget == nullptr)
-            throw std::runtime_error(std::string("there is no ") + name);
-        turnTo(*widget);
-        return *widget;
-    }
-    void type(const char* field, const QString& text) {
-        auto& edit = find<QLineEdit>(field);
-        edit.setFocus();
-        edit.selectAll();
-        QTest::keyClicks(&edit, text);
-        EXPECT_EQ(edit.text(), text) << field;
-    }
-    void goTo(int counts) {
-        type("goalField", QString::number(counts));
-        type("velocityField", QStringLiteral("8"));
-        type("accelerationField", QStringLiteral("0.02"));
-        panel.click("goButton");
-    }
-    void selectModule(int row) {
-        auto& list = find<QAbstractItemView>("chainList");
-        list.setCurrentIndex(list.model()->index(row, 0));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(chain.terminal()));
+        ASSERT_EQ(panel.composition().store().link().modules.size(), modules);
     }
     /// Clicks the mark itself: a check box as wide as its row does not react everywhere.
-    void tick(const char* box) { testing_support::clickOn(find<QAbstractButton>(box)); }
-    [[nodiscard]] const ModuleState& module(std::uint8_t index) {
-        return *panel.composition().store().module(ModuleIndex(index));
-    }
+    void tick(const char* box) { testing_support::clickOn(panel.find<QAbstractButton>(box)); }
     bool says(const char* label, const char* words) {
-        return panel.waitFor([&] { return find<QLabel>(label).text().contains(QLatin1String(words)); });
+        return panel.waitFor([&] { return panel.find<QLabel>(label).text().contains(QLatin1String(words)); });
     }
 
     VirtualChain sim{QStringLiteral("servo,servo,servo@1"), QStringLiteral("simulator=servo,servo,servo@1")};
@@ -63,19 +31,20 @@ protected:
 /// Moves 20 000 counts at 8 counts/tick and 0.02 counts/tick^2, and then back, until Esc stops it on the way.
 TEST_F(FirstLight, AMotorMovesAndItsTraceIsHonest) {
     ASSERT_NO_FATAL_FAILURE(connectTo(sim, 3));
-    EXPECT_EQ(module(2).info.identity.version, 1);
+    EXPECT_EQ(panel.module(2).info.identity.version, 1);
     EXPECT_TRUE(panel.window().windowTitle().contains(QLatin1String("Simulator")));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady(1));
-    ASSERT_NO_FATAL_FAILURE(goTo(20'000));
-    ASSERT_TRUE(panel.waitFor([&] { return module(1).activity() == Activity::AtSpeed; }));
-    ASSERT_TRUE(panel.waitFor(
-        [&] { return !module(1).moving() && std::abs(*module(1).latest->position - 20'000) <= 5; }));
-    ASSERT_NO_FATAL_FAILURE(goTo(0));
-    ASSERT_TRUE(panel.waitFor([&] { return module(1).activity() == Activity::AtSpeed; }));
-    QTest::keyClick(&find<QLineEdit>("goalField"), Qt::Key_Escape);
+    ASSERT_NO_FATAL_FAILURE(panel.goTo(20'000));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module(1).activity() == Activity::AtSpeed; }));
+    ASSERT_TRUE(panel.waitFor([&] {
+        return !panel.module(1).moving() && std::abs(*panel.module(1).latest->position - 20'000) <= 5;
+    }));
+    ASSERT_NO_FATAL_FAILURE(panel.goTo(0));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module(1).activity() == Activity::AtSpeed; }));
+    QTest::keyClick(&panel.find<QLineEdit>("goalField"), Qt::Key_Escape);
     ASSERT_TRUE(says("stopResultLabel", "stopped and holding"));
-    ASSERT_TRUE(panel.waitFor([&] { return module(1).activity() == Activity::Holding; }));
-    EXPECT_GT(*module(1).latest->position, 1'000);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module(1).activity() == Activity::Holding; }));
+    EXPECT_GT(*panel.module(1).latest->position, 1'000);
 
     double highest = 0;
     int all = 0;
@@ -101,36 +70,36 @@ TEST_F(FirstLight, AMotorMovesAndItsTraceIsHonest) {
 
 TEST_F(FirstLight, TheSimulatorDockSetsTheBenchWhileItRuns) {
     ASSERT_NO_FATAL_FAILURE(connectTo(sim, 3));
-    selectModule(1);
-    ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>("sim_servo_powerBox").isChecked(); }))
+    panel.select(1);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.find<QAbstractButton>("sim_servo_powerBox").isChecked(); }))
         << "initially, the motor has power";
     tick("sim_servo_limit1Box");
-    EXPECT_TRUE(panel.waitFor([&] { return module(1).latest->servoStatus().limit1(); }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.module(1).latest->servoStatus().limit1(); }));
     EXPECT_TRUE(says("bit_limit1", "on"));
-    EXPECT_FALSE(module(0).latest->servoStatus().limit1());
+    EXPECT_FALSE(panel.module(0).latest->servoStatus().limit1());
     tick("sim_servo_powerBox");
-    EXPECT_TRUE(panel.waitFor([&] { return module(1).activity() == Activity::NoPower; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.module(1).activity() == Activity::NoPower; }));
     EXPECT_TRUE(says("simAnswerHead", "Done: set 2 power 0"));
-    EXPECT_NE(module(0).activity(), Activity::NoPower);
+    EXPECT_NE(panel.module(0).activity(), Activity::NoPower);
 }
 
 TEST_F(FirstLight, HoldToMoveMovesOnlyWhileItIsHeld) {
     ASSERT_NO_FATAL_FAILURE(connectTo(two, 2));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady(1));
-    auto& button = find<QAbstractButton>("holdForwardButton");
+    auto& button = panel.find<QAbstractButton>("holdForwardButton");
     QTest::mousePress(&button, Qt::LeftButton);
     // One press alone lasts for 250 ms, which at 0.25 counts/tick is 122 counts: the window must have
     // re-armed it.
-    EXPECT_TRUE(panel.waitFor([&] { return *module(1).latest->position > 200; }));
+    EXPECT_TRUE(panel.waitFor([&] { return *panel.module(1).latest->position > 200; }));
     QTest::mouseRelease(&button, Qt::LeftButton);
-    ASSERT_TRUE(panel.waitFor([&] { return module(1).activity() == Activity::Holding; }));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module(1).activity() == Activity::Holding; }));
     EXPECT_EQ(two.violations(), "");
 }
 
 TEST_F(FirstLight, AHoldThatEndedInAStallIsOverUntilTheButtonWasUp) {
     ASSERT_NO_FATAL_FAILURE(connectTo(two, 2));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady(0));
-    auto& button = find<HoldButton>("holdForwardButton");
+    auto& button = panel.find<HoldButton>("holdForwardButton");
     QTest::mousePress(&button, Qt::LeftButton);
     ASSERT_TRUE(panel.waitFor([&] { return two.driven(0); }));
     // The bus ends the hold after 250 ms, while the button is still down.
@@ -138,11 +107,11 @@ TEST_F(FirstLight, AHoldThatEndedInAStallIsOverUntilTheButtonWasUp) {
     EXPECT_FALSE(two.driven(0));
     ASSERT_TRUE(panel.waitFor([&] { return !button.isHeld(); })) << "it shows that it is no longer held";
     EXPECT_FALSE(button.isDown());
-    const TimePoint until = module(0).latestTime + 1s;
+    const TimePoint until = panel.module(0).latestTime + 1s;
     bool movedAgain = false;
     ASSERT_TRUE(panel.waitFor([&] {
         movedAgain = movedAgain || two.driven(0);
-        return module(0).latestTime >= until;
+        return panel.module(0).latestTime >= until;
     }));
     EXPECT_FALSE(movedAgain);
     QTest::mouseRelease(&button, Qt::LeftButton);
@@ -155,8 +124,8 @@ TEST_F(FirstLight, AHoldThatEndedInAStallIsOverUntilTheButtonWasUp) {
 TEST_F(FirstLight, AClosedTerminalIsSaidAndConnectingIsOneClickAway) {
     ASSERT_NO_FATAL_FAILURE(connectTo(two, 2));
     two.unplug();
-    ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>("connectButton").isEnabled(); }));
-    EXPECT_TRUE(find<QLabel>("bannerHeadline").text().contains(two.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.find<QAbstractButton>("connectButton").isEnabled(); }));
+    EXPECT_TRUE(panel.find<QLabel>("bannerHeadline").text().contains(two.terminal()));
     EXPECT_TRUE(panel.composition().store().link().modules.empty());
 }
 

@@ -16,42 +16,23 @@ class HomingPage : public testing::Test {
 protected:
     /// Connects, sends gains, enables the servo, and shows the homing page.
     void begin() {
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
         // Limit 1 is at -700, limit 2 at 9 000; the shaft is on its index.
         for (const QString& line :
              {u"set 1 travel_min -700"_s, u"set 1 travel_max 9000"_s, u"set 1 limits auto"_s})
             std::ignore = sim.control(line);
-        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}}});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-        panel.ask(intent::Enable{});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        ASSERT_NO_FATAL_FAILURE(panel.enable(4'000));
         panel.window().resize(1'500, 1'100);  // all of the panel is visible
-        testing_support::turnTo(*panel.window().findChild<QWidget*>(u"homingBox"_s));
+        panel.find("homingBox");
         ASSERT_TRUE(panel.waitFor([&] { return button("homeButton")->isEnabled(); }))
             << button("homeButton")->toolTip().toStdString();
     }
-    QAbstractButton* button(const char* name) {
-        auto* found = panel.window().findChild<QAbstractButton*>(QLatin1String(name));
-        EXPECT_NE(found, nullptr) << name;
-        testing_support::turnTo(*found);
-        return found;
-    }
-    QString text(const char* label) {
-        auto* found = panel.window().findChild<QLabel*>(QLatin1String(label));
-        testing_support::turnTo(*found);
-        return found->text();
-    }
+    QAbstractButton* button(const char* name) { return &panel.find<QAbstractButton>(name); }
+    QString text(const char* label) { return panel.find<QLabel>(label).text(); }
     void click(const char* name) {
         ASSERT_TRUE(panel.waitFor([&] { return button(name)->isEnabled(); }))
             << name << ": " << button(name)->toolTip().toStdString();
         testing_support::clickOn(*button(name));
-    }
-    void type(const char* field, const QString& words) {
-        auto* edit = panel.window().findChild<QLineEdit*>(QLatin1String(field));
-        edit->setFocus();
-        edit->selectAll();
-        QTest::keyClicks(edit, words);
     }
     bool waitForResult(const QString& words) {
         const bool came = panel.waitFor([&] { return text("homingResultLabel").contains(words); });
@@ -65,7 +46,7 @@ protected:
 
 TEST_F(HomingPage, FindsTheLimitGoesThereAndMakesItZero) {
     ASSERT_NO_FATAL_FAILURE(begin());
-    type("homingVelocityField", u"1,5"_s);
+    panel.type("homingVelocityField", u"1,5"_s);
     click("homeButton");
     EXPECT_TRUE(panel.waitFor([&] { return button("cancelHomingButton")->isEnabled(); }));
     EXPECT_FALSE(button("homeButton")->isEnabled());
@@ -91,7 +72,7 @@ TEST_F(HomingPage, GoHomeAfterAZeroGoesWhereHomeIs) {
     const auto shaft = [&] { return sim.state(1)[u"shaft"_s].toDouble(); };
     EXPECT_FALSE(button("goHomeButton")->isEnabled()) << "home has not been searched for";
     EXPECT_EQ(text("homeState"), u"Home: unknown"_s);
-    type("homingVelocityField", u"1,5"_s);
+    panel.type("homingVelocityField", u"1,5"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Done: home was at"_s));
     const double home = shaft();
@@ -103,7 +84,7 @@ TEST_F(HomingPage, GoHomeAfterAZeroGoesWhereHomeIs) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().motion == MotionMode::Trapezoidal; }));
     ASSERT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
     EXPECT_NEAR(shaft(), home, 3) << "it is already there";
-    type("goalField", u"500"_s);
+    panel.type("goalField", u"500"_s);
     click("goButton");
     ASSERT_TRUE(panel.waitFor([&] { return std::abs(shaft() - home - 500) <= 3; }));
     click("zeroHereButton");
@@ -118,7 +99,7 @@ TEST_F(HomingPage, GoHomeAfterAZeroGoesWhereHomeIs) {
 
 TEST_F(HomingPage, AnOperatorWhoMayHomeAndNothingElseHomesAllAxes) {
     ASSERT_NO_FATAL_FAILURE(begin());
-    type("homingVelocityField", u"1,5"_s);
+    panel.type("homingVelocityField", u"1,5"_s);
     ASSERT_TRUE(panel.waitFor([&] {
         const auto& homing = panel.composition().machine().axis(ModuleIndex(0)).homing;
         return homing && homing->velocity > 0;
@@ -144,7 +125,7 @@ TEST_F(HomingPage, AnOperatorWhoMayHomeAndNothingElseHomesAllAxes) {
 
 TEST_F(HomingPage, ScanAgainEndsTheSearchForHomeAndThenLooks) {
     ASSERT_NO_FATAL_FAILURE(begin());
-    type("homingVelocityField", u"0.2"_s);
+    panel.type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     QTest::keyClick(panel.window().windowHandle(), Qt::Key_F5);
@@ -155,8 +136,8 @@ TEST_F(HomingPage, ScanAgainEndsTheSearchForHomeAndThenLooks) {
 
 TEST_F(HomingPage, TheIndexBehindTheLimit) {
     ASSERT_NO_FATAL_FAILURE(begin());
-    type("homingVelocityField", u"1.5"_s);
-    type("homingIndexVelocityField", u"0.3"_s);
+    panel.type("homingVelocityField", u"1.5"_s);
+    panel.type("homingIndexVelocityField", u"0.3"_s);
     click("thenIndexBox");
     click("makeZeroBox");
     EXPECT_TRUE(text("homingStagesLabel").contains(u"Searching\u00A0for\u00A0the\u00A0index"_s));
@@ -172,7 +153,7 @@ TEST_F(HomingPage, AHardStopIsHomeAndNoTrip) {
     ASSERT_NO_FATAL_FAILURE(begin());
     panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 150, 1, std::uint8_t{0}}});
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->el == 150; }));
-    type("homingVelocityField", u"1.5"_s);
+    panel.type("homingVelocityField", u"1.5"_s);
     click("onLimit1Box");
     click("onPositionErrorBox");
     click("goToHomeBox");
@@ -188,7 +169,7 @@ TEST_F(HomingPage, AHardStopIsHomeAndNoTrip) {
 
 TEST_F(HomingPage, M15_AModuleThatFallsSilentIsNotHomedAndToldToStop) {
     ASSERT_NO_FATAL_FAILURE(begin());
-    type("homingVelocityField", u"0.2"_s);
+    panel.type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Searching"_s));
     ASSERT_TRUE(panel.waitFor([&] { return *panel.module().latest->position < -60; }));
@@ -224,7 +205,7 @@ TEST_F(HomingPage, AStepperFindsItsHomeSwitchToo) {
 
 TEST_F(HomingPage, CancelStopsTheMotor) {
     ASSERT_NO_FATAL_FAILURE(begin());
-    type("homingVelocityField", u"0.2"_s);
+    panel.type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Searching"_s));
     ASSERT_TRUE(panel.waitFor([&] { return *panel.module().latest->position < -60; }));
@@ -248,7 +229,7 @@ class OtherWish : public HomingPage, public testing::WithParamInterface<Other> {
 TEST_P(OtherWish, EndsTheSearchAndIsNotUndone) {
     const char* const name = GetParam().button;
     ASSERT_NO_FATAL_FAILURE(begin());
-    type("homingVelocityField", u"0.2"_s);
+    panel.type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Searching"_s));
     ASSERT_TRUE(panel.waitFor([&] { return *panel.module().latest->position < -60; }));
@@ -276,7 +257,7 @@ INSTANTIATE_TEST_SUITE_P(Buttons, OtherWish,
 
 TEST_F(HomingPage, ClosingThePortEndsIt) {
     ASSERT_NO_FATAL_FAILURE(begin());
-    type("homingVelocityField", u"0.2"_s);
+    panel.type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(waitForResult(u"Searching"_s));
     panel.disconnect();

@@ -11,33 +11,21 @@ using testing_support::VirtualPanel;
 
 class IoModulePage : public testing::Test {
 protected:
-    void SetUp() override {
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.composition().store().link().modules.size() == 1; }));
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::Ready; }));
-    }
-
-    template <typename Widget>
-    Widget& find(const char* name) {
-        auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));
-        EXPECT_NE(widget, nullptr) << name;
-        testing_support::turnTo(*widget);
-        return *widget;
-    }
+    void SetUp() override { ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal())); }
     void makeOutput(const char* direction) {
-        auto& box = find<QComboBox>(direction);
+        auto& box = panel.find<QComboBox>(direction);
         ASSERT_TRUE(panel.waitFor([&] { return box.isEnabled(); }));
         box.setFocus();
         QTest::keyClick(&box, Qt::Key_Down);
         ASSERT_TRUE(panel.waitFor([&] { return box.currentIndex() == 1 && box.isEnabled(); })) << direction;
     }
     void strike(const char* name) {
-        auto& box = find<QCheckBox>(name);
+        auto& box = panel.find<QCheckBox>(name);
         ASSERT_TRUE(panel.waitFor([&] { return box.isEnabled(); })) << name;
         clickOn(box);
     }
     [[nodiscard]] bool reads(const char* label, const QString& words) {
-        return panel.waitFor([&] { return find<QLabel>(label).text() == words; });
+        return panel.waitFor([&] { return panel.find<QLabel>(label).text() == words; });
     }
 
     VirtualChain sim{QStringLiteral("io")};

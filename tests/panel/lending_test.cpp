@@ -19,10 +19,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 class Lending : public testing::Test {
 protected:
-    void SetUp() override {
-        panel.composition().show({.port = sim.terminal(), .baud = 115'200});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest; }));
-    }
+    void SetUp() override { ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal())); }
     /// As a user does it.
     void lend() {
         panel.window().findChild<QAction*>(u"lendLineAction"_s)->trigger();

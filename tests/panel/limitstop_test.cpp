@@ -14,19 +14,10 @@ using testing_support::VirtualPanel;
 class ArmedLimits : public testing::Test {
 protected:
     void SetUp() override {
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor(
-            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
-        gains(8'000);
-        panel.ask(intent::Enable{});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
+        ASSERT_NO_FATAL_FAILURE(panel.enable());
     }
     void TearDown() override { texts::setModuleNames({}); }
-    void gains(std::uint16_t positionErrorLimit) {
-        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, positionErrorLimit, 1, std::uint8_t{0}}});
-        ASSERT_TRUE(panel.waitFor(
-            [&] { return panel.module().gains && panel.module().gains->el == positionErrorLimit; }));
-    }
     [[nodiscard]] const HomeWatch& watch() { return panel.module().homing; }
     [[nodiscard]] QString said() {
         auto* label = panel.window().findChild<QLabel*>(u"limitStopState"_s);
@@ -116,7 +107,8 @@ TEST_F(ArmedLimits, AnOperatorMovesNothingUnarmed) {
 }
 
 TEST_F(ArmedLimits, APositionErrorStopsIt) {
-    ASSERT_NO_FATAL_FAILURE(gains(200));
+    panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 200, 1, std::uint8_t{0}}});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->el == 200; }));
     tick("armMotorOffButton");
     ASSERT_NO_FATAL_FAILURE(armEachMotion("armPositionErrorBox"));
     ASSERT_NO_FATAL_FAILURE(run());

@@ -14,9 +14,7 @@ class TestsOfTheLoop : public testing::Test {
 protected:
     void SetUp() override {
         panel.window().resize(1500, 1100);
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor(
-            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
         panel.window().findChild<QAction*>(u"tuneLayoutAction"_s)->trigger();
         ASSERT_NO_FATAL_FAILURE(panel.click("fillGainsButton"));
         ASSERT_NO_FATAL_FAILURE(panel.click("applyGainsButton"));
@@ -31,14 +29,6 @@ protected:
     [[nodiscard]] QString text(const char* name) {
         return panel.window().findChild<QLabel*>(QLatin1String(name))->text();
     }
-    void type(const char* name, const QString& value) {
-        auto* field = panel.window().findChild<QLineEdit*>(QLatin1String(name));
-        ASSERT_NE(field, nullptr) << name;
-        testing_support::turnTo(*field);
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, value);
-    }
     /// `test`: the prefix of the names of its controls.
     [[nodiscard]] bool ended(const char* test) {
         const QString name = QLatin1String(test) + u"EndButton"_s;
@@ -51,12 +41,12 @@ protected:
 };
 
 TEST_F(TestsOfTheLoop, ASquareWaveTakesNewGainsAndItsFoldIsKept) {
-    ASSERT_NO_FATAL_FAILURE(type("squareWavePeriodField", u"0.3"_s));
-    ASSERT_NO_FATAL_FAILURE(type("squareWaveRoundsField", u"12"_s));
+    panel.type("squareWavePeriodField", u"0.3"_s);
+    panel.type("squareWaveRoundsField", u"12"_s);
     ASSERT_NO_FATAL_FAILURE(panel.click("squareWaveStartButton"));
     ASSERT_TRUE(panel.waitFor(
         [&] { return text("squareWaveResults").startsWith(u"Edges with these gains: 4\n"_s); }));
-    ASSERT_NO_FATAL_FAILURE(type("kdField", u"2000"_s));
+    panel.type("kdField", u"2000"_s);
     auto* field = panel.window().findChild<QLineEdit*>(u"kdField"_s);
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_TRUE(panel.waitFor([&] { return panel.module().gains->kd == 2'000; }));
@@ -71,8 +61,8 @@ TEST_F(TestsOfTheLoop, ASquareWaveTakesNewGainsAndItsFoldIsKept) {
 }
 
 TEST_F(TestsOfTheLoop, SinesGiveABandwidthAndAReport) {
-    ASSERT_NO_FATAL_FAILURE(type("frequencyFromField", u"12"_s));
-    ASSERT_NO_FATAL_FAILURE(type("frequencyToField", u"25"_s));
+    panel.type("frequencyFromField", u"12"_s);
+    panel.type("frequencyToField", u"25"_s);
     ASSERT_NO_FATAL_FAILURE(panel.click("frequencyStartButton"));
     ASSERT_TRUE(panel.waitFor([&] { return text("frequencyFigures").startsWith(u"2 "_s); }));
     ASSERT_TRUE(ended("frequency")) << text("frequencyState").toStdString();
@@ -102,9 +92,9 @@ TEST_F(TestsOfTheLoop, SinesGiveABandwidthAndAReport) {
 }
 
 TEST_F(TestsOfTheLoop, EscEndsSinesForGood) {
-    ASSERT_NO_FATAL_FAILURE(type("frequencyFromField", u"0.5"_s));
-    ASSERT_NO_FATAL_FAILURE(type("frequencyToField", u"1"_s));
-    ASSERT_NO_FATAL_FAILURE(type("frequencyAmplitudeField", u"200"_s));
+    panel.type("frequencyFromField", u"0.5"_s);
+    panel.type("frequencyToField", u"1"_s);
+    panel.type("frequencyAmplitudeField", u"200"_s);
     ASSERT_NO_FATAL_FAILURE(panel.click("frequencyStartButton"));
     ASSERT_TRUE(panel.waitFor([&] { return std::abs(position()) > 100; }));
     QTest::keyClick(&panel.window(), Qt::Key_Escape);

@@ -19,9 +19,7 @@ protected:
     explicit Paths(const QString& chain = u"servo@10"_s) : sim(chain) {}
     void begin(std::uint8_t axes = 1) {
         panel.window().resize(1'500, 1'100);
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor(
-            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
         for (std::uint8_t axis = 0; axis < axes; ++axis)
             ASSERT_NO_FATAL_FAILURE(panel.makeReady(axis));
         ASSERT_TRUE(panel.waitFor([&] { return module(axes - 1).commandPosition().has_value(); }));

@@ -16,13 +16,8 @@ using testing_support::VirtualPanel;
 class ByHand : public testing::Test {
 protected:
     void SetUp() override {
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor(
-            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
-        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-        panel.ask(intent::Enable{});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
+        ASSERT_NO_FATAL_FAILURE(panel.enable());
         ASSERT_TRUE(panel.answersFor(0.3));
     }
     void TearDown() override { texts::setModuleNames({}); }

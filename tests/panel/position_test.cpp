@@ -16,13 +16,8 @@ class PositionKept : public testing::Test {
 protected:
     /// Saves home where the servo is, and moves it 5 000 counts away from there.
     void leaveAt5000(VirtualPanel& panel) {
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor(
-            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
-        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-        panel.ask(intent::Enable{});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
+        ASSERT_NO_FATAL_FAILURE(panel.enable());
         panel.ask(intent::SaveAsHome{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().home.place().has_value(); }));
         const std::int32_t home = panel.module().home.place()->counts;

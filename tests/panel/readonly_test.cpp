@@ -95,8 +95,7 @@ TEST_F(H02_ReadOnly, IsAskedForBesideConnectSaysSoAndIsNotRemembered) {
 TEST_F(H02_ReadOnly, NoControlOfAModuleSends) {
     ASSERT_NO_FATAL_FAILURE(look());
     for (int module = 0; module < 2; ++module) {
-        auto* list = find<QAbstractItemView>(u"chainList"_s);
-        list->setCurrentIndex(list->model()->index(module, 0));
+        panel.select(module);
         auto* pages = find<QTabWidget>(module == 0 ? u"stepperPages"_s : u"servoPages"_s);
         for (int page = 0; page < pages->count(); ++page) {
             pages->setCurrentIndex(page);

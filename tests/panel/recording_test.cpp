@@ -59,15 +59,6 @@ protected:
     [[nodiscard]] const ModuleHistory& live() {
         return *panel.composition().store().history().module(ModuleIndex(0));
     }
-    void setGoing() {
-        panel.ask(intent::ApplyGains{gains()});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-        panel.ask(intent::Enable{});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
-        panel.ask(intent::Move{
-            servomotion::VelocityProfile{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false}});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() == Activity::AtSpeed; }));
-    }
     static servo::SetGain gains() { return {200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}; }
     void record(const QString& file) { emit files().recordRequested(file); }
     bool told(const char* words) {
@@ -86,7 +77,7 @@ protected:
 TEST_F(RecordingProgram, AMoveIsRecordedToTheLastBit) {
     const std::uint64_t first = live().count();
     record(path("move.csv"));
-    setGoing();
+    ASSERT_NO_FATAL_FAILURE(panel.setGoing());
     ASSERT_TRUE(panel.answersFor(1.0));
     emit files().recordingEndRequested();
     ASSERT_TRUE(told("Recorded \"move.csv\""));
@@ -114,7 +105,7 @@ TEST_F(RecordingProgram, AMoveIsRecordedToTheLastBit) {
 
 TEST_F(RecordingProgram, ARecordingIsOpenedInTheScopeWhileTheMotorGoesOn) {
     record(path("move.csv"));
-    setGoing();
+    ASSERT_NO_FATAL_FAILURE(panel.setGoing());
     ASSERT_TRUE(panel.answersFor(0.5));
     emit files().recordingEndRequested();
     ASSERT_TRUE(told("Recorded \"move.csv\""));
@@ -125,7 +116,7 @@ TEST_F(RecordingProgram, ARecordingIsOpenedInTheScopeWhileTheMotorGoesOn) {
 
 TEST_F(RecordingProgram, ARecordingIsLaidUnderWhatIsLive) {
     record(path("move.csv"));
-    setGoing();
+    ASSERT_NO_FATAL_FAILURE(panel.setGoing());
     ASSERT_TRUE(panel.answersFor(0.5));
     panel.click("scopeRecordingEndButton");
     ASSERT_TRUE(told("Recorded \"move.csv\""));
@@ -153,7 +144,7 @@ TEST_F(RecordingProgram, GainsInForceAtTheStartAreInTheFile) {
 }
 
 TEST_F(RecordingProgram, AFullDiskEndsTheRecordingAndNotTheMotion) {
-    setGoing();
+    ASSERT_NO_FATAL_FAILURE(panel.setGoing());
     record(QStringLiteral("/dev/full"));
     ASSERT_TRUE(told("Recording to \"full\" stopped: the disk is full."));
     EXPECT_EQ(panel.module().activity(), Activity::AtSpeed);

@@ -20,8 +20,7 @@ class RepeatabilitySession : public testing::Test {
 protected:
     void SetUp() override {
         panel.window().resize(1'500, 1'000);
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest; }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
         for (const QString& line : {u"set 1 load_play 37"_s, u"set 1 home_switch_at 200"_s})
             ASSERT_FALSE(sim.control(line).contains(u"error"_s)) << line.toStdString();
         ASSERT_NO_FATAL_FAILURE(panel.makeReady());

@@ -14,8 +14,7 @@ TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces)
     VirtualChain sim(QStringLiteral("servo,servo,step"));
     VirtualPanel panel;
     const BusStore& store = panel.composition().store();
-    panel.composition().show({sim.terminal(), 115'200, false});
-    ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && store.link().modules.size() == 3; }));
+    ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
     (void)sim.control(QStringLiteral("power-cycle 2"));
     const QString restarted = QStringLiteral("Module 2 restarted");
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(restarted) != nullptr; }));

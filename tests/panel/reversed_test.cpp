@@ -17,10 +17,8 @@ class Reversed : public testing::Test {
 protected:
     /// The axis has 400 counts per millimetre, and its forward direction counts down.
     void SetUp() override {
-        panel.composition().show({sim.terminal(), 115'200, false});
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
         panel.window().resize(1'280, 800);
-        ASSERT_TRUE(panel.waitFor(
-            [&] { return panel.connected() && panel.composition().store().link().modules.size() == 2; }));
     }
     void TearDown() override { texts::setModuleNames({}); }
     void turnRound() {
@@ -138,8 +136,7 @@ TEST_F(Reversed, ASearchForHomeGoesWhereItSays) {
 }
 
 TEST_F(Reversed, AStepperGoesForwardToo) {
-    auto* list = panel.window().findChild<QAbstractItemView*>(u"chainList"_s);
-    list->setCurrentIndex(list->model()->index(1, 0));
+    panel.select(1);
     ASSERT_NO_FATAL_FAILURE(hand.turnTo(u"Parameters"_s));
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Starting values"_s));
     ASSERT_NO_FATAL_FAILURE(hand.click(u"Apply parameters"_s));

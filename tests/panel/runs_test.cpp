@@ -82,12 +82,8 @@ TEST_F(RunsKept, WithTheirNamesUntilTheNextSession) {
     VirtualChain sim(u"servo"_s);
     {
         VirtualPanel panel({}, {}, folder.path());
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
-        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}}});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-        panel.ask(intent::Enable{});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
+        ASSERT_NO_FATAL_FAILURE(panel.enable(4'000));
         panel.ask(intent::StopHere{});
         ASSERT_TRUE(panel.answersFor(0.2));
         panel.window().stepResponses().open();

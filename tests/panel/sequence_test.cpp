@@ -14,12 +14,8 @@ using namespace Qt::StringLiterals;
 class Sequences : public testing::Test {
 protected:
     void begin() {
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
-        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
-        panel.ask(intent::Enable{});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
+        ASSERT_NO_FATAL_FAILURE(panel.enable());
         panel.window().resize(1'500, 1'100);
         QTest::keyClick(panel.window().windowHandle(), Qt::Key_F3);
         ASSERT_TRUE(panel.waitFor([&] { return find<QWidget>("sequencesPage")->isVisible(); }));
@@ -32,10 +28,7 @@ protected:
     }
     QString state() { return find<QLabel>("sequenceStateLabel")->text(); }
     void teach(const QString& name) {
-        auto* field = find<QLineEdit>("pointNameField");
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, name);
+        panel.type("pointNameField", name);
         ASSERT_NO_FATAL_FAILURE(panel.click("teachButton"));
     }
     void doubleClick(int row, int column) {

@@ -11,41 +11,12 @@ using namespace Qt::StringLiterals;
 
 class ServoPage : public testing::Test {
 protected:
-    void connectAll(int modules) {
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor([&] {
-            return panel.connected() &&
-                   panel.composition().store().link().modules.size() == size_t(modules) &&
-                   panel.module().latest.has_value();
-        }));
-    }
-    void select(int row) {
-        auto* list = panel.window().findChild<QAbstractItemView*>(u"chainList"_s);
-        list->setCurrentIndex(list->model()->index(row, 0));
-    }
-    void show(const char* page) { find<QWidget>(page); }
-    template <typename Widget>
-    Widget* find(const char* name) {
-        auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));
-        EXPECT_NE(widget, nullptr) << name;
-        if (widget != nullptr)
-            testing_support::turnTo(*widget);
-        return widget;
-    }
-    void type(const char* field, const QString& words) {
-        auto* edit = find<QLineEdit>(field);
-        edit->setFocus();
-        edit->selectAll();
-        QTest::keyClicks(edit, words);
-        EXPECT_EQ(edit->text(), words) << field;
-    }
+    void SetUp() override { ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal())); }
+    void show(const char* page) { panel.find(page); }
     void click(const char* name) {
-        ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>(name)->isEnabled(); }))
-            << name << ": " << find<QAbstractButton>(name)->toolTip().toStdString();
-        testing_support::clickOn(*find<QAbstractButton>(name));
-    }
-    [[nodiscard]] const ModuleState& module(std::uint8_t index) {
-        return *panel.composition().store().module(ModuleIndex(index));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.find<QAbstractButton>(name).isEnabled(); }))
+            << name << ": " << panel.find<QAbstractButton>(name).toolTip().toStdString();
+        testing_support::clickOn(panel.find<QAbstractButton>(name));
     }
     /// True if the simulated motor arrives there.
     bool arrives(int number, int position) {
@@ -57,29 +28,26 @@ protected:
 };
 
 TEST_F(ServoPage, LoadsNowAndStartsLaterByADistance) {
-    ASSERT_NO_FATAL_FAILURE(connectAll(3));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     click("saveHomeButton");
-    auto* kind = find<QComboBox>("goalKindBox");
-    kind->setCurrentIndex(1);
-    type("goalField", u"600"_s);
-    type("velocityField", u"2"_s);
-    type("accelerationField", u"0,02"_s);
+    panel.find<QComboBox>("goalKindBox").setCurrentIndex(1);
+    panel.type("goalField", u"600"_s);
+    panel.type("velocityField", u"2"_s);
+    panel.type("accelerationField", u"0,02"_s);
     click("loadButton");
-    ASSERT_TRUE(panel.waitFor([&] { return module(0).loadWaiting; }));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module(0).loadWaiting; }));
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 3) << "nothing moves before the start";
     click("startButton");
     EXPECT_TRUE(arrives(1, 600));
-    ASSERT_TRUE(panel.waitFor([&] { return !module(0).moving(); }));
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.module(0).moving(); }));
     click("goHomeButton");
     EXPECT_TRUE(arrives(1, 0));
     EXPECT_EQ(sim.violations(), "");
 }
 
 TEST_F(ServoPage, StopsHereInTheMiddleOfARun) {
-    ASSERT_NO_FATAL_FAILURE(connectAll(3));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
-    type("accelerationField", u"0.02"_s);
+    panel.type("accelerationField", u"0.02"_s);
     click("runForwardButton");
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     click("stopHereButton");
@@ -90,106 +58,100 @@ TEST_F(ServoPage, StopsHereInTheMiddleOfARun) {
 
 /// The command has been sent, but no answer has shown a motion yet.
 TEST_F(ServoPage, LeavingRightBehindAStartAsksAsWhileItMoves) {
-    ASSERT_NO_FATAL_FAILURE(connectAll(3));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     ASSERT_TRUE(panel.answersFor(0.3));
-    QTest::mouseClick(find<QAbstractButton>("runForwardButton"), Qt::LeftButton);
-    EXPECT_FALSE(module(0).moving());
-    QTest::mouseClick(find<QAbstractButton>("disconnectButton"), Qt::LeftButton);
+    QTest::mouseClick(&panel.find<QAbstractButton>("runForwardButton"), Qt::LeftButton);
+    EXPECT_FALSE(panel.module(0).moving());
+    QTest::mouseClick(&panel.find<QAbstractButton>("disconnectButton"), Qt::LeftButton);
     ASSERT_NE(panel.window().findChild<QAbstractButton*>(u"stopAndCloseButton"_s), nullptr);
     EXPECT_TRUE(panel.composition().worker().isOpen());
     panel.pressStopAll();
-    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim) && !module(0).moving(); }));
+    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim) && !panel.module(0).moving(); }));
 }
 
 TEST_F(ServoPage, StepsThereAndBackAsOftenAsAsked) {
-    ASSERT_NO_FATAL_FAILURE(connectAll(3));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
-    type("velocityField", u"4"_s);
-    type("accelerationField", u"0.05"_s);
-    type("moveByDistanceField", u"250"_s);
-    type("moveByRoundsField", u"3"_s);
+    panel.type("velocityField", u"4"_s);
+    panel.type("accelerationField", u"0.05"_s);
+    panel.type("moveByDistanceField", u"250"_s);
+    panel.type("moveByRoundsField", u"3"_s);
     click("moveByForwardButton");
     EXPECT_TRUE(arrives(1, 750));
-    ASSERT_TRUE(panel.waitFor([&] { return find<QLabel>("moveByProgress")->text() == u"Done"_s; }))
-        << find<QLabel>("moveByProgress")->text().toStdString();
-    find<QCheckBox>("moveByBackAndForthBox")->setChecked(true);
-    type("moveByRoundsField", u"1000"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.find<QLabel>("moveByProgress").text() == u"Done"_s; }))
+        << panel.find<QLabel>("moveByProgress").text().toStdString();
+    panel.find<QCheckBox>("moveByBackAndForthBox").setChecked(true);
+    panel.type("moveByRoundsField", u"1000"_s);
     click("moveByReverseButton");
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     click("moveByEndButton");
-    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim) && !module(0).moving(); }));
+    EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim) && !panel.module(0).moving(); }));
     EXPECT_EQ(sim.violations(), "");
 }
 
 TEST_F(ServoPage, DrivesByPwmUntilItIsSwitchedOff) {
-    ASSERT_NO_FATAL_FAILURE(connectAll(3));
-    select(0);
+    panel.select(0);
     show("pwmBox");
-    type("pwmField", u"60"_s);
+    panel.type("pwmField", u"60"_s);
     click("pwmReverseButton");
     ASSERT_TRUE(panel.waitFor([&] { return sim.state(1)[u"position"_s].toInt() < -50; }));
-    EXPECT_TRUE(panel.waitFor([&] { return module(0).activity() == Activity::PwmMode; }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.module(0).activity() == Activity::PwmMode; }));
     click("pwmOffButton");
     EXPECT_TRUE(panel.waitFor([&] { return sim.state(1)[u"pwm"_s].toInt() == 0; }));
     EXPECT_EQ(sim.violations(), "");
 }
 
 TEST_F(ServoPage, ALimitPinAndTheAmplifierFollowTheirControls) {
-    ASSERT_NO_FATAL_FAILURE(connectAll(3));
-    select(0);
+    panel.select(0);
     show("ioBox");
-    auto* use = find<QComboBox>("limit1UseBox");
-    use->setFocus();
-    QTest::keyClick(use, Qt::Key_End);
-    ASSERT_TRUE(panel.waitFor([&] { return module(0).io.has_value(); }));
-    EXPECT_FALSE(module(0).io->limit1IsInput);
-    EXPECT_TRUE(panel.waitFor([&] { return find<QLabel>("limit1Value")->text() == u"high"_s; }));
+    auto& use = panel.find<QComboBox>("limit1UseBox");
+    use.setFocus();
+    QTest::keyClick(&use, Qt::Key_End);
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module(0).io.has_value(); }));
+    EXPECT_FALSE(panel.module(0).io->limit1IsInput);
+    EXPECT_TRUE(panel.waitFor([&] { return panel.find<QLabel>("limit1Value").text() == u"high"_s; }));
     click("amplifierBox");
-    EXPECT_TRUE(panel.waitFor([&] { return find<QCheckBox>("amplifierBox")->isChecked(); }));
+    EXPECT_TRUE(panel.waitFor([&] { return panel.find<QCheckBox>("amplifierBox").isChecked(); }));
     EXPECT_EQ(sim.violations(), "");
 }
 
 TEST_F(ServoPage, MovesInTurns) {
-    ASSERT_NO_FATAL_FAILURE(connectAll(3));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     show("axisBox");
-    auto* unit = find<QComboBox>("axisUnitBox");
-    unit->setCurrentIndex(unit->findText(u"turns"_s));
-    type("countsPerUnitField", u"2000"_s);
-    find<QAction>("chainDoctorAction")->trigger();
-    EXPECT_EQ(find<QLabel>("chainFinding")->text(), u"Chain OK: 3 modules."_s)
+    auto& unit = panel.find<QComboBox>("axisUnitBox");
+    unit.setCurrentIndex(unit.findText(u"turns"_s));
+    panel.type("countsPerUnitField", u"2000"_s);
+    panel.find<QAction>("chainDoctorAction").trigger();
+    EXPECT_EQ(panel.find<QLabel>("chainFinding").text(), u"Chain OK: 3 modules."_s)
         << "a user who names one axis means the chain that is connected";
-    find<QWidget>("chainDialog")->close();
-    type("goalField", u"0.5"_s);
-    type("velocityField", u"4"_s);  // turns/s: 4.096 counts/tick
-    type("accelerationField", u"40"_s);
+    panel.find<QWidget>("chainDialog").close();
+    panel.type("goalField", u"0.5"_s);
+    panel.type("velocityField", u"4"_s);  // turns/s: 4.096 counts/tick
+    panel.type("accelerationField", u"40"_s);
     click("goButton");
     EXPECT_TRUE(arrives(1, 1'000));
     EXPECT_TRUE(panel.waitFor([&] {
-        return find<QLabel>("positionLabel")->text().startsWith(u"0.50"_s) ||
-               find<QLabel>("positionLabel")->text().startsWith(u"0.49"_s);
+        return panel.find<QLabel>("positionLabel").text().startsWith(u"0.50"_s) ||
+               panel.find<QLabel>("positionLabel").text().startsWith(u"0.49"_s);
     }));
     EXPECT_EQ(sim.violations(), "");
 }
 
 TEST_F(ServoPage, AGroupStartsItsLoadedMovesTogether) {
-    ASSERT_NO_FATAL_FAILURE(connectAll(3));
     for (const std::uint8_t index : {std::uint8_t{0}, std::uint8_t{1}}) {
         ASSERT_NO_FATAL_FAILURE(panel.makeReady(index));
-        type("goalField", u"4000"_s);
-        type("velocityField", u"4"_s);
-        type("accelerationField", u"0.05"_s);
+        panel.type("goalField", u"4000"_s);
+        panel.type("velocityField", u"4"_s);
+        panel.type("accelerationField", u"0.05"_s);
         click("loadButton");
-        ASSERT_TRUE(panel.waitFor([&] { return module(index).loadWaiting; }));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module(index).loadWaiting; }));
     }
-    find<QAction>("groupsAction")->trigger();
+    panel.find<QAction>("groupsAction").trigger();
     for (const char* box : {"group1Box", "group2Box"}) {
-        auto* group = find<QComboBox>(box);
-        group->setFocus();
-        QTest::keyClick(group, Qt::Key_Down);
+        auto& group = panel.find<QComboBox>(box);
+        group.setFocus();
+        QTest::keyClick(&group, Qt::Key_Down);
         ASSERT_TRUE(panel.waitFor([&] {
-            const auto& place = module(box == std::string("group1Box") ? 0 : 1).info.group;
+            const auto& place = panel.module(box == std::string("group1Box") ? 0 : 1).info.group;
             return place && place->group == 0x81;
         }));
     }
@@ -205,23 +167,22 @@ TEST_F(ServoPage, AGroupStartsItsLoadedMovesTogether) {
 }
 
 TEST_F(ServoPage, TheChainChangesItsRateAndKeepsItsPositions) {
-    ASSERT_NO_FATAL_FAILURE(connectAll(3));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
-    type("goalField", u"300"_s);
-    type("velocityField", u"4"_s);
-    type("accelerationField", u"0.05"_s);
+    panel.type("goalField", u"300"_s);
+    panel.type("velocityField", u"4"_s);
+    panel.type("accelerationField", u"0.05"_s);
     click("goButton");
     ASSERT_TRUE(arrives(1, 300));
-    ASSERT_TRUE(panel.waitFor([&] { return !module(0).moving(); }));
-    find<QAction>("rateAction")->trigger();
-    auto* rate = find<QComboBox>("chainRateBox");
-    rate->setCurrentIndex(rate->findData(57'600));
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.module(0).moving(); }));
+    panel.find<QAction>("rateAction").trigger();
+    auto& rate = panel.find<QComboBox>("chainRateBox");
+    rate.setCurrentIndex(rate.findData(57'600));
     click("changeRateButton");
     ASSERT_TRUE(panel.waitFor([&] { return panel.composition().store().link().baud == 57'600; }));
-    const TimePoint before = module(0).latestTime;
-    EXPECT_TRUE(panel.waitFor([&] { return module(0).latestTime > before + fromSeconds(0.2); }))
+    const TimePoint before = panel.module(0).latestTime;
+    EXPECT_TRUE(panel.waitFor([&] { return panel.module(0).latestTime > before + fromSeconds(0.2); }))
         << "it still answers";
-    EXPECT_TRUE(module(0).servoOn());
+    EXPECT_TRUE(panel.module(0).servoOn());
     EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 300, 3);
     EXPECT_EQ(sim.violations(), "");
 }
@@ -229,19 +190,18 @@ TEST_F(ServoPage, TheChainChangesItsRateAndKeepsItsPositions) {
 /// A step ends once its motor was seen at rest. A user who jogs before that wants something else: the step's
 /// own stop must not be sent after the start of the jog.
 TEST_F(ServoPage, AJogTakesOverFromAStepWhereverThatIs) {
-    ASSERT_NO_FATAL_FAILURE(connectAll(3));
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
     const auto place = [&] { return sim.state(1)[u"position"_s].toDouble(); };
     for (const double left : {1'000.0, 40.0, 3.0}) {
-        ASSERT_NO_FATAL_FAILURE(type("moveByDistanceField", u"2000"_s));
+        ASSERT_NO_FATAL_FAILURE(panel.type("moveByDistanceField", u"2000"_s));
         const double goal = place() + 2'000;
         ASSERT_NO_FATAL_FAILURE(click("moveByForwardButton"));
         ASSERT_TRUE(panel.waitFor([&] { return place() > goal - left; })) << left;
-        auto* hold = find<QAbstractButton>("holdReverseButton");
-        ASSERT_TRUE(panel.waitFor([&] { return hold->isEnabled(); })) << hold->toolTip().toStdString();
-        QTest::mousePress(hold, Qt::LeftButton);
+        auto& hold = panel.find<QAbstractButton>("holdReverseButton");
+        ASSERT_TRUE(panel.waitFor([&] { return hold.isEnabled(); })) << hold.toolTip().toStdString();
+        QTest::mousePress(&hold, Qt::LeftButton);
         EXPECT_TRUE(panel.waitFor([&] { return place() < goal - left - 200; })) << left << ": " << place();
-        QTest::mouseRelease(hold, Qt::LeftButton);
+        QTest::mouseRelease(&hold, Qt::LeftButton);
         EXPECT_TRUE(panel.waitFor([&] { return !testing_support::moves(sim); }));
         ASSERT_TRUE(panel.answersFor(0.5));
     }

@@ -13,63 +13,42 @@ using testing_support::VirtualPanel;
 class SteppersByHand : public testing::Test {
 protected:
     void SetUp() override {
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(waitFor([&] {
-            return panel.composition().store().link().phase == LinkPhase::Connected &&
-                   panel.composition().store().link().modules.size() == 2;
-        })) << headlines().join(QStringLiteral(" | ")).toStdString();
-        auto& list = find<QAbstractItemView>("chainList");
-        list.setCurrentIndex(list.model()->index(1, 0));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
+        panel.select(1);
         ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::AmplifierOff; }));
     }
     void TearDown() override { EXPECT_EQ(sim.violations(), ""); }
 
-    template <typename Widget = QWidget>
-    Widget& find(const char* name) {
-        auto* widget = panel.composition().window().findChild<Widget*>(QLatin1String(name));
-        if (widget == nullptr)
-            throw std::runtime_error(std::string("there is no ") + name);
-        testing_support::turnTo(*widget);
-        return *widget;
-    }
-    void type(const char* field, const QString& text) {
-        auto& edit = find<QLineEdit>(field);
-        edit.setFocus();
-        edit.selectAll();
-        QTest::keyClicks(&edit, text);
-        EXPECT_EQ(edit.text(), text) << field;
-    }
     void click(const char* button) {
-        auto& widget = find<QAbstractButton>(button);
+        auto& widget = panel.find<QAbstractButton>(button);
         ASSERT_TRUE(waitFor([&] { return widget.isEnabled(); })) << button << ": " << tip(button);
         QTest::mouseClick(&widget, Qt::LeftButton, {}, {widget.height() / 2, widget.height() / 2});
     }
-    std::string tip(const char* name) { return find(name).toolTip().toStdString(); }
+    std::string tip(const char* name) { return panel.find(name).toolTip().toStdString(); }
     QString text(const char* label) {
-        return find<QLabel>(label).text().replace(QChar(0x202F), QLatin1Char(' '));
+        return panel.find<QLabel>(label).text().replace(QChar(0x202F), QLatin1Char(' '));
     }
     template <typename Predicate>
     bool waitFor(Predicate predicate) {
         return panel.waitFor(predicate);
     }
-    [[nodiscard]] const ModuleState& module() { return *panel.composition().store().module(ModuleIndex(1)); }
+    [[nodiscard]] const ModuleState& module() { return panel.module(1); }
     [[nodiscard]] QJsonObject truth() { return sim.state(2); }
     [[nodiscard]] double rate() { return truth()[QStringLiteral("step_rate")].toDouble(); }
     [[nodiscard]] int position() { return truth()[QStringLiteral("position")].toInt(); }
-    QStringList headlines() { return panel.headlines(); }
 
     /// Applies parameters with 4x: 100 to 25 000 steps/s.
     void setParameters() {
-        auto& mode = find<QComboBox>("stepperSpeedModeField");
+        auto& mode = panel.find<QComboBox>("stepperSpeedModeField");
         mode.setFocus();
         QTest::keyClick(&mode, Qt::Key_Home);
         for (int i = 0; i < 2; ++i)
             QTest::keyClick(&mode, Qt::Key_Down);
-        type("stepperMinimumSpeedField", QStringLiteral("200"));
-        type("stepperRunCurrentField", QStringLiteral("120"));
-        type("stepperHoldCurrentField", QStringLiteral("60"));
-        type("stepperThermalLimitField", QStringLiteral("80"));
-        type("stepperAccelerationTimeField", QStringLiteral("8"));
+        panel.type("stepperMinimumSpeedField", QStringLiteral("200"));
+        panel.type("stepperRunCurrentField", QStringLiteral("120"));
+        panel.type("stepperHoldCurrentField", QStringLiteral("60"));
+        panel.type("stepperThermalLimitField", QStringLiteral("80"));
+        panel.type("stepperAccelerationTimeField", QStringLiteral("8"));
         EXPECT_EQ(text("stepperAccelerationRemark"), QStringLiteral("50 000 steps/s²"))
             << "100 steps/s every 2 ms";
         EXPECT_EQ(text("stepperRunCurrentState"), QStringLiteral("● not sent"));
@@ -101,8 +80,8 @@ protected:
 };
 
 TEST_F(SteppersByHand, NothingMovesOrHoldsBeforeTheParametersWereSent) {
-    EXPECT_FALSE(find("stepperEnableButton").isEnabled());
-    EXPECT_FALSE(find("stepperGoButton").isEnabled());
+    EXPECT_FALSE(panel.find("stepperEnableButton").isEnabled());
+    EXPECT_FALSE(panel.find("stepperGoButton").isEnabled());
     EXPECT_EQ(tip("stepperGoButton"), "Apply parameters first.");
     EXPECT_EQ(text("stepperSpeedModeState"), QStringLiteral("? unknown"));
     setParameters();
@@ -120,8 +99,8 @@ TEST_F(SteppersByHand, NothingMovesOrHoldsBeforeTheParametersWereSent) {
 TEST_F(SteppersByHand, MovesToAPositionAndSaysBeforehandHowLongItTakes) {
     enable();
     choose("stepperModeTrapezoidal");
-    type("stepperGoalField", QStringLiteral("3000"));
-    type("stepperSpeedField", QStringLiteral("2000"));
+    panel.type("stepperGoalField", QStringLiteral("3000"));
+    panel.type("stepperSpeedField", QStringLiteral("2000"));
     EXPECT_EQ(text("stepperSpeedOutcome"), QStringLiteral("Runs at 2 000 steps/s: speed 20 of 250."));
     // Ramp: 0.002 x 100 x 189 = 37.8 steps each; 2 x 18 x 2 ms + (3 000 - 75.6) / 2 000 = 1.534 s.
     EXPECT_EQ(text("stepperForecast"), QStringLiteral("Takes 1.53 s, peak speed 2 000 steps/s."));
@@ -131,7 +110,7 @@ TEST_F(SteppersByHand, MovesToAPositionAndSaysBeforehandHowLongItTakes) {
     ASSERT_TRUE(standsAt(3'000));
     EXPECT_EQ(position(), 3'000);
     click("stepperRelativeBox");
-    type("stepperGoalField", QStringLiteral("-40"));
+    panel.type("stepperGoalField", QStringLiteral("-40"));
     EXPECT_TRUE(text("stepperForecast").contains(QStringLiteral("Too short for that speed")))
         << text("stepperForecast").toStdString();
     click("stepperGoButton");
@@ -141,20 +120,21 @@ TEST_F(SteppersByHand, MovesToAPositionAndSaysBeforehandHowLongItTakes) {
 TEST_F(SteppersByHand, RunsBothWaysAndChangesItsSpeedOnTheFly) {
     enable();
     choose("stepperModeProfile");
-    type("stepperSpeedField", QStringLiteral("1000"));
+    panel.type("stepperSpeedField", QStringLiteral("1000"));
     click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 1'000; }));
-    type("stepperSpeedField", QStringLiteral("1540"));
+    panel.type("stepperSpeedField", QStringLiteral("1540"));
     EXPECT_EQ(text("stepperSpeedOutcome"), QStringLiteral("Runs at 1 500 steps/s: speed 15 of 250."));
     click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 1'500; }));
-    EXPECT_TRUE(
-        find<QAbstractButton>("stepperRunReverseButton").text().startsWith(QLatin1String("Stop, wait")));
+    EXPECT_TRUE(panel.find<QAbstractButton>("stepperRunReverseButton")
+                    .text()
+                    .startsWith(QLatin1String("Stop, wait")));
     click("stepperStopSmoothlyButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 0 && module().activity() == Activity::Holding; }));
     click("stepperRunReverseButton");
     ASSERT_TRUE(waitFor([&] { return rate() == -1'500; }));
-    QTest::keyClick(&find("stepperSpeedField"), Qt::Key_Escape);
+    QTest::keyClick(&panel.find("stepperSpeedField"), Qt::Key_Escape);
     ASSERT_TRUE(waitFor([&] { return rate() == 0; }));
     EXPECT_TRUE(truth()[QStringLiteral("amp_enabled")].toBool());
 }
@@ -163,23 +143,23 @@ TEST_F(SteppersByHand, RunsBothWaysAndChangesItsSpeedOnTheFly) {
 TEST_F(SteppersByHand, MovesWithoutARampAtTheTimersSpeed) {
     enable();
     choose("stepperModeTimedMove");
-    type("stepperGoalField", QStringLiteral("-500"));
-    type("stepperSpeedField", QStringLiteral("700"));
+    panel.type("stepperGoalField", QStringLiteral("-500"));
+    panel.type("stepperSpeedField", QStringLiteral("700"));
     EXPECT_EQ(text("stepperSpeedOutcome"), QStringLiteral("Runs at 700.084 steps/s: timer count 61 973."));
     click("stepperGoButton");
     ASSERT_TRUE(waitFor([&] { return rate() < 0; }));
     EXPECT_NEAR(rate(), -700.084, 1e-3);
     ASSERT_TRUE(standsAt(-500));
     choose("stepperModeTimedRun");
-    type("stepperSpeedField", QStringLiteral("350"));
+    panel.type("stepperSpeedField", QStringLiteral("350"));
     click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() > 0; }));
     EXPECT_NEAR(rate(), 350, 0.1);
-    type("stepperSpeedField", QStringLiteral("450"));
+    panel.type("stepperSpeedField", QStringLiteral("450"));
     click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() > 400; }));
     choose("stepperModeProfile");
-    type("stepperSpeedField", QStringLiteral("900"));
+    panel.type("stepperSpeedField", QStringLiteral("900"));
     click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 900; }));
     click("stepperStopAbruptlyButton");
@@ -189,7 +169,7 @@ TEST_F(SteppersByHand, MovesWithoutARampAtTheTimersSpeed) {
 TEST_F(SteppersByHand, ReversesAndMovesOutOfARunByStopWaitGo) {
     enable();
     choose("stepperModeProfile");
-    type("stepperSpeedField", QStringLiteral("2000"));
+    panel.type("stepperSpeedField", QStringLiteral("2000"));
     click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 2'000; }));
     click("stepperRunReverseButton");
@@ -197,7 +177,7 @@ TEST_F(SteppersByHand, ReversesAndMovesOutOfARunByStopWaitGo) {
     // The panel learns about it one status later; until then, another change is refused.
     ASSERT_TRUE(waitFor([&] { return !changing(); }));
     choose("stepperModeTrapezoidal");
-    type("stepperGoalField", QStringLiteral("100"));
+    panel.type("stepperGoalField", QStringLiteral("100"));
     click("stepperGoButton");
     ASSERT_TRUE(standsAt(100));
     EXPECT_EQ(position(), 100);
@@ -206,7 +186,7 @@ TEST_F(SteppersByHand, ReversesAndMovesOutOfARunByStopWaitGo) {
     click("stepperRunForwardButton");
     ASSERT_TRUE(waitFor([&] { return rate() == 2'000; }));
     click("stepperRunReverseButton");
-    QTest::keyClick(&find("stepperSpeedField"), Qt::Key_Escape);
+    QTest::keyClick(&panel.find("stepperSpeedField"), Qt::Key_Escape);
     ASSERT_TRUE(waitFor([&] { return rate() == 0; }));
     ASSERT_TRUE(answersFor(0.5));
     EXPECT_EQ(rate(), 0);
@@ -215,8 +195,8 @@ TEST_F(SteppersByHand, ReversesAndMovesOutOfARunByStopWaitGo) {
 TEST_F(SteppersByHand, LoadsNowAndStartsLater) {
     enable();
     choose("stepperModeTrapezoidal");
-    type("stepperGoalField", QStringLiteral("400"));
-    EXPECT_FALSE(find("stepperStartLoadedButton").isEnabled());
+    panel.type("stepperGoalField", QStringLiteral("400"));
+    EXPECT_FALSE(panel.find("stepperStartLoadedButton").isEnabled());
     click("stepperLoadOnlyBox");
     click("stepperGoButton");
     ASSERT_TRUE(waitFor([&] { return module().loadWaiting; }));
@@ -224,28 +204,28 @@ TEST_F(SteppersByHand, LoadsNowAndStartsLater) {
     EXPECT_EQ(position(), 0);
     click("stepperStartLoadedButton");
     ASSERT_TRUE(standsAt(400));
-    EXPECT_FALSE(find("stepperStartLoadedButton").isEnabled());
+    EXPECT_FALSE(panel.find("stepperStartLoadedButton").isEnabled());
 }
 
 TEST_F(SteppersByHand, MovesOnlyWhileAButtonIsHeld) {
     enable();
-    type("stepperHoldCapField", QStringLiteral("600"));
-    EXPECT_TRUE(find<QLineEdit>("stepperHoldVelocityField").text() == QStringLiteral("200"))
+    panel.type("stepperHoldCapField", QStringLiteral("600"));
+    EXPECT_TRUE(panel.find<QLineEdit>("stepperHoldVelocityField").text() == QStringLiteral("200"))
         << "low, and no lower than the minimum profile speed";
-    type("stepperHoldVelocityField", QStringLiteral("5000"));
-    EXPECT_FALSE(find("stepperHoldForwardButton").isEnabled()) << "above the cap";
-    type("stepperHoldVelocityField", QStringLiteral("600"));
-    auto& forward = find<QAbstractButton>("stepperHoldForwardButton");
+    panel.type("stepperHoldVelocityField", QStringLiteral("5000"));
+    EXPECT_FALSE(panel.find("stepperHoldForwardButton").isEnabled()) << "above the cap";
+    panel.type("stepperHoldVelocityField", QStringLiteral("600"));
+    auto& forward = panel.find<QAbstractButton>("stepperHoldForwardButton");
     ASSERT_TRUE(forward.isEnabled()) << tip("stepperHoldForwardButton");
     QTest::mousePress(&forward, Qt::LeftButton);
     // One press alone lasts for 250 ms: the window must have re-armed it.
     ASSERT_TRUE(waitFor([&] { return *module().latest->position > 300; }));
     EXPECT_DOUBLE_EQ(rate(), 600);
-    EXPECT_FALSE(find("stepperHoldReverseButton").isEnabled());
+    EXPECT_FALSE(panel.find("stepperHoldReverseButton").isEnabled());
     QTest::mouseRelease(&forward, Qt::LeftButton);
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::Holding; }));
     EXPECT_EQ(rate(), 0);
-    auto& reverse = find<QAbstractButton>("stepperHoldReverseButton");
+    auto& reverse = panel.find<QAbstractButton>("stepperHoldReverseButton");
     ASSERT_TRUE(waitFor([&] { return reverse.isEnabled(); }));
     QTest::mousePress(&reverse, Qt::LeftButton);
     ASSERT_TRUE(waitFor([&] { return rate() == -600; }));
@@ -255,16 +235,17 @@ TEST_F(SteppersByHand, MovesOnlyWhileAButtonIsHeld) {
 
 TEST_F(SteppersByHand, SwitchesOutputsAndShowsInputsUnderTheirNames) {
     const auto outputs = [&] { return truth()[QStringLiteral("outputs")]; };
-    EXPECT_TRUE(find<QAbstractButton>("stepperOutput5Box").isChecked()) << "outputs are high at power-up";
+    EXPECT_TRUE(panel.find<QAbstractButton>("stepperOutput5Box").isChecked())
+        << "outputs are high at power-up";
     click("stepperOutput2Box");
     ASSERT_TRUE(waitFor([&] { return module().stepper.outputs == 0x12; }));
     click("stepperOutput5Box");
     ASSERT_TRUE(waitFor([&] { return module().stepper.outputs == 0x02; }));
     EXPECT_EQ(text("stepperOutput2State"), QStringLiteral("high"));
     EXPECT_EQ(outputs().toInt(), 2);
-    type("stepperOutput2Name", QStringLiteral("Coolant"));
-    type("stepperInput1Name", QStringLiteral("Door"));
-    EXPECT_EQ(find<QLineEdit>("stepperOutput2Name").text(), QStringLiteral("Coolant"));
+    panel.type("stepperOutput2Name", QStringLiteral("Coolant"));
+    panel.type("stepperInput1Name", QStringLiteral("Door"));
+    EXPECT_EQ(panel.find<QLineEdit>("stepperOutput2Name").text(), QStringLiteral("Coolant"));
 
     for (const auto& [input, label] : {std::pair{"in1", "stepperIn1Input"},
                                        {"in2", "stepperIn2Input"},
@@ -289,10 +270,10 @@ TEST_F(SteppersByHand, ALimitStopsItAndLeavesTheWayBackOpen) {
     (void)sim.control(QStringLiteral("set 2 limit1 1"));
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::StoppedByLimit; }));
     EXPECT_EQ(text("stepperStateLabel"), QStringLiteral("Stopped by a limit"));
-    EXPECT_FALSE(find("stepperRunForwardButton").isEnabled());
+    EXPECT_FALSE(panel.find("stepperRunForwardButton").isEnabled());
     EXPECT_EQ(tip("stepperRunForwardButton"),
               "Limit switch 1 is active: the motor can only move away from it.");
-    EXPECT_FALSE(find("stepperHoldForwardButton").isEnabled());
+    EXPECT_FALSE(panel.find("stepperHoldForwardButton").isEnabled());
     click("stepperRunReverseButton");
     ASSERT_TRUE(waitFor([&] { return rate() < 0; }));
     click("stepperStopAbruptlyButton");
@@ -303,16 +284,18 @@ TEST_F(SteppersByHand, HeatAndPowerSwitchItOffAndItStaysOff) {
     enable();
     (void)sim.control(QStringLiteral("set 2 analog 70"));
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::Overheated; }));
-    EXPECT_TRUE(headlines().contains(QStringLiteral("Module 2 is too hot and switched its motor off.")));
-    EXPECT_FALSE(find("stepperEnableButton").isEnabled());
+    EXPECT_TRUE(
+        panel.headlines().contains(QStringLiteral("Module 2 is too hot and switched its motor off.")));
+    EXPECT_FALSE(panel.find("stepperEnableButton").isEnabled());
     (void)sim.control(QStringLiteral("set 2 analog 200"));
     click("stepperEnableButton");
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::Holding; }));
     (void)sim.control(QStringLiteral("set 2 power 0"));
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::PowerLost; }));
-    EXPECT_TRUE(headlines().contains(QStringLiteral("Module 2 has no motor power, so its motor is off.")));
+    EXPECT_TRUE(
+        panel.headlines().contains(QStringLiteral("Module 2 has no motor power, so its motor is off.")));
     (void)sim.control(QStringLiteral("set 2 power 1"));
-    ASSERT_TRUE(waitFor([&] { return find("stepperEnableButton").isEnabled(); }));
+    ASSERT_TRUE(waitFor([&] { return panel.find("stepperEnableButton").isEnabled(); }));
     EXPECT_FALSE(truth()[QStringLiteral("amp_enabled")].toBool());
 }
 
@@ -324,7 +307,7 @@ TEST_F(SteppersByHand, TheEstopInputStopsItUnlessItIsIgnored) {
     (void)sim.control(QStringLiteral("set 2 estop 1"));
     ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::EstopActive; }));
     EXPECT_EQ(rate(), 0);
-    EXPECT_FALSE(find("stepperRunForwardButton").isEnabled());
+    EXPECT_FALSE(panel.find("stepperRunForwardButton").isEnabled());
     click("stepperIgnoreEstopField");
     EXPECT_EQ(text("stepperParametersHint"),
               QStringLiteral("If checked, the E-stop input does not stop the motor."));
@@ -341,7 +324,7 @@ TEST_F(SteppersByHand, TheEstopInputStopsItUnlessItIsIgnored) {
 TEST_F(SteppersByHand, DetailsTellEveryBitAndKeepPositionAndHome) {
     enable();
     choose("stepperModeTrapezoidal");
-    type("stepperGoalField", QStringLiteral("250"));
+    panel.type("stepperGoalField", QStringLiteral("250"));
     click("stepperGoButton");
     ASSERT_TRUE(standsAt(250));
     EXPECT_TRUE(waitFor([&] { return text("stepperBit_amplifier_enabled") == QStringLiteral("on"); }));
@@ -359,15 +342,15 @@ TEST_F(SteppersByHand, StepsByADistanceAndGoesHome) {
     enable();
     EXPECT_EQ(tip("stepperGoHomeButton"), "Home is unknown: search for it, or save it.");
     click("stepperSaveHomeButton");
-    type("stepperMoveByDistanceField", QStringLiteral("120"));
-    type("stepperMoveByRoundsField", QStringLiteral("3"));
+    panel.type("stepperMoveByDistanceField", QStringLiteral("120"));
+    panel.type("stepperMoveByRoundsField", QStringLiteral("3"));
     click("stepperMoveByForwardButton");
     ASSERT_TRUE(standsAt(360));
     EXPECT_EQ(position(), 360);
     ASSERT_TRUE(waitFor([&] { return !changing(); }));
     click("stepperGoHomeButton");
     ASSERT_TRUE(standsAt(0));
-    type("stepperMoveByRoundsField", QStringLiteral("500"));
+    panel.type("stepperMoveByRoundsField", QStringLiteral("500"));
     click("stepperMoveByReverseButton");
     ASSERT_TRUE(waitFor([&] { return position() < -100; }));
     click("stepperMoveByEndButton");
@@ -379,12 +362,11 @@ TEST_F(SteppersByHand, StepsByADistanceAndGoesHome) {
 
 TEST_F(SteppersByHand, ASecondLookAtTheServoChangesNothing) {
     enable();
-    auto& list = find<QAbstractItemView>("chainList");
-    list.setCurrentIndex(list.model()->index(0, 0));
-    EXPECT_TRUE(waitFor([&] { return find("servoPanel").isVisible(); }));
-    list.setCurrentIndex(list.model()->index(1, 0));
-    EXPECT_TRUE(waitFor([&] { return find("stepperPanel").isVisible(); }));
-    EXPECT_EQ(find<QLineEdit>("stepperRunCurrentField").text(), QStringLiteral("120"));
+    panel.select(0);
+    EXPECT_TRUE(waitFor([&] { return panel.find("servoPanel").isVisible(); }));
+    panel.select(1);
+    EXPECT_TRUE(waitFor([&] { return panel.find("stepperPanel").isVisible(); }));
+    EXPECT_EQ(panel.find<QLineEdit>("stepperRunCurrentField").text(), QStringLiteral("120"));
     EXPECT_EQ(text("stepperRunCurrentState"), QStringLiteral("✓ sent"));
     EXPECT_EQ(module().activity(), Activity::Holding);
 }

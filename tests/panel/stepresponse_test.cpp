@@ -15,13 +15,12 @@ class StepResponsePlace : public testing::Test {
 protected:
     /// Connects, sends gains, enables the servo, and shows the page.
     void begin() {
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest.has_value(); }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
         applyGains(200, 2'000);
         panel.ask(intent::Enable{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn(); }));
         click("openStepResponseButton");
-        ASSERT_TRUE(panel.waitFor([&] { return find<QWidget>("responsePage")->isVisible(); }));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.find<QWidget>("responsePage").isVisible(); }));
         click("responseHoldButton");
     }
     void applyGains(std::uint16_t kp, std::uint16_t kd) {
@@ -29,32 +28,18 @@ protected:
         panel.ask(intent::ApplyGains{gains});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains == gains; }));
     }
-    template <typename Widget>
-    Widget* find(const char* name) {
-        auto* widget = panel.window().findChild<Widget*>(QLatin1String(name));
-        EXPECT_NE(widget, nullptr) << name;
-        if (widget != nullptr)
-            testing_support::turnTo(*widget);
-        return widget;
-    }
     void click(const char* name) {
-        ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>(name)->isEnabled(); }))
-            << name << ": " << find<QAbstractButton>(name)->toolTip().toStdString();
-        testing_support::clickOn(*find<QAbstractButton>(name));
-    }
-    void type(const char* field, const QString& words) {
-        auto* edit = find<QLineEdit>(field);
-        edit->setFocus();
-        edit->selectAll();
-        QTest::keyClicks(edit, words);
+        ASSERT_TRUE(panel.waitFor([&] { return panel.find<QAbstractButton>(name).isEnabled(); }))
+            << name << ": " << panel.find<QAbstractButton>(name).toolTip().toStdString();
+        testing_support::clickOn(panel.find<QAbstractButton>(name));
     }
     [[nodiscard]] const std::vector<KeptResponse>& runs() {
-        return find<ResponsePage>("responsePage")->runs();
+        return panel.find<ResponsePage>("responsePage").runs();
     }
     void step() {
         panel.step([this] {
             click("responseButton");
-            EXPECT_FALSE(find<QAbstractButton>("responseButton")->isEnabled()) << "one at a time";
+            EXPECT_FALSE(panel.find<QAbstractButton>("responseButton").isEnabled()) << "one at a time";
             goal += 100;
         });
     }
@@ -66,7 +51,7 @@ protected:
                                                           ScopeSignal::Position);
     }
     QString result(int row, int column) {
-        return find<QTableWidget>("responseResults")->item(row, column)->text();
+        return panel.find<QTableWidget>("responseResults").item(row, column)->text();
     }
 
     VirtualChain sim{u"servo,servo,servo"_s};
@@ -101,13 +86,13 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
     ASSERT_TRUE(runs()[1].run.metrics.overshoot);
     EXPECT_GT(runs()[1].run.metrics.overshoot->value, runs()[0].run.metrics.overshoot->value + 5)
         << "this run has a third of the damping";
-    EXPECT_TRUE(find<ResponsePlot>("responsePlot")->legendText(1).startsWith(u"B: run "_s + firstNumber));
+    EXPECT_TRUE(
+        panel.find<ResponsePlot>("responsePlot").legendText(1).startsWith(u"B: run "_s + firstNumber));
 
-    auto* table = find<QTableWidget>("responseRunTable");
-    table->setCurrentCell(1, 2);
+    panel.find<QTableWidget>("responseRunTable").setCurrentCell(1, 2);
     click("responseUseGainsButton");
-    EXPECT_EQ(find<QLineEdit>("kdField")->text(), u"2000"_s);
-    EXPECT_EQ(find<QLabel>("kdState")->text(), u"● not sent"_s);
+    EXPECT_EQ(panel.find<QLineEdit>("kdField").text(), u"2000"_s);
+    EXPECT_EQ(panel.find<QLabel>("kdState").text(), u"● not sent"_s);
     ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_EQ(panel.module().gains->kd, 600) << "the module still has its gains";
     EXPECT_EQ(sim.violations(), "");
@@ -115,12 +100,12 @@ TEST_F(StepResponsePlace, TwoRunsAreComparedAndTheFirstOnesGainsComeBackUnsent) 
 
 TEST_F(StepResponsePlace, AStopEndsItWithoutARun) {
     ASSERT_NO_FATAL_FAILURE(begin());
-    type("responseRecordField", u"3"_s);
+    panel.type("responseRecordField", u"3"_s);
     click("responseButton");
     ASSERT_TRUE(panel.waitFor([&] { return sim.state(1)[u"position"_s].toInt() > 80; }));
     click("stopAllButton");
-    ASSERT_TRUE(panel.waitFor([&] { return find<QAbstractButton>("responseButton")->isEnabled(); }))
-        << find<QAbstractButton>("responseButton")->toolTip().toStdString();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.find<QAbstractButton>("responseButton").isEnabled(); }))
+        << panel.find<QAbstractButton>("responseButton").toolTip().toStdString();
     ASSERT_TRUE(panel.answersFor(0.3));
     EXPECT_TRUE(runs().empty());
     EXPECT_FALSE(testing_support::moves(sim));

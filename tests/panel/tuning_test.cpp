@@ -19,9 +19,7 @@ class Tuning : public testing::Test {
 protected:
     void SetUp() override {
         panel.window().resize(1500, 1100);
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor(
-            [&] { return panel.connected() && panel.module().activity() != Activity::Unknown; }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
         panel.window().findChild<QAction*>(u"tuneLayoutAction"_s)->trigger();
     }
     void TearDown() override { texts::setModuleNames({}); }
@@ -56,12 +54,8 @@ protected:
     }
     /// Types over the contents of the fields, as a user does.
     void fill(std::initializer_list<std::pair<const char*, const char*>> fields) {
-        for (const auto& [name, value] : fields) {
-            auto* field = panel.window().findChild<QLineEdit*>(QLatin1String(name));
-            field->setFocus();
-            field->selectAll();
-            QTest::keyClicks(field, QLatin1String(value));
-        }
+        for (const auto& [name, value] : fields)
+            panel.type(name, QLatin1String(value));
     }
     /// The numbers after a word of the model: the value found, and its standard deviation.
     [[nodiscard]] std::pair<double, double> found(const QString& word) {
@@ -311,10 +305,7 @@ TEST_F(Tuning, AReversedEncoderEndsWithTheMotorOffAndNoModel) {
 
 TEST_F(Tuning, MotorPowerThatIsLostEndsTheStepWithoutAModel) {
     ASSERT_NO_FATAL_FAILURE(hold());
-    auto* field = panel.window().findChild<QLineEdit*>(u"responseRecordField"_s);
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, u"3"_s);
+    panel.type("responseRecordField", u"3"_s);
     ASSERT_NO_FATAL_FAILURE(panel.click("responseButton"));
     ASSERT_TRUE(panel.waitFor([&] { return sim.state(1)[u"position"_s].toInt() > 50; }));
     (void)sim.control(u"set 1 power 0"_s);

@@ -25,8 +25,7 @@ class WorkOffsetSession : public testing::Test {
 protected:
     void SetUp() override {
         panel.window().resize(1'500, 1'000);
-        panel.composition().show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module().latest; }));
+        ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
         ASSERT_NO_FATAL_FAILURE(panel.makeReady());
         AxisSettings axis = panel.composition().machine().axis(ModuleIndex(0));
         axis.unit = {UnitKind::Millimetres, 400.0, ""};

@@ -7,6 +7,8 @@
 #include <QtTest>
 #include <QtWidgets>
 #include <functional>
+#include <stdexcept>
+#include <string>
 
 #include "app/composition.h"
 #include "tests/support/eventually.h"
@@ -38,6 +40,11 @@ public:
     virtual ~IntentPanel() = default;
 
     void start() { m_composition.show({}); }
+    /// Starts at a chain, and waits until the state of its first module is known.
+    void startAt(const QString& port) {
+        m_composition.show({port, 115'200, false});
+        ASSERT_TRUE(waitFor([&] { return connected() && module().activity() != Activity::Unknown; }));
+    }
     /// Connects, and waits until the modules have been found.
     void connectTo(const QString& port) {
         ASSERT_NO_FATAL_FAILURE(askFor(port));
@@ -59,6 +66,28 @@ public:
         click("disconnectButton");
         if (auto* stop = window().findChild<QAbstractButton*>(QStringLiteral("stopAndCloseButton")))
             QTest::mouseClick(stop, Qt::LeftButton);
+    }
+    /// The control with this name, on the page that is shown for it.
+    template <typename Widget = QWidget>
+    Widget& find(const char* name) {
+        auto* widget = window().findChild<Widget*>(QLatin1String(name));
+        if (widget == nullptr)
+            throw std::runtime_error(std::string("there is no ") + name);
+        turnTo(*widget);
+        return *widget;
+    }
+    /// Types over what is in the field.
+    void type(const char* field, const QString& text) {
+        auto& edit = find<QLineEdit>(field);
+        edit.setFocus();
+        edit.selectAll();
+        QTest::keyClicks(&edit, text);
+        EXPECT_EQ(edit.text(), text) << field << " enabled: " << edit.isEnabled();
+    }
+    /// Selects a module in the list of the chain.
+    void select(int row) {
+        auto& list = find<QAbstractItemView>("chainList");
+        list.setCurrentIndex(list.model()->index(row, 0));
     }
     void click(const char* name) {
         QAbstractButton* button = nullptr;
@@ -91,31 +120,35 @@ public:
         const std::pair<const char*, int> gains[] = {{"kpField", 200},   {"kdField", 2'000}, {"kiField", 20},
                                                      {"ilField", 200},   {"olField", 255},   {"clField", 0},
                                                      {"elField", 8'000}, {"srField", 1},     {"dbField", 0}};
-        for (const auto& [name, value] : gains) {
-            auto* field = window().findChild<QLineEdit*>(QLatin1String(name));
-            ASSERT_NE(field, nullptr) << name;
-            turnTo(*field);
-            field->setFocus();
-            field->selectAll();
-            QTest::keyClicks(field, QString::number(value));
-        }
+        for (const auto& [name, value] : gains)
+            type(name, QString::number(value));
         ASSERT_NO_FATAL_FAILURE(click("applyGainsButton"));
         ASSERT_NO_FATAL_FAILURE(click("enableButton"));
-        ASSERT_TRUE(waitFor([&] { return m_composition.store().module(ModuleIndex(index))->servoOn(); }));
+        ASSERT_TRUE(waitFor([&] { return module(index).servoOn(); }));
+    }
+    /// Moves the selected servo, as an operator would.
+    void goTo(int counts) {
+        type("goalField", QString::number(counts));
+        type("velocityField", QStringLiteral("8"));
+        type("accelerationField", QStringLiteral("0.02"));
+        click("goButton");
+    }
+    /// Enables the first servo, with gains that hold the simulator's motor.
+    void enable(std::uint16_t positionErrorLimit = 8'000) {
+        ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, positionErrorLimit, 1, std::uint8_t{0}}});
+        ASSERT_TRUE(waitFor([&] { return module().gains.has_value(); }));
+        ask(intent::Enable{});
+        ASSERT_TRUE(waitFor([&] { return module().servoOn(); }));
     }
     /// Connects to a simulator and runs its first module in velocity mode.
     template <typename Simulator>
     void startMoving(Simulator& sim) {
-        m_composition.show({sim.terminal(), 115'200, false});
-        ASSERT_TRUE(waitFor([&] { return connected() && module().activity() != Activity::Unknown; }));
+        ASSERT_NO_FATAL_FAILURE(startAt(sim.terminal()));
         setGoing();
     }
     /// Runs the first module in velocity mode.
     void setGoing() {
-        ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
-        ASSERT_TRUE(waitFor([&] { return module().gains.has_value(); }));
-        ask(intent::Enable{});
-        ASSERT_TRUE(waitFor([&] { return module().servoOn(); }));
+        ASSERT_NO_FATAL_FAILURE(enable());
         ask(intent::Move{
             servomotion::VelocityProfile{CountsPerTick(8 << 16), CountsPerTickSquared(1'311), false}});
         ASSERT_TRUE(waitFor([&] { return module().activity() == Activity::AtSpeed; }));
@@ -177,7 +210,9 @@ public:
         return QFileInfo(m_settings.fileName()).dir().entryList({QStringLiteral("moving-*.json")});
     }
 
-    [[nodiscard]] const ModuleState& module() const { return *m_composition.store().module(ModuleIndex(0)); }
+    [[nodiscard]] const ModuleState& module(std::uint8_t index = 0) const {
+        return *m_composition.store().module(ModuleIndex(index));
+    }
     MainWindow& window() { return m_composition.window(); }
     Composition& composition() { return m_composition; }
     QSettings& settings() { return m_settings; }
