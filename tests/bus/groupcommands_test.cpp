@@ -2,8 +2,6 @@
 // Commands to groups other than start and home: stops, a new zero, sticky bits (DS-V 4.1, 5.2).
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "tests/bus/groups.h"
 
 namespace nmc::test {

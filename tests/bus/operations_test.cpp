@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/bus/scriptedbus.h"

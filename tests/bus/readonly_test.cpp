@@ -3,7 +3,6 @@
 // commands that its modules have carried out.
 #include <gtest/gtest.h>
 
-#include <optional>
 #include <set>
 
 #include "tests/bus/leftbehind.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // F-23, F-24, F-26, F-41, F-42: chains that are not as expected when they are searched for.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/bus/scriptedbus.h"

@@ -6,7 +6,6 @@
 #include <sys/stat.h>
 
 #include <QFile>
-#include <QSignalSpy>
 #include <QTemporaryDir>
 
 #include "model/recording/recording.h"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <vector>
 
 #include "model/scope/derivedsignals.h"
 #include "model/scope/scopetrigger.h"

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "model/recording/widerecording.h"
 #include "model/scope/derivedsignals.h"
 #include "model/scope/scopefeed.h"

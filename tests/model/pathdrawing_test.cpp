@@ -3,8 +3,6 @@
 // calculated by hand.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "model/path/pathdrawing.h"
 #include "model/path/pathfile.h"
 

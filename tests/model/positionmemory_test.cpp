@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "servofixture.h"
 #include "tests/support/modules.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Paths that are followed to their end. Engine and simulator in virtual time, checked against the simulator's
 // command position at every tick.
-#include <algorithm>
-
 #include "tests/procedures/pathbench.h"
 
 namespace nmc::test {

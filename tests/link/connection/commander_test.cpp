@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QSignalSpy>
-
 #include "tests/link/connection/virtualconnection.h"
 
 namespace nmc {
