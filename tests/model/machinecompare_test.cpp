@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "tests/model/anymachine.h"
 #include "tests/model/machines.h"
 #include "tests/support/modules.h"
 

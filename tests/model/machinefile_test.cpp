@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "tests/model/anymachine.h"
 #include "tests/model/machines.h"
 
 namespace nmc {
