@@ -40,6 +40,11 @@ protected:
         return panel.waitFor(
             [&] { return open() && !find<QLabel>(u"printState"_s)->text().startsWith(u"Looking"_s); });
     }
+    /// Prints, as far as that.
+    bool ask() {
+        print();
+        return asked();
+    }
     bool open() {
         auto* dialog = panel.window().findChild<QDialog*>(u"printDialog"_s);
         return dialog != nullptr && dialog->isVisible();
@@ -74,8 +79,7 @@ protected:
 };
 
 TEST_F(PrintingProgram, TheSystemsOwnPrinterIsProposedAndGetsThePage) {
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     EXPECT_EQ(printers(), (QStringList{u"office"_s, u"lab"_s, u"plotter"_s}));
     EXPECT_EQ(chosen(), u"lab"_s);
     click(u"printButton"_s);
@@ -88,8 +92,7 @@ TEST_F(PrintingProgram, TheSystemsOwnPrinterIsProposedAndGetsThePage) {
 }
 
 TEST_F(PrintingProgram, AnotherPrinterIsChosenWithMoreCopiesAndProposedTheNextTime) {
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     QTest::keyClick(find<QComboBox>(u"printerBox"_s), Qt::Key_End);
     auto* copies = find<QLineEdit>(u"copiesField"_s);
     copies->setFocus();
@@ -98,20 +101,17 @@ TEST_F(PrintingProgram, AnotherPrinterIsChosenWithMoreCopiesAndProposedTheNextTi
     QTest::keyClick(copies, Qt::Key_Return);
     ASSERT_TRUE(told("The page was sent to the printer."));
     EXPECT_EQ(contentOf(u"asked"_s), "-d plotter -n 12 -t NMC Panel\n");
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     EXPECT_EQ(chosen(), u"plotter"_s);
     EXPECT_EQ(find<QLineEdit>(u"copiesField"_s)->text(), u"1"_s) << "the number of copies is not remembered";
     click(u"printCancelButton"_s);
     installPrinters("office\\nlab\\n", "system default destination: lab");
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     EXPECT_EQ(chosen(), u"lab"_s) << "the other printer no longer exists";
 }
 
 TEST_F(PrintingProgram, MoreCopiesThanThereCanBePrintNothing) {
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     auto* copies = find<QLineEdit>(u"copiesField"_s);
     copies->setFocus();
     copies->selectAll();
@@ -123,19 +123,16 @@ TEST_F(PrintingProgram, MoreCopiesThanThereCanBePrintNothing) {
 }
 
 TEST_F(PrintingProgram, CancelPrintsNothing) {
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     click(u"printCancelButton"_s);
     EXPECT_FALSE(open());
-    print();
-    ASSERT_TRUE(asked()) << "programs that were started later have answered";
+    ASSERT_TRUE(ask()) << "programs that were started later have answered";
     EXPECT_EQ(panel.count(u"The page"_s), 0);
     EXPECT_FALSE(QFile::exists(directory.filePath(u"asked"_s)));
 }
 
 TEST_F(PrintingProgram, AnotherPageTakesThePlaceOfTheOneThatIsAskedAbout) {
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     QTest::keyClick(find<QComboBox>(u"printerBox"_s), Qt::Key_End);
     print();
     EXPECT_EQ(panel.window().findChildren<QDialog*>(u"printDialog"_s).size(), 1);
@@ -147,8 +144,7 @@ TEST_F(PrintingProgram, AnotherPageTakesThePlaceOfTheOneThatIsAskedAbout) {
 
 TEST_F(PrintingProgram, TheOnlyPrinterIsShown) {
     installPrinters("office\\n", "no system default destination");
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     EXPECT_EQ(printers(), QStringList{u"office"_s});
     EXPECT_EQ(chosen(), u"office"_s);
 }
@@ -166,8 +162,7 @@ TEST_F(PrintingProgram, AStepPlotIsPrintedAsWell) {
 
 TEST_F(PrintingProgram, WithoutAPrinterItSaysWhatToDoAndSavesThePage) {
     installPrinters("", "no system default destination");
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     EXPECT_TRUE(
         find<QLabel>(u"printState"_s)->text().startsWith(u"No printer is set up on this computer."_s));
     // All of its lines are visible.
@@ -186,8 +181,7 @@ TEST_F(PrintingProgram, WithoutAPrinterItSaysWhatToDoAndSavesThePage) {
 TEST_F(PrintingProgram, WithoutAPrintSystemItSaysTheSame) {
     qputenv("PATH", place({}));
     ASSERT_TRUE(QFile::remove(directory.filePath(u"lpstat"_s)));
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     EXPECT_TRUE(
         find<QLabel>(u"printState"_s)->text().startsWith(u"No printer is set up on this computer."_s));
 }
@@ -224,18 +218,15 @@ TEST_F(PrintingProgram, TheSystemsOwnPrinterNeedNotWaitForTheOthers) {
 
 TEST_F(PrintingProgram, APrintSystemThatDoesNotAnswerHoldsNothingUp) {
     install("lp", "exec sleep 60");
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     click(u"printButton"_s);
-    print();
-    ASSERT_TRUE(asked()) << "programs that were started later have answered";
+    ASSERT_TRUE(ask()) << "programs that were started later have answered";
     EXPECT_EQ(panel.count(u"The page"_s), 0);
 }
 
 TEST_F(PrintingProgram, WhatThePrintSystemRefusesIsSaid) {
     install("lp", "echo 'lab is not accepting jobs' >&2; exit 1");
-    print();
-    ASSERT_TRUE(asked());
+    ASSERT_TRUE(ask());
     click(u"printButton"_s);
     EXPECT_TRUE(told("Could not print the page."));
 }

@@ -69,17 +69,20 @@ TEST(M15_HomeCapturedWhileRepliesWereLost, IsToldAsItIs) {
 
 // ---- M-17 ----
 
+/// The position error limit is so high that it does not end a motion before the host does.
+void enableWithoutALimit(FaultyBus& bus) {
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({toServo(0, servo::SetGain{200, 2000, 20, 200, 255, 0, 0x3FFF, 1, std::uint8_t{0}}),
+                           enable(0)}),
+              Outcome::Done);
+}
+
 TEST(M17_MotorRunsAway, IsStoppedWithinThreePolls) {
     constexpr std::int32_t kFarOut = 500;
     for (const bool byVelocity : {false, true}) {
         SCOPED_TRACE(byVelocity);
         FaultyBus bus(servos(1), kFast);
-        ASSERT_TRUE(bus.connect());
-        // The position error limit is so high that it does not end the motion first.
-        ASSERT_EQ(
-            bus.perform({toServo(0, servo::SetGain{200, 2000, 20, 200, 255, 0, 0x3FFF, 1, std::uint8_t{0}}),
-                         enable(0)}),
-            Outcome::Done);
+        ASSERT_NO_FATAL_FAILURE(enableWithoutALimit(bus));
         bus.runFor(200ms);
         bus.fault("module 1 reverse");
         if (byVelocity)
@@ -103,10 +106,7 @@ TEST(M17_MotorRunsAway, IsStoppedWithinThreePolls) {
 /// A stop that keeps the servo on would let it run on the wrong way.
 TEST(M17_MotorRunsAway, IsSwitchedOffByAStopOfAllModulesAsWell) {
     FaultyBus bus(servos(1), kFast);
-    ASSERT_TRUE(bus.connect());
-    ASSERT_EQ(bus.perform({toServo(0, servo::SetGain{200, 2000, 20, 200, 255, 0, 0x3FFF, 1, std::uint8_t{0}}),
-                           enable(0)}),
-              Outcome::Done);
+    ASSERT_NO_FATAL_FAILURE(enableWithoutALimit(bus));
     bus.fault("module 1 reverse");
     bus.submit({loadVelocity(0, kOnePerTick, true)});
     bool lost = false;
@@ -124,10 +124,7 @@ TEST(M17_MotorRunsAway, IsSwitchedOffByAStopOfAllModulesAsWell) {
 
 TEST(M17_MotorRunsAway, IsSwitchedOffWhateverStopIsAskedForDuringASearch) {
     FaultyBus bus(servos(1), kFast);
-    ASSERT_TRUE(bus.connect());
-    ASSERT_EQ(bus.perform({toServo(0, servo::SetGain{200, 2000, 20, 200, 255, 0, 0x3FFF, 1, std::uint8_t{0}}),
-                           enable(0)}),
-              Outcome::Done);
+    ASSERT_NO_FATAL_FAILURE(enableWithoutALimit(bus));
     bus.fault("module 1 reverse");
     bus.submit({loadVelocity(0, kOnePerTick, true)});
     bool arrives = false;

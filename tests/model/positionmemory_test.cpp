@@ -52,6 +52,12 @@ struct Axis {
         memory = {};
         memory.begin(kept.positions);
     }
+    /// Begins another session, in which the module has restarted and reports 0.
+    void restarted() {
+        another();
+        find(false);
+        says(0);
+    }
 };
 
 TEST(PositionMemory, KnowsNothingOfAnAxisWithoutAHome) {
@@ -83,9 +89,7 @@ TEST(PositionMemory, AModuleThatRestartedHasItsHomeOnTheOtherSideOfZero) {
 TEST(PositionMemory, WhatIsTakenIsNotVerifiedUntilItIsFoundAgain) {
     Axis axis;
     axis.wasLeft();
-    axis.another();
-    axis.find(false);
-    axis.says(0);
+    axis.restarted();
     (void)axis.look();
     axis.module().home.takeOffer(atSeconds(axis.time));
     ASSERT_TRUE(axis.module().home.place());
@@ -99,15 +103,11 @@ TEST(PositionMemory, WhatIsTakenIsNotVerifiedUntilItIsFoundAgain) {
 TEST(PositionMemory, AnOfferThatNobodyTakesGoesAlongWithTheMotor) {
     Axis axis;
     axis.wasLeft();
-    axis.another();
-    axis.find(false);
-    axis.says(0);
+    axis.restarted();
     (void)axis.look();
     axis.says(250);
     (void)axis.look(kMonday + 100);
-    axis.another();
-    axis.find(false);
-    axis.says(0);
+    axis.restarted();
     const auto offers = axis.look();
     ASSERT_EQ(offers.size(), 1U);
     EXPECT_EQ(offers[0].home, 450) << "it was 450 before home";
@@ -121,9 +121,7 @@ TEST(PositionMemory, OneThatMovedWhenItWasSeenLastIsNotOffered) {
     axis.says(-300, kPower);
     (void)axis.look();
     ASSERT_TRUE(axis.memory.remembered().at(kFirst).moving);
-    axis.another();
-    axis.find(false);
-    axis.says(0);
+    axis.restarted();
     EXPECT_TRUE(axis.look().empty());
     axis.says(0);
     (void)axis.look();
@@ -157,9 +155,7 @@ TEST(PositionMemory, ACounterThatGoesOnHasToStandWhereItStood) {
 TEST(PositionMemory, ZeroHereTakesTheOfferAlong) {
     Axis axis;
     axis.wasLeft();
-    axis.another();
-    axis.find(false);
-    axis.says(0);
+    axis.restarted();
     (void)axis.look();
     axis.says(100);
     axis.says(100);
@@ -170,9 +166,7 @@ TEST(PositionMemory, ZeroHereTakesTheOfferAlong) {
 TEST(PositionMemory, AJumpOfTheCounterWithdrawsIt) {
     Axis axis;
     axis.wasLeft();
-    axis.another();
-    axis.find(false);
-    axis.says(0);
+    axis.restarted();
     (void)axis.look();
     bus::Sample jump = sampleOf(axis.time += 0.05, kMoveDone | kPower, kServoOn, 5'000);
     jump.jumped = true;
@@ -234,9 +228,7 @@ TEST(PositionMemory, ReadsAFileThatAnEarlierVersionHasWritten) {
 TEST(PositionMemory, ThereIsNoEndOfTheCountThatItFallsOver) {
     Axis axis;
     axis.wasLeft(kLastCount, -kLastCount);
-    axis.another();
-    axis.find(false);
-    axis.says(0);
+    axis.restarted();
     const auto offers = axis.look();
     ASSERT_EQ(offers.size(), 1U);
     EXPECT_EQ(offers[0].home, 2) << "-2 from home, across the wrap";

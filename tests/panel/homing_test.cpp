@@ -39,6 +39,13 @@ protected:
         EXPECT_TRUE(came) << text("homingResultLabel").toStdString();
         return came;
     }
+    /// Begins a slow search.
+    void search() {
+        ASSERT_NO_FATAL_FAILURE(begin());
+        panel.type("homingVelocityField", u"0.2"_s);
+        click("homeButton");
+        ASSERT_TRUE(waitForResult(u"Searching"_s));
+    }
     VirtualChain sim{u"servo,servo"_s};
     VirtualChain stepFirst{u"step,servo"_s};
     VirtualPanel panel;
@@ -168,10 +175,7 @@ TEST_F(HomingPage, AHardStopIsHomeAndNoTrip) {
 }
 
 TEST_F(HomingPage, M15_AModuleThatFallsSilentIsNotHomedAndToldToStop) {
-    ASSERT_NO_FATAL_FAILURE(begin());
-    panel.type("homingVelocityField", u"0.2"_s);
-    click("homeButton");
-    ASSERT_TRUE(waitForResult(u"Searching"_s));
+    ASSERT_NO_FATAL_FAILURE(search());
     ASSERT_TRUE(panel.waitFor([&] { return *panel.module().latest->position < -60; }));
     // It receives and carries out commands, but its answers are lost.
     EXPECT_FALSE(sim.control(u"fault module 1 drop status for=4s"_s).contains(u"error"_s));
@@ -204,10 +208,7 @@ TEST_F(HomingPage, AStepperFindsItsHomeSwitchToo) {
 }
 
 TEST_F(HomingPage, CancelStopsTheMotor) {
-    ASSERT_NO_FATAL_FAILURE(begin());
-    panel.type("homingVelocityField", u"0.2"_s);
-    click("homeButton");
-    ASSERT_TRUE(waitForResult(u"Searching"_s));
+    ASSERT_NO_FATAL_FAILURE(search());
     ASSERT_TRUE(panel.waitFor([&] { return *panel.module().latest->position < -60; }));
     click("cancelHomingButton");
     ASSERT_TRUE(waitForResult(u"Cancelled"_s));
@@ -228,10 +229,7 @@ class OtherWish : public HomingPage, public testing::WithParamInterface<Other> {
 /// Any other request ends the search, and leaves the motor as that request wants it.
 TEST_P(OtherWish, EndsTheSearchAndIsNotUndone) {
     const char* const name = GetParam().button;
-    ASSERT_NO_FATAL_FAILURE(begin());
-    panel.type("homingVelocityField", u"0.2"_s);
-    click("homeButton");
-    ASSERT_TRUE(waitForResult(u"Searching"_s));
+    ASSERT_NO_FATAL_FAILURE(search());
     ASSERT_TRUE(panel.waitFor([&] { return *panel.module().latest->position < -60; }));
     ASSERT_TRUE(panel.waitFor([&] { return button(name)->isEnabled(); }))
         << button(name)->toolTip().toStdString();
@@ -256,10 +254,7 @@ INSTANTIATE_TEST_SUITE_P(Buttons, OtherWish,
                          [](const auto& tested) { return std::string(tested.param.button); });
 
 TEST_F(HomingPage, ClosingThePortEndsIt) {
-    ASSERT_NO_FATAL_FAILURE(begin());
-    panel.type("homingVelocityField", u"0.2"_s);
-    click("homeButton");
-    ASSERT_TRUE(waitForResult(u"Searching"_s));
+    ASSERT_NO_FATAL_FAILURE(search());
     panel.disconnect();
     ASSERT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));
     EXPECT_FALSE(testing_support::moves(sim));

@@ -34,6 +34,12 @@ protected:
             sum += one.at(0).toInt();
         return sum;
     }
+    /// Pushes the ring while a button is held.
+    void pushWith(VirtualWheel& device) {
+        wheel.setOn(true);
+        device.press();
+        device.push(4);
+    }
     JogWheel wheel{nullptr};
     QSignalSpy m_pushed{&wheel, &JogWheel::pushed};
     QSignalSpy m_turned{&wheel, &JogWheel::turned};
@@ -114,9 +120,7 @@ TEST_F(JogWheels, TheWheelCountsDetentsAcrossItsZero) {
 
 TEST_F(JogWheels, TheMiddleButtonStopsAllAndMovesNothing) {
     VirtualWheel device;
-    wheel.setOn(true);
-    device.press();
-    device.push(4);
+    pushWith(device);
     device.press(VirtualWheel::kMiddleButton);
     EXPECT_EQ(stops.size(), 1);
     EXPECT_EQ(released.size(), 1);
@@ -131,9 +135,7 @@ TEST_F(JogWheels, TheMiddleButtonStopsAllAndMovesNothing) {
 TEST_F(JogWheels, UnpluggedInMotionItStopsAndAnotherIsFound) {
     {
         VirtualWheel device;
-        wheel.setOn(true);
-        device.press();
-        device.push(4);
+        pushWith(device);
         device.unplug();
         EXPECT_EQ(released.size(), 1);
         EXPECT_FALSE(wheel.isThere());
@@ -147,9 +149,7 @@ TEST_F(JogWheels, UnpluggedInMotionItStopsAndAnotherIsFound) {
 
 TEST_F(JogWheels, ReportsThatWereLostEndTheMotion) {
     VirtualWheel device;
-    wheel.setOn(true);
-    device.press();
-    device.push(4);
+    pushWith(device);
     device.report({}, SYN_DROPPED);
     EXPECT_EQ(released.size(), 1);
     device.push(5);
@@ -158,9 +158,7 @@ TEST_F(JogWheels, ReportsThatWereLostEndTheMotion) {
 
 TEST_F(JogWheels, SwitchedOffItEndsTheMotionAndReadsNothing) {
     VirtualWheel device;
-    wheel.setOn(true);
-    device.press();
-    device.push(4);
+    pushWith(device);
     wheel.setOn(false);
     EXPECT_EQ(released.size(), 1);
     EXPECT_FALSE(wheel.isThere());
