@@ -175,6 +175,9 @@ TEST_P(PicStepCommands, SetParameters16_InMotionSpeedModeAndMinimumSpeedAreIgnor
     load({.speed = 1});
     rig->wait(milliseconds(200));
     EXPECT_NEAR(stepsIn(kEightSeconds), 8 * 20 * 25, 1);
+    stop(0x05);
+    load({});
+    EXPECT_NEAR(truth<double>("step_rate"), 20 * 25, 1e-9) << "they do not take effect later either";
     expectNoViolations();
 }
 

@@ -118,6 +118,7 @@ TEST_P(PicStep, VelocityProfile1_At1xTheStepIs25AndTheMaximum6250) {
     load({.speed = 250});
     rig->wait(milliseconds(64));  // 249 x 0.25 ms
     EXPECT_NEAR(stepsIn(kEightSeconds), 8 * 6'250, 1);
+    EXPECT_EQ(report().timerCount, 65'536U - 100 + 2);
 }
 
 TEST_P(PicStep, VelocityProfile2_At2xTheStepIs50AndTheMaximum12500) {
@@ -127,6 +128,7 @@ TEST_P(PicStep, VelocityProfile2_At2xTheStepIs50AndTheMaximum12500) {
     load({.speed = 250});
     rig->wait(milliseconds(64));
     EXPECT_NEAR(stepsIn(kEightSeconds), 8 * 12'500, 1);
+    EXPECT_EQ(report().timerCount, 65'536U - 100 + 4);
 }
 
 TEST_P(PicStep, VelocityProfile3_At4xTheStepIs100AndTheMaximum25000) {
@@ -136,6 +138,7 @@ TEST_P(PicStep, VelocityProfile3_At4xTheStepIs100AndTheMaximum25000) {
     load({.speed = 250});
     rig->wait(milliseconds(64));
     EXPECT_NEAR(stepsIn(kEightSeconds), 8 * 25'000, 1);
+    EXPECT_EQ(report().timerCount, 65'536U - 100 + 8);
 }
 
 TEST_P(PicStep, VelocityProfile4_At8xTheStepIs200AndTheMaximum50000) {
@@ -145,6 +148,7 @@ TEST_P(PicStep, VelocityProfile4_At8xTheStepIs200AndTheMaximum50000) {
     load({.speed = 250});
     rig->wait(milliseconds(64));
     EXPECT_NEAR(stepsIn(kEightSeconds), 8 * 50'000, 1);
+    EXPECT_EQ(report().timerCount, 65'536U - 100 + 16);
 }
 
 TEST_P(PicStep, VelocityProfile5_SpeedsAreWholeNumbersFrom1To250) {
@@ -229,6 +233,7 @@ TEST_P(PicStep, Trapezoid1_AcceleratesSlewsAndDeceleratesToAStopAtTheGoal) {
     EXPECT_EQ(fastest, 120U);
     EXPECT_NEAR(elapsed, 0.751, 0.003);
     EXPECT_EQ(report().position, 2'000);
+    EXPECT_EQ(status(), 0x0CU);
     EXPECT_EQ(stepsIn(std::chrono::seconds(1)), 0);
     expectNoViolations();
 }
@@ -237,6 +242,7 @@ TEST_P(PicStep, Trapezoid2_TheRunningSpeedIsThatOfTheVelocityProfile) {
     parameters(k1x, 20);
     load({.position = 2'000, .speed = 120, .acceleration = 4});
     rig->wait(milliseconds(200));
+    EXPECT_EQ(status() & 0x71U, 0x51U) << "moving, at speed, in a trapezoid";
     EXPECT_NEAR(stepsIn(k125Ticks), 0.064 * 3'000, 1);
 }
 

@@ -63,14 +63,6 @@ TEST_F(Servo, TheIdleReplyHasTheShapeOfTheGoldenOne) {
     EXPECT_GT(r.home, 0);
 }
 
-TEST_F(Servo, DefineStatusIsPermanentAndItsReplyAlreadyHasTheItems) {
-    EXPECT_EQ(wire.command(1, 0x12, {0x20}).size(), 4U);
-    EXPECT_EQ(wire.command(1, 0x0E).size(), 4U);
-    EXPECT_EQ(wire.command(1, 0x13, {0x01}).size(), 6U);
-    EXPECT_EQ(wire.command(1, 0x0E).size(), 4U) << "Read Status is for its own reply only";
-    EXPECT_EQ(wire.command(1, 0x13, {0xC0}).size(), 2U) << "items 6 and 7 do not exist";
-}
-
 TEST_F(Servo, VelocityModeFollowsTheVelocityAndReportsItsNegative) {
     servoOn();
     wire.velocity(-5 * std::int64_t{kOne}, kOne / 10);
@@ -156,22 +148,6 @@ TEST_F(Servo, MotorOffDisablesTheServoAndSetsPositionErrorForGood) {
     EXPECT_TRUE(wire.report().positionError()) << "sticky";
     wire.command(1, 0x0B);
     EXPECT_FALSE(wire.report().positionError());
-}
-
-TEST_F(Servo, LosingPowerDisablesTheServoAndItStaysOffWhenPowerReturns) {
-    servoOn();
-    wire.velocity(3 * kOne, kOne);
-    wire.waitTicks(50);
-    wire.set(Input::Power, 0);
-    Report r = wire.report();
-    EXPECT_EQ(r.status & 0x18U, 0x10U) << "no power, position error";
-    EXPECT_FALSE(r.servoOn());
-    wire.set(Input::Power, 1);
-    wire.waitTicks(10);
-    r = wire.report();
-    EXPECT_EQ(r.status & 0x18U, 0x18U);
-    EXPECT_FALSE(r.servoOn());
-    EXPECT_EQ(wire.truth().servo.pwm, 0);
 }
 
 TEST_F(Servo, AnUnusedCommandCodeIsAnsweredAndChangesNothing) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DS-S 4.1 to 4.3: the step timer, the unprofiled modes and the two profiles.
+// DS-S 4.1 to 4.3, the step timer, the unprofiled modes and the two profiles: the simulator's behaviour
+// beyond the statements, which tests/conformance covers.
 #include "tests/sim/stepperwire.h"
 
 namespace nmc::sim::test {
@@ -12,27 +13,8 @@ struct Timer {
     unsigned mode;
     double hertz;
     unsigned k;
-    unsigned multiplier;
 };
-constexpr Timer kTimers[] = {{k1x, 625e3, 2, 1}, {k2x, 1.25e6, 4, 2}, {k4x, 2.5e6, 8, 4}, {k8x, 5e6, 16, 8}};
-
-TEST(StepperTimer, TheInitialCountOfTheFormulaGivesTheSpeedInAllFourModes) {
-    for (const Timer& timer : kTimers) {
-        // Speeds that divide the clock: 65 536 - f/S + k.
-        for (const unsigned speed :
-             {50U * timer.multiplier, 1000U * timer.multiplier, 5000U * timer.multiplier}) {
-            StepperWire wire;
-            wire.parameters(timer.mode);
-            const auto count = static_cast<std::uint16_t>(65'536 - timer.hertz / speed + timer.k);
-            wire.load({.count = count});
-            wire.wait(milliseconds(100));
-            EXPECT_NEAR(wire.step().stepRate, speed, 1e-9);
-            EXPECT_NEAR(wire.stepsIn(kEightSeconds), 8.0 * speed, 1.0) << speed;
-            EXPECT_EQ(wire.stepReport().timerCount, count);
-            EXPECT_EQ(wire.violations(), std::vector<ViolationKind>{});
-        }
-    }
-}
+constexpr Timer kTimers[] = {{k1x, 625e3, 2}, {k2x, 1.25e6, 4}, {k4x, 2.5e6, 8}, {k8x, 5e6, 16}};
 
 TEST(StepperTimer, TakesCountsFrom1To65452AndNoOthers) {
     for (const Timer& timer : kTimers) {
@@ -56,15 +38,6 @@ TEST(StepperTimer, TakesCountsFrom1To65452AndNoOthers) {
     EXPECT_NEAR(wire.step().stepRate, 50'000, 1e-6);
 }
 
-TEST(Unprofiled, StartsAtFullSpeedInTheDirectionOfTheBit) {
-    StepperWire wire;
-    wire.parameters(k1x, 50);
-    wire.load({.count = std::uint16_t{65'536 - 125 + 2}, .nearest = 200, .reverse = true});  // 5000/s
-    EXPECT_EQ(wire.stepReport().status & 0x71U, 0x11U) << "moving, at speed, no profile";
-    EXPECT_TRUE(wire.step().reverse);
-    EXPECT_NEAR(wire.stepsIn(milliseconds(512)), -2560, 1);
-}
-
 TEST(Unprofiled, StopsAbruptlyAtTheLoadedPosition) {
     for (const std::int32_t goal : {5000, -5000}) {
         StepperWire wire;
@@ -77,125 +50,6 @@ TEST(Unprofiled, StopsAbruptlyAtTheLoadedPosition) {
         wire.wait(seconds(1));
         EXPECT_EQ(wire.position(), goal);
     }
-}
-
-TEST(VelocityProfile, HasTheResolutionAndMaximumOfTable3) {
-    for (const Timer& timer : kTimers) {
-        StepperWire wire;
-        wire.parameters(timer.mode);
-        wire.load({.speed = std::uint8_t{1}, .acceleration = std::uint8_t{1}});
-        EXPECT_NEAR(wire.step().stepRate, 25.0 * timer.multiplier, 1e-9);
-        EXPECT_NEAR(wire.stepsIn(kEightSeconds), 200.0 * timer.multiplier, 1.0);
-        wire.load({.speed = std::uint8_t{250}});
-        wire.wait(milliseconds(100));
-        EXPECT_NEAR(wire.step().stepRate, 6250.0 * timer.multiplier, 1e-9);
-        EXPECT_NEAR(wire.stepsIn(kEightSeconds), 50'000.0 * timer.multiplier, 1.0);
-        EXPECT_EQ(wire.stepReport().timerCount, 65'536U - 100U + timer.k);
-    }
-}
-
-TEST(VelocityProfile, From25To125WithAnAccelerationTimeOf4Takes100Milliseconds) {
-    StepperWire wire;
-    wire.parameters(k1x, 25);
-    wire.load({.speed = std::uint8_t{25}, .acceleration = std::uint8_t{4}});
-    EXPECT_EQ(wire.stepReport().status & 0x71U, 0x31U);
-    wire.load({.speed = std::uint8_t{125}, .start = false});
-    EXPECT_EQ(wire.step().speed, 25U) << "no effect until Start Motion";
-    wire.command(1, 0x05);
-    // The command was executed before its reply of 2 bytes, 20 bit times at 19 531 Bd.
-    const TimePoint begin = wire.now - std::chrono::microseconds(1024);
-    EXPECT_EQ(wire.stepReport().status & 0x10U, 0U);
-    wire.wait(milliseconds(50) - (wire.now - begin));
-    EXPECT_NEAR(wire.step().speed, 75.0, 1.0);
-    wire.wait(milliseconds(98) - (wire.now - begin));
-    EXPECT_LT(wire.step().speed, 125U);
-    wire.wait(milliseconds(101) - (wire.now - begin));
-    EXPECT_EQ(wire.step().speed, 125U);
-    EXPECT_EQ(wire.stepReport().status & 0x10U, 0x10U);
-}
-
-TEST(VelocityProfile, AGoalBelowTheMinimumRunsAtTheMinimum) {
-    StepperWire wire;
-    wire.parameters(k1x, 40);
-    wire.load({.speed = std::uint8_t{10}, .acceleration = std::uint8_t{4}});
-    wire.wait(seconds(1));
-    EXPECT_EQ(wire.step().speed, 40U);
-}
-
-TEST(VelocityProfile, ASmoothStopRampsToTheMinimumAndThenStops) {
-    StepperWire wire;
-    wire.parameters(k1x, 50);
-    wire.load({.speed = std::uint8_t{150}, .acceleration = std::uint8_t{4}});
-    wire.wait(milliseconds(500));
-    ASSERT_EQ(wire.step().speed, 150U);
-    const std::int32_t from = wire.position();
-    wire.stop(0x09);
-    EXPECT_NEAR(toSeconds(wire.timeToStop()), 0.1, 0.003);
-    // 1 ms at each of 150 ... 51: 10 050 x 25 x 0.001 = 251 steps, plus those made while the command arrived.
-    EXPECT_NEAR(wire.position() - from, 251 + 0.0031 * 150 * 25, 4);
-    // The goal speed is 0 now, and that is below the minimum.
-    wire.load({});
-    wire.wait(milliseconds(500));
-    EXPECT_EQ(wire.step().speed, 50U);
-}
-
-TEST(VelocityProfile, AnAbruptStopStopsAtOnceAndTheSpeedStaysLoaded) {
-    StepperWire wire;
-    wire.parameters(k1x, 50);
-    wire.load({.speed = std::uint8_t{150}, .acceleration = std::uint8_t{4}});
-    wire.wait(milliseconds(500));
-    wire.stop(0x05);
-    EXPECT_FALSE(wire.step().moving);
-    EXPECT_EQ(wire.stepsIn(seconds(1)), 0);
-    wire.load({});
-    wire.wait(milliseconds(500));
-    EXPECT_EQ(wire.step().speed, 150U);
-}
-
-TEST(UnprofiledVelocity, RampsFromTheNearestIntegerSpeedWhenAProfileFollows) {
-    StepperWire wire;
-    wire.parameters(k1x, 10);
-    wire.load({.acceleration = std::uint8_t{40}, .start = false});
-    wire.load({.count = std::uint16_t{65'536 - 250 + 2}, .nearest = 100});  // 2500/s
-    wire.wait(milliseconds(100));
-    wire.load({.speed = std::uint8_t{110}, .acceleration = std::uint8_t{40}});  // 10 ms for each speed
-    EXPECT_EQ(wire.step().speed, 100U);
-    wire.wait(milliseconds(55));
-    EXPECT_NEAR(wire.step().speed, 105.0, 1.0);
-    wire.wait(milliseconds(55));
-    EXPECT_EQ(wire.step().speed, 110U);
-}
-
-TEST(TrapezoidalProfile, RampsFromAndToTheMinimumSpeedAndEndsExactlyOnItsGoal) {
-    // 8x, from 50 to 150 and back at 1 ms each: 2 x 9950 x 200 x 0.001 = 3980 steps in 0.2 s, and one second
-    // at 30 000 steps per second.
-    for (const std::int32_t goal : {33'980, -33'980}) {
-        StepperWire wire;
-        wire.parameters(k8x, 50);
-        wire.load({.position = goal, .speed = std::uint8_t{150}, .acceleration = std::uint8_t{4}});
-        EXPECT_EQ(wire.stepReport().status & 0x71U, 0x41U);
-        EXPECT_NEAR(wire.step().speed, 58, 6) << "it began at the minimum";
-        const TimePoint begin = wire.now;
-        wire.wait(milliseconds(600));
-        EXPECT_EQ(wire.step().speed, 150U);
-        EXPECT_EQ(wire.stepReport().status & 0x71U, 0x51U);
-        static_cast<void>(wire.timeToStop());
-        EXPECT_NEAR(toSeconds(wire.now - begin), 1.2, 0.015);
-        EXPECT_EQ(wire.position(), goal);
-        EXPECT_EQ(wire.stepReport().status & 0x71U, 0U);
-        EXPECT_EQ(wire.stepReport().position, goal);
-    }
-}
-
-TEST(TrapezoidalProfile, DecelerationTakesAsLongAsAcceleration) {
-    StepperWire wire;
-    wire.parameters(k8x, 50);
-    wire.load({.position = 33'980, .speed = std::uint8_t{150}, .acceleration = std::uint8_t{4}});
-    wire.wait(milliseconds(600));
-    while (wire.step().speed == 150)
-        wire.wait(kTick);
-    EXPECT_NEAR(toSeconds(wire.timeToStop()), 0.1, 0.001);
-    EXPECT_EQ(wire.position(), 33'980);
 }
 
 TEST(TrapezoidalProfile, AnyLengthEndsExactlyAndNeverFasterThanItsSpeed) {

@@ -58,7 +58,4 @@ public:
     }
 };
 
-/// The shortest whole number of ticks that is a whole number of seconds.
-inline constexpr Duration kEightSeconds = kTick * 15'625;
-
 }  // namespace nmc::sim::test
