@@ -94,19 +94,6 @@ TEST(Line, AReplyIsCutByAByteThatIsNotForTheModule) {
     EXPECT_TRUE(wire.violations().empty()) << "a null is not a command";
 }
 
-TEST(Line, AWrongSumIsAnsweredWithTheErrorBitAndNotExecuted) {
-    HostWire wire;
-    wire.address(1);
-    Bytes wrong = packet(1, 0x12, {0x20});
-    wrong.back() ^= 0x10;
-    EXPECT_EQ(values(wire.exchange(wrong)), (Bytes{0x1B, 0x1B}))
-        << "bit 1 is set, and the items are as before";
-    EXPECT_EQ(wire.command(1, 0x0E), kIdle) << "the bit is about the packet just received";
-    EXPECT_EQ(wire.chain.statistics().modules[0].checksumErrors, 1U);
-    EXPECT_EQ(wire.chain.statistics().modules[0].executions(CommandCode::DefineStatus), 0U);
-    EXPECT_TRUE(wire.violations().empty());
-}
-
 TEST(Line, AMemberOfAGroupIsSilentAboutAWrongSumAndALeaderIsNot) {
     HostWire wire("servo,servo");
     wire.address(2);
@@ -136,15 +123,6 @@ TEST(Line, ALostByteMakesTheNextPacketTheTailAndSixteenNullsRecover) {
     wire.exchange(Bytes(16, 0));
     wire.wait(milliseconds(10));
     EXPECT_EQ(wire.command(1, 0x0E), kIdle);
-}
-
-TEST(Line, EverythingBeforeAHeaderIsIgnored) {
-    HostWire wire;
-    Bytes bytes{0x01, 0x0E, 0x0F, 0xFF, 0x55};
-    const Bytes command = packet(0, 0x0E);
-    for (const std::uint8_t byte : command)
-        bytes.push_back(byte);
-    EXPECT_EQ(values(wire.exchange(bytes)), kIdle);
 }
 
 TEST(Line, BytesAreGarbledFromFourPercentAndAllOfThemFromFive) {
