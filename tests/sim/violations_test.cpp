@@ -212,30 +212,6 @@ TEST_F(Violations, ARateThatTheChipDoesNotKeepUpWithIsOne) {
     EXPECT_EQ(kindsAt("servo@4", 5, true), Kinds{}) << "DS-V 3.1: faster at lower servo rates";
 }
 
-TEST_F(Violations, ATrapezoidStartedOrChangedInMotionIsOne) {
-    wire.trapezoid(100000, kOne, kOne);
-    EXPECT_EQ(wire.violations(), Kinds{});
-    wire.trapezoid(50000, kOne, kOne);
-    EXPECT_EQ(wire.violations(), Kinds{Kind::TrapezoidInMotion});
-    wire.velocity(2 * kOne, kOne);
-    EXPECT_EQ(wire.violations().size(), 1U) << "velocity mode may be entered from a trapezoid";
-    wire.waitTicks(20);
-    wire.trapezoid(0, kOne, kOne);
-    EXPECT_EQ(wire.violations().size(), 2U);
-}
-
-TEST_F(Violations, LoadingWithoutStartingInMotionIsNone) {
-    wire.trapezoid(1000, kOne, kOne);
-    wire.command(1, 0x54, {0x11, 0, 0, 0, 0});
-    EXPECT_EQ(wire.violations(), Kinds{});
-    EXPECT_EQ(wire.truth().servo.mode, ServoMode::Trapezoidal);
-    wire.wait(milliseconds(700));
-    EXPECT_EQ(wire.truth().servo.commandPosition, 1000) << "the running move is not affected";
-    wire.command(1, 0x05);
-    wire.wait(milliseconds(100));
-    EXPECT_LT(wire.truth().servo.commandPosition, 1000);
-}
-
 /// DS-V 5.2: bits 2 and 3 of Stop Motor set the goal velocity to zero, here while a load waits.
 TEST_F(Violations, AProfileWhoseVelocityAStopHasZeroedIsOne) {
     for (const std::uint8_t stop : {std::uint8_t{0x05}, std::uint8_t{0x09}}) {
@@ -285,18 +261,6 @@ TEST_F(Violations, AVelocityThatAStopHasKeptIsNone) {
         EXPECT_EQ(one.violations(), Kinds{}) << chip;
     }
     EXPECT_EQ(wire.violations(), Kinds{});
-}
-
-TEST_F(Violations, ResetPositionDuringATrapezoidIsOneAndInVelocityModeNone) {
-    wire.velocity(kOne, kOne);
-    wire.waitTicks(20);
-    wire.command(1, 0x00);
-    EXPECT_EQ(wire.violations(), Kinds{});
-    wire.servoOn();
-    wire.waitTicks(20);
-    wire.trapezoid(1000, kOne, kOne);
-    wire.command(1, 0x00);
-    EXPECT_EQ(wire.violations(), Kinds{Kind::ResetInMotion});
 }
 
 TEST_F(Violations, TwoLeadersOfAGroupAreReportedWhenTheyAnswerTogether) {
@@ -431,11 +395,6 @@ TEST_F(Violations, OutputsMadeByAReservedBitAreReported) {
     wire.exchange({0xAA, 0x01, 0x18, 0x0C, 0x25});
     wire.command(1, 0x0E);  // without data: bytes left over from earlier packets are not reported
     EXPECT_EQ(wire.violations().size(), 1U);
-}
-
-TEST_F(Violations, SetBaudToASingleAddressIsReported) {
-    wire.command(1, 0x1A, {63});
-    EXPECT_EQ(wire.violations(), Kinds{Kind::SetBaudSingle});
 }
 
 TEST(ViolationLog, IsBoundedAndGoesOnCounting) {
