@@ -197,19 +197,6 @@ TEST(M20_TrapezoidChangedWhileMoving, IsNeverSent) {
     }
 }
 
-TEST(M20_TrapezoidChangedWhileMoving, IsForbidden) {
-    FaultyBus bus(servos(1), kFast);
-    ASSERT_TRUE(bus.connectAndEnable());
-    ASSERT_EQ(bus.perform({loadMove(0, 20'000), start(0)}), Outcome::Done);
-    const auto starts = bus.sentTo(0, CommandCode::StartMotion);
-    // The load alone changes nothing (DS-V 5.1, note 1).
-    EXPECT_EQ(bus.perform({loadMove(0, 0), start(0)}), Outcome::Forbidden);
-    EXPECT_EQ(bus.sentTo(0, CommandCode::StartMotion), starts);
-    EXPECT_EQ(bus.perform({loadVelocity(0, kOnePerTick, true)}), Outcome::Done)
-        << "velocity mode may be entered while it moves";
-    bus.expectNoViolations();
-}
-
 // ---- M-26 ----
 
 TEST(M26_OneMemberRefusedItsLoad, StartsNobody) {
