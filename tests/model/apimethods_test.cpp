@@ -263,6 +263,11 @@ TEST(ApiMethods, SetOnlyWhatIsAnOutput) {
     io.pins.pwm.reset();
     EXPECT_EQ(chain.call("set_pwm", pwm).error().kind, Kind::OutputsUnknown)
         << "one command sets both, so the other one would be switched off";
+    Json both = pwm;
+    both["other"] = 9;
+    const auto setBoth = chain.intentOf<iointent::SetPwm>("set_pwm", both);
+    EXPECT_EQ(setBoth.value, 255);
+    EXPECT_EQ(setBoth.other, std::uint8_t{9});
     EXPECT_EQ(set(1, 1).error().kind, Kind::NotAnOutput) << "limit 1 is an input";
     EXPECT_EQ(set(2, 6).error().kind, Kind::FieldWrong);
     // OUT5 is high after power-up, the rest low (DS-S 2.3).

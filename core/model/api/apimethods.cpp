@@ -256,9 +256,12 @@ struct AxisCall {
     }
     [[nodiscard]] Or<Call> setPwm() const {
         // One command sets both outputs, and the other one may not change unasked.
-        if (module.isIo() && !module.pins.pwm)
+        if (module.isIo() && !module.pins.pwm && !has("other"))
             return tl::unexpected(Problem{Problem::Kind::OutputsUnknown});
-        return call(iointent::SetPwm{whole("output") - 1U, static_cast<std::uint8_t>(whole("value"))});
+        iointent::SetPwm set{whole("output") - 1U, static_cast<std::uint8_t>(whole("value"))};
+        if (has("other"))
+            set.other = static_cast<std::uint8_t>(whole("other"));
+        return call(set);
     }
 };
 
@@ -370,7 +373,9 @@ std::vector<Method> makeMethods() {
          "Sets a PWM output of a PIC-I/O.",
          {axis,
           {"output", Kind::Whole, true, "its number", ValueRange{1, 2}},
-          {"value", Kind::Whole, true, "255 is always on", ValueRange{0, 255}}},
+          {"value", Kind::Whole, true, "255 is always on", ValueRange{0, 255}},
+          {"other", Kind::Whole, false,
+           "of the other output, if that is unknown; otherwise it stays as it is", ValueRange{0, 255}}},
          &AxisCall::setPwm},
         {"start_sequence",
          Access::Control,
