@@ -116,7 +116,9 @@ TEST(ApiMethods, AreNotWhatIsNoRequest) {
     for (const char* line : {"5", "[]", "{}", R"({"method": 5})", R"({"method": "stop", "params": [1]})",
                              R"({"method": "stop", "id": [1]})", R"({"method": "stop", "id": true})"})
         EXPECT_EQ(kindOf(line), Kind::InvalidRequest) << line;
-    EXPECT_EQ(api::readRequest(R"({"method": "dance", "id": "a"})").error().id, "a");
+    for (const char* line : {R"({"method": "dance", "id": "a"})", R"({"method": 5, "id": "a"})",
+                             R"({"method": "stop", "params": [1], "id": "a"})"})
+        EXPECT_EQ(api::readRequest(line).error().id, "a") << line;
 }
 
 TEST(ApiMethods, FindAnAxisByNameOrNumber) {

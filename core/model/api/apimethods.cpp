@@ -449,10 +449,11 @@ tl::expected<Request, BadRequest> readRequest(std::string_view line) {
         return json.is_object() && json.contains(name) ? json.at(name) : Json();
     };
     const Json method = part("method"), parameters = part("params"), id = part("id");
-    if (!method.is_string() || !(parameters.is_object() || parameters.is_null()) || id.is_structured() ||
-        id.is_boolean())
+    if (id.is_structured() || id.is_boolean())
         return bad({Problem::Kind::InvalidRequest});
     request.id = id;
+    if (!method.is_string() || !(parameters.is_object() || parameters.is_null()))
+        return bad({Problem::Kind::InvalidRequest});
     request.method = findMethod(method.get<std::string>());
     if (request.method == nullptr)
         return bad({Problem::Kind::NoMethod});
