@@ -290,6 +290,25 @@ TEST(ApiMethods, ChangeOnlyTheGainsThatAreGiven) {
     EXPECT_EQ(gains.db, std::uint8_t{7});
 }
 
+/// DB came with version 4 (DS-V 5.2), SM with the SC, which takes it behind DB only.
+TEST(ApiMethods, SetNoGainThatWouldNotBeSent) {
+    Chain chain;
+    ModuleState& module = chain.link.modules[0];
+    module.gains = servo::SetGain{100, 1'000, 10, 50, 255, 0, 2'000, 1, {}};
+    const auto set = [&](const Json& gains) { return chain.call("set_gains", gains); };
+    const Json db{{"axis", 1}, {"db", 7}}, sm{{"axis", 1}, {"sm", 3}},
+        both{{"axis", 1}, {"db", 7}, {"sm", 3}};
+    ASSERT_FALSE(set(sm));
+    EXPECT_EQ(set(sm).error().refusal, Refusal::VersionLacksIt);
+    module.info.identity.version = 3;
+    ASSERT_FALSE(set(db));
+    EXPECT_EQ(set(db).error().refusal, Refusal::VersionLacksIt);
+    module.info.identity.version = kScVersion;
+    ASSERT_FALSE(set(sm));
+    EXPECT_EQ(set(sm).error(), (api::Problem{Kind::FieldMissing, "db"}));
+    EXPECT_EQ(chain.intentOf<intent::ApplyGains>("set_gains", both).gains.sm, std::uint8_t{3});
+}
+
 TEST(ApiMethods, NeedAllGainsWhileNoneAreKnown) {
     const Chain chain;
     const Json all{{"axis", 1}, {"kp", 1}, {"kd", 2}, {"ki", 3}, {"il", 4},

@@ -6,6 +6,7 @@
 
 #include "base/enumname.h"
 #include "base/text.h"
+#include "model/intent/gainsplan.h"
 #include "model/intent/jog.h"
 #include "model/intent/pace.h"
 #include "model/module/modulescale.h"
@@ -228,6 +229,13 @@ struct AxisCall {
         servo::SetGain::fields(reader, gains);
         if (!before && !reader.missing.empty())
             return tl::unexpected(Problem{Problem::Kind::FieldMissing, reader.missing});
+        // A gain that would not be sent must not be accepted.
+        const bool lacksDb = has("db") && !gainsFor(module, gains).db;
+        const bool lacksSm = has("sm") && !isSc(module.info.identity);
+        if (module.isServo() && (lacksDb || lacksSm))
+            return tl::unexpected(refused(Refusal::VersionLacksIt));
+        if (has("sm") && !gains.db)
+            return tl::unexpected(Problem{Problem::Kind::FieldMissing, "db"});
         return call(intent::ApplyGains{gains});
     }
     [[nodiscard]] Or<Call> setOutput() const {
