@@ -349,8 +349,11 @@ TEST(ApiMethods, ReportUnitsAndTheGainsThatAreKnown) {
                                          {"el", 2'000},
                                          {"sr", 3}}))
         << "without the deadband, which is optional (DS-V 5.1)";
-    chain.machine.axes[0].unit = {UnitKind::Own, 100.0, "drops"};
-    EXPECT_EQ(api::stateOf(chain.link, chain.machine)["modules"][0]["unit"], "drops");
+    chain.machine.axes[0].unit = {UnitKind::Own, -100.0, "drops"};
+    chain.link.modules[0].latest.emplace().position = 0;
+    const Json reversed = api::stateOf(chain.link, chain.machine)["modules"][0];
+    EXPECT_EQ(reversed["unit"], "drops");
+    EXPECT_EQ(reversed["position"].dump(), "0.0") << "not -0.0";
 }
 
 TEST(ApiMethods, ReportInputsAndOutputs) {

@@ -81,7 +81,7 @@ Json stateOf(const ModuleState& module, const AxisSettings& axis) {
     const AxisScale scale = scaleOf(module, axis);
     const StatusReport report = module.latest.value_or(StatusReport{});
     const auto inUnits = [&](const std::optional<std::int32_t>& counts) {
-        return counts ? Json(scale.position(*counts)) : Json();
+        return counts ? Json(scale.position(*counts) + 0.0) : Json();  // + 0.0: no -0 on a reversed axis
     };
     const auto perSecond = module.speed.perSecond();
     const TravelForce force = travelForce(module);
