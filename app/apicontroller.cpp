@@ -250,11 +250,8 @@ void ApiController::ask(Client client, const Json& parameters, const Json& id) {
         return refuse(client, id, api::refused(*refusal));
     if ((m_control && m_control != client) || m_asked)
         return answer(client, id, {{"granted", false}});
-    session(client).finishes = mode == "finish";
-    if (m_control)
-        return answer(client, id, {{"granted", true}});
-    m_asked = Asked{client, id};
-    if (m_grantsUnasked)
+    m_asked = Asked{client, id, mode == "finish"};
+    if (m_control || m_grantsUnasked)
         return decide(client, true);
     emit controlAsked(client, session(client).program);
 }
@@ -262,10 +259,12 @@ void ApiController::ask(Client client, const Json& parameters, const Json& id) {
 void ApiController::decide(Client client, bool may) {
     if (!isAsking(client))
         return;
-    const Json id = std::exchange(m_asked, std::nullopt)->id;
-    if (may)
+    const Asked asked = *std::exchange(m_asked, std::nullopt);
+    if (may) {
         m_control = client;
-    answer(client, id, {{"granted", may}});
+        session(client).finishes = asked.finishes;
+    }
+    answer(client, asked.id, {{"granted", may}});
     showPrograms();
 }
 

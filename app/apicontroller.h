@@ -99,6 +99,7 @@ private:
     struct Asked {
         Client client;
         Json id;
+        bool finishes;  ///< Session::finishes, once it is granted
     };
 
     void follow();

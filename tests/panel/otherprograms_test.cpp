@@ -334,6 +334,20 @@ TEST_F(OtherPrograms, GetNoControlThatTheUserRefuses) {
     EXPECT_EQ(client.call("enable", {{"axis", 1}})["error"]["data"]["reason"], "NoControl");
 }
 
+TEST_F(OtherPrograms, LeaveNoMotorMovingWithoutTheControlThatTheyWantedItFor) {
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(setGoing(client));
+    emit panel.window().requests().intent(ModuleIndex(1), intent::ClearStickyBits{});
+    EXPECT_FALSE(client.notification("control_lost").is_null());
+    const int asked = client.request("request_control", {{"on_disconnect", "finish"}});
+    ASSERT_NO_FATAL_FAILURE(decide("refuseControlButton"));
+    ASSERT_EQ(client.answer(asked)["result"]["granted"], false);
+    EXPECT_TRUE(moves(sim));
+    client.vanish();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    EXPECT_LT(*panel.module().latest->position, 900'000);
+}
+
 TEST_F(OtherPrograms, HaveControlOneAtATime) {
     OtherProgram first(panel, path()), second(panel, path());
     first.hello("first");
