@@ -375,8 +375,12 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
     hold.press = same ? session.held.press : nextPress();
     const ModuleState& module = *m_store.module(hold.module);
     const auto refusal = whyNot(hold, module);
-    if ((refusal && !same) || !m_commander.hold(hold))
-        return refuse(client, id, api::refused(refusal.value_or(Refusal::Moving)));
+    if ((refusal && !same) || !m_commander.hold(hold)) {
+        const Refusal reason = refusal.value_or(Refusal::Moving);
+        const AxisScale scale = scaleOf(module, m_store.machine().axis(hold.module));
+        return refuse(client, id, api::refused(reason),
+                      texts::refusal(reason, intent::Move{runOf(hold)}, module, scale));
+    }
     session.held = hold;
     session.heldAt = monotonicNow();
     session.forget(hold.module);

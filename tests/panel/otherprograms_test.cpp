@@ -553,6 +553,20 @@ TEST_F(OtherPrograms, AreToldWhyAJogHasEndedByItself) {
     EXPECT_EQ(answer["error"]["data"]["reason"], "ServoOff") << answer.dump();
 }
 
+TEST_F(OtherPrograms, AreToldWhichLimitKeepsThemFromJogging) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("set_home", {{"axis", 1}})["result"]["accepted"], true);
+    ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+    AxisSettings axis = panel.composition().machine().axes.at(0);
+    axis.travel.highest = 2;
+    emit panel.window().requests().axisEdited(ModuleIndex(0), axis);
+    const Json error = client.call("jog", {{"axis", 1}, {"velocity", 1}})["error"];
+    EXPECT_EQ(error["data"]["reason"], "AtTravelEnd");
+    EXPECT_EQ(error["message"].get<std::string>().find("Highest position reached: "), 0U) << error.dump();
+}
+
 TEST_F(OtherPrograms, EndAJogByAStopAndNothingIsSaidOfAHoldThatExpired) {
     OtherProgram client(panel, path());
     ASSERT_NO_FATAL_FAILURE(ready(client));
