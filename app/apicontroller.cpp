@@ -317,7 +317,7 @@ void ApiController::command(Client client, const api::Method& method, const Json
         return fail(client, id, kNoControl, texts::noControl(), "NoControl");
     if (const auto refusal = whyNoChain(m_store.link()))
         return refuse(client, id, api::refused(*refusal));
-    if (method.name != "jog" || !isHeld(client))
+    if (method.name != "jog" || !isHeld(session(client)))
         emit reported(texts::programCalled(
             session(client).program.isEmpty() ? QStringLiteral("?") : session(client).program,
             QString::fromStdString(method.name + ' ' +
@@ -347,7 +347,7 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
     session.forget(call.module);
     if (leadsToGoal(intent))
         session.goals[call.module];
-    if (isHeld(client) && session.held.module == call.module) {
+    if (isHeld(session) && session.held.module == call.module) {
         m_worker.release();
         session.heldAt.reset();
     }
@@ -371,7 +371,7 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
 void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
     Session& session = this->session(client);
     const bool same =
-        isHeld(client) && session.held.module == hold.module && session.held.reverse == hold.reverse;
+        isHeld(session) && session.held.module == hold.module && session.held.reverse == hold.reverse;
     hold.press = same ? session.held.press : nextPress();
     const ModuleState& module = *m_store.module(hold.module);
     const auto refusal = whyNot(hold, module);
@@ -427,9 +427,8 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
     answer(client, id, {{"accepted", true}});
 }
 
-bool ApiController::isHeld(Client client) {
-    const auto& at = session(client).heldAt;
-    return at && monotonicNow() - *at < kStillHeld;
+bool ApiController::isHeld(const Session& session) {
+    return session.heldAt && monotonicNow() - *session.heldAt < kStillHeld;
 }
 
 bool ApiController::rests(ModuleIndex index) const {
@@ -437,7 +436,11 @@ bool ApiController::rests(ModuleIndex index) const {
     if (module == nullptr)
         return true;
     const auto done = m_doneAt.find(index);
-    return module->motionSeen() && !module->awaited && !module->home.awaited() &&
+    // A jog may have been requested only just now.
+    const bool held = std::ranges::any_of(m_sessions, [index](const auto& each) {
+        return isHeld(each.second) && each.second.held.module == index;
+    });
+    return !held && module->motionSeen() && !module->awaited && !module->home.awaited() &&
            !m_pending.contains(index) && (done == m_doneAt.end() || module->latestTime > done->second) &&
            !module->moving() && !m_commander.procedures().running(index) &&
            !m_commander.sequences().parts().contains(index);

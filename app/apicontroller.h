@@ -115,7 +115,7 @@ private:
     void jog(Client client, bus::HoldToMove hold, const Json& id);
     void run(Client client, const api::Method& method, const Json& parameters, const Json& id);
     void noteMoved(Client client, ModuleIndex module);
-    [[nodiscard]] bool isHeld(Client client);
+    [[nodiscard]] static bool isHeld(const Session& session);
     [[nodiscard]] bool rests(ModuleIndex module) const;
     /// How far these modules, all at rest, are: Missed if any of them has missed its goal, Underway if any
     /// has not arrived yet.

@@ -539,6 +539,22 @@ TEST_F(OtherPrograms, JogOnlyWhileTheySaySo) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+/// 0.25 s are 488 ticks of 0.512 ms. At 0.002 counts per tick squared, 0.5 counts per tick are reached after
+/// 250 of them and 62 counts.
+TEST_F(OtherPrograms, WaitForTheEndOfAJogThatHasNotBegun) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    const int jog = client.request("jog", {{"axis", 1}, {"velocity", 0.5}});
+    const int wait =
+        client.request("wait", {{"axis", 1}});  // both are read before any time passes on the bus
+    EXPECT_EQ(client.answer(jog)["result"]["accepted"], true);
+    const Json rest = client.answer(wait);
+    ASSERT_TRUE(rest.contains("result")) << rest.dump();
+    EXPECT_FALSE(moves(sim));
+    EXPECT_GT(rest["result"]["position"].get<double>(), 50);
+}
+
 TEST_F(OtherPrograms, AreToldWhyAJogHasEndedByItself) {
     OtherProgram client(panel, path());
     ASSERT_NO_FATAL_FAILURE(ready(client));
