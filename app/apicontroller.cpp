@@ -118,8 +118,6 @@ void ApiController::listen() {
 
 /// Everything that follows from a change of the chain.
 void ApiController::follow() {
-    if (!m_on)
-        return;
     listen();
     if (whyNoChain(m_store.link())) {
         m_stopping = false;

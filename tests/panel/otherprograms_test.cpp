@@ -315,6 +315,25 @@ TEST_F(OtherPrograms, WaitNoLongerForAStopOnceTheLineIsLost) {
     EXPECT_FALSE(moves(sim)) << "the stop was sent again";
 }
 
+/// The stop is not over when the line is lost, and no program is let in at that time.
+TEST_F(OtherPrograms, WaitForNoStopOfALineThatWasLostBeforeTheyCame) {
+    OtherProgram client(panel, path());
+    client.hello();
+    const int stop = client.request("stop");
+    // No time passes on the bus here.
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !client.arrived().empty(); }));
+    EXPECT_EQ(client.answer(stop)["result"]["sent"], true);
+    auto* letIn = panel.window().findChild<QAction*>(u"letProgramsInAction"_s);
+    letIn->trigger();
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    sim.plugIn();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    letIn->trigger();
+    OtherProgram next(panel, path());
+    next.hello();
+    EXPECT_TRUE(next.call("wait").contains("result"));
+}
+
 TEST_F(OtherPrograms, WaitUntilHomeIsKnown) {
     OtherProgram client(panel, path());
     ASSERT_NO_FATAL_FAILURE(ready(client));
