@@ -504,6 +504,7 @@ void ApiController::answerWaits() {
     const bool connected = m_store.link().phase == LinkPhase::Connected;
     for (auto& [client, session] : m_sessions) {
         std::vector<Pending> waiting;
+        bool toldOfSequence = false;
         for (Pending& wait : std::exchange(session.waits, {})) {
             const std::vector<ModuleIndex> modules = awaited(session, wait.module);
             const auto silent = std::ranges::any_of(modules, [this](ModuleIndex module) {
@@ -515,9 +516,10 @@ void ApiController::answerWaits() {
             else if (m_stopping || (!wait.module && m_commander.sequences().running()) ||
                      !std::ranges::all_of(modules, [this](ModuleIndex module) { return rests(module); }))
                 waiting.push_back(std::move(wait));
-            else if (const auto failure = failureOf(session, modules, !wait.module))
+            else if (const auto failure = failureOf(session, modules, !wait.module)) {
+                toldOfSequence |= !wait.module;
                 fail(client, wait.id, kRefused, *failure, "NotCarriedOut");
-            else if (const auto arrival = arrivalOf(wait, modules); arrival == Arrival::State::Underway)
+            } else if (const auto arrival = arrivalOf(wait, modules); arrival == Arrival::State::Underway)
                 waiting.push_back(std::move(wait));
             else if (arrival == Arrival::State::Missed)
                 fail(client, wait.id, kRefused, texts::didNotSettle(), "NotSettled");
@@ -529,6 +531,8 @@ void ApiController::answerWaits() {
             }
         }
         session.waits = std::move(waiting);
+        if (toldOfSequence)
+            session.sequenceFailure.reset();
     }
 }
 

@@ -82,7 +82,7 @@ private:
         /// Its last request to these is a motion that is no procedure: a procedure that ends was requested
         /// before, and is ended by it.
         std::set<ModuleIndex> replaced{};
-        std::optional<QString> sequenceFailure{};  ///< the same for the last sequence
+        std::optional<QString> sequenceFailure{};  ///< the same for the last sequence, until it was told
         std::vector<Pending> waits{};
         bus::HoldToMove held{};  ///< the last jog
         std::optional<TimePoint> heldAt{};

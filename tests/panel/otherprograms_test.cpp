@@ -228,6 +228,8 @@ TEST_F(OtherPrograms, LearnFromWaitThatASequenceHasEndedAsSoonAsItBegan) {
     for (int i = 0; i < 2; ++i) {
         EXPECT_EQ(client.call("start_sequence", {{"name", "check"}})["result"]["accepted"], true);
         EXPECT_EQ(client.call("wait")["error"]["data"]["reason"], "NotCarriedOut");
+        EXPECT_EQ(client.call("set_gains", kGains)["result"]["accepted"], true);
+        EXPECT_TRUE(client.call("wait").contains("result")) << "the gains were set";
     }
 }
 
