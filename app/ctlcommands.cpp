@@ -551,11 +551,7 @@ CtlCommands::Exit CtlCommands::leaveRunning() {
 
 CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {
     using ErrorKind = ApiClient::Error::Kind;
-    const QString sentence = !error.sentence.isEmpty()              ? error.sentence
-                             : error.kind == ErrorKind::Gone        ? QStringLiteral("The panel has gone.")
-                             : error.kind == ErrorKind::Interrupted ? QStringLiteral("Interrupted.")
-                                                                    : QString();
-    m_problems << sentence << Qt::endl;
+    m_problems << error.sentence << Qt::endl;
     switch (error.kind) {
         case ErrorKind::NotReached:
         case ErrorKind::Gone:

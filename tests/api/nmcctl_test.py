@@ -236,6 +236,19 @@ class PanelThatInterrupts(PanelAsWritten):
         return os.kill(program, signal.SIGINT)
 
 
+class PanelThatQuits(PanelAsWritten):
+    """One that goes away instead of answering a call of this method."""
+
+    def __init__(self, test, method):
+        super().__init__(test)
+        self.method = method
+
+    def answer(self, lines, request):
+        if request["method"] != self.method:
+            return super().answer(lines, request)
+        return self.connection.shutdown(socket.SHUT_RDWR)
+
+
 class AtAPanelThatAnswersAsWritten(unittest.TestCase):
     def test_what_was_begun_was_not_refused(self):
         for reason in ("NotSettled", "NotCarriedOut", "Unresponsive"):
@@ -304,6 +317,13 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
 
     def test_says_so_if_it_is_interrupted_before_it_lets_a_motor_move_on(self):
         self.assertEqual(PanelThatInterrupts(self).ctl("move", "1", "500"), (INTERRUPTED, "", "Interrupted.\n"))
+
+    def test_says_that_the_panel_has_gone_whenever_it_does(self):
+        for method in ("hello", "state", "request_control", "move", "wait"):
+            with self.subTest(method):
+                code, out, problems = PanelThatQuits(self, method).ctl("move", "1", "500", "--wait")
+                self.assertEqual((code, out), (NOT_REACHED, ""))
+                self.assertTrue(problems.endswith("The panel has gone.\n"), problems)
 
     def test_sends_gains_by_their_names_only(self):
         names = ("kp", "kd", "ki", "il", "ol", "cl", "el", "sr", "db", "sm")

@@ -14,8 +14,12 @@ namespace nmc {
 
 namespace {
 
-[[nodiscard]] auto unexpected(ApiClient::Error::Kind kind, const QString& sentence = {}) {
+[[nodiscard]] auto unexpected(ApiClient::Error::Kind kind, const QString& sentence) {
     return tl::unexpected(ApiClient::Error{kind, sentence});
+}
+
+[[nodiscard]] auto interrupted() {
+    return unexpected(ApiClient::Error::Kind::Interrupted, QStringLiteral("Interrupted."));
 }
 
 }  // namespace
@@ -43,7 +47,7 @@ ApiClient::Or<std::unique_ptr<ApiClient>> ApiClient::connectTo(const QString& pa
 
 ApiClient::Or<ApiClient::Json> ApiClient::call(const std::string& method, const Json& parameters) {
     if (m_interrupted)
-        return unexpected(Error::Kind::Interrupted);
+        return interrupted();
     const Json request{{"jsonrpc", "2.0"}, {"id", ++m_lastId}, {"method", method}, {"params", parameters}};
     m_socket.write(QByteArray::fromStdString(request.dump()) + '\n');
     while (true) {
@@ -81,9 +85,9 @@ ApiClient::Or<std::optional<ApiClient::Json>> ApiClient::line(const QDeadlineTim
         alarm.start(std::chrono::milliseconds(until.remainingTime()));
     while (!m_socket.canReadLine()) {
         if (m_interrupted)
-            return unexpected(Error::Kind::Interrupted);
+            return interrupted();
         if (m_socket.state() != QLocalSocket::ConnectedState)
-            return unexpected(Error::Kind::Gone);
+            return unexpected(Error::Kind::Gone, QStringLiteral("The panel has gone."));
         if (until.hasExpired())
             return std::nullopt;
         QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);

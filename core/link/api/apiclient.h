@@ -30,7 +30,7 @@ public:
             Interrupted,  ///< by interrupt()
         };
         Kind kind;
-        QString sentence{};
+        QString sentence;
         std::string reason{};
     };
     template <typename T>
