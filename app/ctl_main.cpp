@@ -208,14 +208,16 @@ QString onlyPanel() {
 /// `line`: of this process; null: a panel's.
 int carryOut(const Options& options, const QString& socket, nmc::HeadlessLine* line,
              const nmc::UnixSignals& interruption) {
-    auto client = nmc::ApiClient::connectTo(socket, QStringLiteral("nmcctl"));
-    if (!client) {
-        problems() << "nmcctl: " << socket << ": " << client.error().sentence << Qt::endl;
-        return CtlCommands::NotReached;
+    nmc::ApiClient client;
+    const QObject whileItLives;
+    QObject::connect(&interruption, &nmc::UnixSignals::terminationAsked, &whileItLives,
+                     [&client] { client.interrupt(); });
+    if (const auto reached = client.connectTo(socket, QStringLiteral("nmcctl")); !reached) {
+        problems() << "nmcctl: " << socket << ": " << reached.error().sentence << Qt::endl;
+        const bool interrupted = reached.error().kind == nmc::ApiClient::Error::Kind::Interrupted;
+        return interrupted ? CtlCommands::Interrupted : CtlCommands::NotReached;
     }
-    QObject::connect(&interruption, &nmc::UnixSignals::terminationAsked, &interruption,
-                     [&client] { (*client)->interrupt(); });
-    CtlCommands commands(**client, line != nullptr, out(), problems());
+    CtlCommands commands(client, line != nullptr, out(), problems());
     for (const QStringList& words : options.commands)
         if (const auto exit = commands.run(words); exit != CtlCommands::Done)
             return exit;
@@ -246,7 +248,7 @@ int runAtOwnLine(const Options& options, QSettings& settings) {
     waitFor([&] { return found || lost || interrupted; });
     int exit = CtlCommands::NotReached;
     const bool letsIn = !line.socket().isEmpty();  // or why not has been reported
-    if (found && letsIn && !serves)
+    if (found && letsIn && !serves && !interrupted)
         exit = carryOut(options, line.socket(), &line, interruption);
     else if (found && letsIn)
         waitFor([&] { return lost || interrupted; });

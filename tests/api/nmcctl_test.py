@@ -159,6 +159,13 @@ class AtItsOwnLine(unittest.TestCase):
         times = [float(row[1]) for row in rows() if row[0] == "1"]
         self.assertEqual(times, sorted(times))
 
+    def test_may_be_interrupted_while_it_closes_its_line(self):
+        listing = self.place.start("--simulator=servo", "list", stdout=subprocess.PIPE, text=True)
+        self.assertIn("servo", listing.stdout.readline())
+        listing.send_signal(signal.SIGINT)
+        listing.stdout.close()
+        self.assertIn(listing.wait(), (DONE, -signal.SIGINT), "the signal may come behind all it does")
+
     def test_lists_every_method_but_those_without_use(self):
         code, out, _ = self.place.ctl("--help")
         self.assertEqual(code, DONE)
@@ -226,10 +233,14 @@ class PanelAsWritten(threading.Thread):
 
 
 class PanelThatInterrupts(PanelAsWritten):
-    """One that interrupts a program that lets its motors move on, instead of answering it."""
+    """One that interrupts a program that calls this method with this parameter, instead of answering it."""
+
+    def __init__(self, test, method, parameter):
+        super().__init__(test)
+        self.method, self.parameter = method, parameter
 
     def answer(self, lines, request):
-        if "on_disconnect" not in request["params"]:
+        if request["method"] != self.method or self.parameter not in request["params"]:
             return super().answer(lines, request)
         program, _, _ = struct.unpack("3i", self.connection.getsockopt(
             socket.SOL_SOCKET, socket.SO_PEERCRED, struct.calcsize("3i")))
@@ -316,7 +327,15 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 self.assertEqual(panel.parameters_of("request_control"), [{}])
 
     def test_says_so_if_it_is_interrupted_before_it_lets_a_motor_move_on(self):
-        self.assertEqual(PanelThatInterrupts(self).ctl("move", "1", "500"), (INTERRUPTED, "", "Interrupted.\n"))
+        self.assertEqual(PanelThatInterrupts(self, "request_control", "on_disconnect").ctl("move", "1", "500"),
+                         (INTERRUPTED, "", "Interrupted.\n"))
+
+    def test_requests_nothing_if_it_is_interrupted_before_the_panel_has_answered(self):
+        panel = PanelThatInterrupts(self, "hello", "program")
+        code, out, problems = panel.ctl("move", "1", "500")
+        self.assertEqual((code, out), (INTERRUPTED, ""))
+        self.assertTrue(problems.endswith(": Interrupted.\n"), problems)
+        self.assertEqual([method for method, _ in panel.requests], ["hello"])
 
     def test_says_that_the_panel_has_gone_whenever_it_does(self):
         for method in ("hello", "state", "request_control", "move", "wait"):

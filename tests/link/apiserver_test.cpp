@@ -77,15 +77,16 @@ TEST(ApiClient, CallsNothingOnceItIsInterrupted) {
                          ++lines;
                          server.send(client, R"({"jsonrpc":"2.0","id":1,"result":{}})");
                      });
-    const auto client = ApiClient::connectTo(path, u"test"_s);
-    ASSERT_TRUE(client);
+    ApiClient client;
+    ASSERT_TRUE(client.connectTo(path, u"test"_s));
     ASSERT_EQ(lines, 1) << "hello";
-    (*client)->interrupt();
-    const auto moved = (*client)->call("move", {{"axis", 1}, {"to", 10}});
+    client.interrupt();
+    const auto moved = client.call("move", {{"axis", 1}, {"to", 10}});
     ASSERT_FALSE(moved);
     EXPECT_EQ(moved.error().kind, ApiClient::Error::Kind::Interrupted);
     // What had been called would be there before this.
-    ASSERT_TRUE(ApiClient::connectTo(path, u"next"_s));
+    ApiClient next;
+    ASSERT_TRUE(next.connectTo(path, u"next"_s));
     EXPECT_EQ(lines, 2) << "another hello";
 }
 

@@ -33,16 +33,15 @@ QStringList ApiClient::sockets() {
     return paths;
 }
 
-ApiClient::Or<std::unique_ptr<ApiClient>> ApiClient::connectTo(const QString& path, const QString& program) {
-    std::unique_ptr<ApiClient> client(new ApiClient);
-    client->m_socket.connectToServer(path);
-    if (!client->m_socket.waitForConnected())
+ApiClient::Or<void> ApiClient::connectTo(const QString& path, const QString& program) {
+    m_socket.connectToServer(path);
+    if (!m_socket.waitForConnected())
         return unexpected(Error::Kind::NotReached, QStringLiteral("No panel lets programs in here."));
-    auto hello = client->call("hello", {{"protocol", api::kProtocol}, {"program", program.toStdString()}});
+    auto hello = call("hello", {{"protocol", api::kProtocol}, {"program", program.toStdString()}});
     if (!hello)
         return tl::unexpected(hello.error());
-    client->m_about = std::move(*hello);
-    return client;
+    m_about = std::move(*hello);
+    return {};
 }
 
 ApiClient::Or<ApiClient::Json> ApiClient::call(const std::string& method, const Json& parameters) {

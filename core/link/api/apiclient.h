@@ -7,7 +7,6 @@
 #include <QStringList>
 #include <cstdint>
 #include <deque>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -40,9 +39,8 @@ public:
     /// passed over.
     [[nodiscard]] static QStringList sockets();
 
-    /// Connects and says hello as `program`.
-    [[nodiscard]] static Or<std::unique_ptr<ApiClient>> connectTo(const QString& path,
-                                                                  const QString& program);
+    /// Connects and says hello as `program`. Call first, and once.
+    [[nodiscard]] Or<void> connectTo(const QString& path, const QString& program);
 
     /// The result of hello.
     [[nodiscard]] const Json& about() const { return m_about; }
@@ -54,7 +52,6 @@ public:
     void interrupt() { m_interrupted = true; }
 
 private:
-    ApiClient() = default;
     [[nodiscard]] Or<std::optional<Json>> line(const QDeadlineTimer& until);
 
     QLocalSocket m_socket;
