@@ -93,12 +93,16 @@ class Panel:
             self._socket.connect(os.fspath(path))
         except OSError as error:
             self._socket.close()
-            raise PanelError(f"{path}: {error.strerror}") from error
+            raise PanelError(f"{path}: {error.strerror or error}") from error
         self._lines = self._socket.makefile("r", encoding="utf-8")
         self._last_id = 0
         self._notifications: deque[dict[str, Any]] = deque(maxlen=KEPT_NOTIFICATIONS)
         name = program or Path(sys.argv[0]).name or "python"
-        self.about: dict[str, Any] = self.call("hello", protocol=PROTOCOL, program=name)
+        try:
+            self.about: dict[str, Any] = self.call("hello", protocol=PROTOCOL, program=name)
+        except BaseException:
+            self.close()
+            raise
 
     def __enter__(self) -> Panel:
         return self

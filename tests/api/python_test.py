@@ -3,6 +3,7 @@
 """The Python client at a real panel on the built-in simulator. usage: python_test.py NMCPANEL"""
 import asyncio
 import itertools
+import json
 import math
 import os
 import socket
@@ -49,7 +50,59 @@ class PanelWithoutASocket(Panel):
         self.methods.append("close")
 
 
+class PanelAsWritten(threading.Thread):
+    """One for one program, which sends what `answers` returns for each request, up to None, at which it quits."""
+
+    def __init__(self, test, answers):
+        super().__init__(daemon=True)
+        folder = tempfile.TemporaryDirectory()
+        test.addCleanup(folder.cleanup)
+        self.path = os.path.join(folder.name, "written.sock")
+        self.answers = answers
+        self.requests = []
+        self.listener = socket.socket(socket.AF_UNIX)
+        self.listener.bind(self.path)
+        self.listener.listen()
+        self.start()
+
+    def run(self):
+        with self.listener:
+            connection, _ = self.listener.accept()
+        with connection, connection.makefile("rw", encoding="utf-8") as lines:
+            for line in lines:
+                self.requests.append(json.loads(line))
+                for answer in self.answers(self.requests[-1]):
+                    if answer is None:
+                        return
+                    lines.write(json.dumps({"jsonrpc": "2.0", **answer}) + "\n")
+                lines.flush()
+
+
+def refusal(reason, code=-32000):
+    return {"error": {"code": code, "message": "Bad news.", "data": {"reason": reason}}}
+
+
 class WithoutAPanel(unittest.TestCase):
+    def test_keeps_no_connection_to_a_panel_that_refuses_it(self):
+        panels = []
+
+        class KeptPanel(Panel):
+            def __init__(self, path):
+                panels.append(self)
+                super().__init__(path)
+
+        written = PanelAsWritten(self, lambda request: [{"id": request["id"], **refusal("OtherProtocol", -32002)}])
+        with self.assertRaises(Refused) as caught:
+            KeptPanel(written.path)
+        self.assertEqual((str(caught.exception), caught.exception.reason), ("Bad news.", "OtherProtocol"))
+        self.assertEqual(panels[0]._socket.fileno(), -1, "it is closed")
+
+    def test_says_what_is_wrong_with_a_path(self):
+        for path, problem in (("/none.sock", "No such file"), ("/" + 200 * "x", "too long")):
+            with self.assertRaises(PanelError) as caught:
+                Panel(path)
+            self.assertIn(problem, str(caught.exception))
+
     def test_an_axis_jogs_again_and_again_and_then_stops(self):
         panel = PanelWithoutASocket("test")
         clock = unittest.mock.Mock(**{"monotonic.side_effect": (0.0, 0.0, 0.04, 0.08, 0.12)})
