@@ -132,7 +132,7 @@ class Panel:
             line = self._read()
             if "method" in line:
                 self._notifications.append(line)
-            elif line.get("id") == self._last_id:
+            elif line.get("id") in (self._last_id, None):  # None: the panel could not read the line
                 if "error" in line:
                     error = line["error"]
                     reason = error["data"]["reason"]

@@ -97,6 +97,16 @@ class WithoutAPanel(unittest.TestCase):
         self.assertEqual((str(caught.exception), caught.exception.reason), ("Bad news.", "OtherProtocol"))
         self.assertEqual(panels[0]._socket.fileno(), -1, "it is closed")
 
+    def test_is_told_why_a_panel_cuts_it_off(self):
+        def answers(request):
+            if request["method"] == "hello":
+                return [{"id": request["id"], "result": {}}]
+            return [{"id": None, **refusal("LineTooLong", -32700)}, None]
+
+        with Panel(PanelAsWritten(self, answers).path) as panel, self.assertRaises(Refused) as caught:
+            panel.start_sequence(70_000 * "x")
+        self.assertEqual(caught.exception.reason, "LineTooLong")
+
     def test_says_what_is_wrong_with_a_path(self):
         for path, problem in (("/none.sock", "No such file"), ("/" + 200 * "x", "too long")):
             with self.assertRaises(PanelError) as caught:
