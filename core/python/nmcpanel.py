@@ -21,6 +21,7 @@ import socket
 import sys
 import time
 from collections import deque
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, Iterator, NamedTuple
 
@@ -97,6 +98,7 @@ class Panel:
         self._lines = self._socket.makefile("r", encoding="utf-8")
         self._last_id = 0
         self._notifications: deque[dict[str, Any]] = deque(maxlen=KEPT_NOTIFICATIONS)
+        self._sampling = 0  #: iterators of samples() that have begun and not ended
         name = program or Path(sys.argv[0]).name or "python"
         try:
             self.about: dict[str, Any] = self.call("hello", protocol=PROTOCOL, program=name)
@@ -124,10 +126,7 @@ class Panel:
             text = json.dumps(request, allow_nan=False)
         except ValueError as error:  # JSON has no such number, so the panel could not say to which call it answers
             raise ValueError(f"{method}: all numbers must be finite: {request['params']}") from error
-        try:
-            self._socket.sendall(text.encode() + b"\n")
-        except OSError as error:
-            raise PanelError("the panel has gone away") from error
+        self._send(text)
         while True:
             line = self._read()
             if "method" in line:
@@ -140,6 +139,12 @@ class Panel:
                     kind = ControlLost if reason == "NoControl" else NotCarriedOut if begun else Refused
                     raise kind(error["message"], error["code"], reason)
                 return line["result"]
+
+    def _send(self, text: str) -> None:
+        try:
+            self._socket.sendall(text.encode() + b"\n")
+        except OSError as error:
+            raise PanelError("the panel has gone away") from error
 
     def _read(self) -> dict[str, Any]:
         try:
@@ -197,13 +202,27 @@ class Panel:
                 yield line
 
     def samples(self) -> Iterator[Sample]:
-        """Every status reply of every module, as it arrives; without end."""
+        """Every status reply of every module from now on, as it arrives; without end.
+
+        The panel sends them until the iterator ends, which it does when a loop over it is left.
+        """
         self.call("subscribe", samples=True)
-        for line in self.notifications():
-            if line["method"] == "samples":
-                for module in line["params"]["modules"]:
-                    for row in module["rows"]:
-                        yield Sample(module["axis"], *row[:len(Sample._fields) - 1])
+        if self._sampling == 0:  # what waits then was sent to an iterator that has ended
+            others = [line for line in self._notifications if line["method"] != "samples"]
+            self._notifications = deque(others, maxlen=KEPT_NOTIFICATIONS)
+        self._sampling += 1
+        try:
+            for line in self.notifications():
+                if line["method"] == "samples":
+                    for module in line["params"]["modules"]:
+                        for row in module["rows"]:
+                            yield Sample(module["axis"], *row[:len(Sample._fields) - 1])
+        finally:
+            self._sampling -= 1
+            if self._sampling == 0:
+                with suppress(PanelError):
+                    # Without an id, so that there is no answer: a call may be waiting for its own just now.
+                    self._send('{"jsonrpc": "2.0", "method": "subscribe"}')
 
 
 class Axis:

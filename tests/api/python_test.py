@@ -107,6 +107,34 @@ class WithoutAPanel(unittest.TestCase):
             panel.start_sequence(70_000 * "x")
         self.assertEqual(caught.exception.reason, "LineTooLong")
 
+    def test_ends_a_subscription_with_its_iterator(self):
+        times = itertools.count()
+        subscribed = False
+
+        def samples():
+            if not subscribed:
+                return []
+            row = [next(times), 0, None, None, 0, 0, 0, False, None]
+            return [{"method": "samples", "params": {"missed": 0, "modules": [{"axis": 1, "rows": [row]}]}}]
+
+        def answers(request):
+            nonlocal subscribed
+            late = samples()
+            if request["method"] == "subscribe":
+                subscribed = "samples" in request.get("params", {})
+            answer = [{"id": request["id"], "result": {}}] if "id" in request else []
+            return [*late, *answer, *samples()]
+
+        written = PanelAsWritten(self, answers)
+        with Panel(written.path) as panel:
+            for expected in (0, 2):
+                # One more is on its way when the iterator ends.
+                self.assertEqual([sample.time for sample in itertools.islice(panel.samples(), 1)], [expected])
+                panel.state()
+        written.join()
+        self.assertEqual([request.get("params") for request in written.requests if request["method"] == "subscribe"],
+                         [{"samples": True}, None, {"samples": True}, None])
+
     def test_says_what_is_wrong_with_a_path(self):
         for path, problem in (("/none.sock", "No such file"), ("/" + 200 * "x", "too long")):
             with self.assertRaises(PanelError) as caught:
