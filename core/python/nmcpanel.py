@@ -271,8 +271,15 @@ class Axis:
     def jog(self, velocity: float, seconds: float) -> None:
         """Moves for that long, and stops by itself if this program does. Max jog speed of the axis limits it."""
         until = time.monotonic() + seconds
+        begun = False
         while time.monotonic() < until:
-            self.call("jog", velocity=velocity)
+            try:
+                self.call("jog", velocity=velocity)
+            except Refused as error:
+                if not begun or isinstance(error, ControlLost):
+                    raise
+                raise NotCarriedOut(str(error), error.code, error.reason) from error
+            begun = True
             time.sleep(0.03)
         self.stop()
 

@@ -107,6 +107,19 @@ class WithoutAPanel(unittest.TestCase):
             panel.start_sequence(70_000 * "x")
         self.assertEqual(caught.exception.reason, "LineTooLong")
 
+    def test_a_jog_that_has_begun_was_not_refused(self):
+        for reasons, expected in ((["ServoOff"], Refused), ([None, "ServoOff"], NotCarriedOut),
+                                  ([None, "NoControl"], ControlLost)):
+            def answers(request, reasons=reasons):
+                reason = reasons.pop(0) if request["method"] == "jog" else None
+                return [{"id": request["id"], **(refusal(reason) if reason else {"result": {}})}]
+
+            with self.subTest(reasons), Panel(PanelAsWritten(self, answers).path) as panel:
+                with self.assertRaises(Refused) as caught:
+                    panel.axis(1).jog(0.5, 3600)
+                self.assertIs(type(caught.exception), expected)
+                self.assertEqual(str(caught.exception), "Bad news.")
+
     def test_ends_a_subscription_with_its_iterator(self):
         times = itertools.count()
         subscribed = False
