@@ -41,6 +41,7 @@ QByteArray ApiFeed::notification(const char* method, Json parameters) {
 }
 
 void ApiFeed::subscribe(ApiServer::Client client, const Json& parameters) {
+    publishSamples();  // so that the client gets none from before
     Subscription& subscription = m_subscriptions[client];
     subscription.state = parameters.value("state", false);
     subscription.events = parameters.value("events", false);

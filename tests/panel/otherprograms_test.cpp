@@ -635,6 +635,20 @@ TEST_F(OtherPrograms, AreToldWhatTheySubscribeTo) {
                 std::string::npos);
 }
 
+TEST_F(OtherPrograms, AreSentNoSamplesFromBeforeTheySubscribed) {
+    auto* letIn = panel.window().findChild<QAction*>(u"letProgramsInAction"_s);
+    letIn->trigger();
+    ASSERT_TRUE(panel.answersFor(2));
+    letIn->trigger();
+    const TimePoint zero = *panel.composition().store().history().zero();
+    const double now = toSeconds(panel.module().latestTime - zero);
+    OtherProgram client(panel, path());
+    client.request("hello", {{"protocol", "1.1"}, {"program", "scan.py"}});
+    client.request("subscribe", {{"samples", true}});
+    const Json first = client.notification("samples")["params"]["modules"][0]["rows"][0];
+    EXPECT_GE(first[0].get<double>(), now);
+}
+
 class OtherProgramsAtAPicIo : public OtherPrograms {
 protected:
     OtherProgramsAtAPicIo() : OtherPrograms(u"io"_s) {}
