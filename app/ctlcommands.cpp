@@ -573,7 +573,7 @@ CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {
 
 CtlCommands::Exit CtlCommands::reportEnd(const ApiClient::Error& error) {
     const Exit exit = report(error);
-    return exit == Refused || exit == NoControl ? NotCarriedOut : exit;
+    return exit == NotReached || exit == Interrupted ? exit : NotCarriedOut;
 }
 
 }  // namespace nmc

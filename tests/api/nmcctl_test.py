@@ -269,7 +269,8 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
 
     def test_a_jog_that_has_begun_was_not_refused(self):
         for reasons, expected in ((["ServoOff"], REFUSED), ([None, "ServoOff"], NOT_CARRIED_OUT),
-                                  ([None, None, "NoControl"], NOT_CARRIED_OUT), ([None, "NotConnected"], NOT_REACHED)):
+                                  ([None, None, "NoControl"], NOT_CARRIED_OUT), ([None, "NotConnected"], NOT_REACHED),
+                                  ([None, "AxisUnknown"], NOT_CARRIED_OUT), ([None, "FieldWrong"], NOT_CARRIED_OUT)):
             with self.subTest(reasons):
                 panel = PanelAsWritten(self, {"jog": list(reasons)})
                 self.assertEqual(panel.ctl("jog", "1", "0.5", "3600"), (expected, "", "Bad news.\n"))
