@@ -255,6 +255,7 @@ class Completion(Folder):
         self.assertEqual(self.completed("nmcctl mo", "\x1b*"), "nmcctl motor-off move move-by".split())
         self.assertEqual(self.completed("nmcctl --so"), "nmcctl --socket".split())
         self.assertEqual(self.completed("nmcctl run-"), "nmcctl run-sequence".split())
+        self.assertEqual(self.completed("nmcctl move run-"), "nmcctl move run-".split(), "it is no word of move")
 
     def test_knows_rates_files_and_ports(self):
         (self.folder / "mill.json").touch()
