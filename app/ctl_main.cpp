@@ -210,11 +210,17 @@ int carryOut(const Options& options, const QString& socket, nmc::HeadlessLine* l
              const nmc::UnixSignals& interruption) {
     nmc::ApiClient client;
     const QObject whileItLives;
-    QObject::connect(&interruption, &nmc::UnixSignals::terminationAsked, &whileItLives,
-                     [&client] { client.interrupt(); });
+    using Error = nmc::ApiClient::Error;
+    QObject::connect(&interruption, &nmc::UnixSignals::terminationAsked, &whileItLives, [&client] {
+        client.end({Error::Kind::Interrupted, QStringLiteral("Interrupted.")});
+    });
+    if (line != nullptr)
+        QObject::connect(line, &nmc::HeadlessLine::lost, &whileItLives, [&client] {
+            client.end({Error::Kind::Gone, QStringLiteral("The line is gone.")});
+        });
     if (const auto reached = client.connectTo(socket, QStringLiteral("nmcctl")); !reached) {
         problems() << "nmcctl: " << socket << ": " << reached.error().sentence << Qt::endl;
-        const bool interrupted = reached.error().kind == nmc::ApiClient::Error::Kind::Interrupted;
+        const bool interrupted = reached.error().kind == Error::Kind::Interrupted;
         return interrupted ? CtlCommands::Interrupted : CtlCommands::NotReached;
     }
     CtlCommands commands(client, line != nullptr, out(), problems());

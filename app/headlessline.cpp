@@ -42,13 +42,14 @@ void HeadlessLine::take(const StoreEvent& event) {
     for (const News& news : newsOf(event, m_store.link()))
         emit reported(news.message);
     m_connection.take(event);
+    const auto* closed = std::get_if<PortClosed>(&event);
     if (std::holds_alternative<bus::ChainFound>(event)) {
         m_found = true;
         announce();
-    } else if (std::holds_alternative<bus::ConnectFailed>(event) ||
-               std::holds_alternative<PortClosed>(event)) {
+    } else if (closed != nullptr || std::holds_alternative<bus::ConnectFailed>(event)) {
         m_found = false;
-        emit lost();
+        if (closed == nullptr || closed->error)  // or this program has closed it
+            emit lost();
     }
 }
 

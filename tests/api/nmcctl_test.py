@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""nmcctl at the built-in simulator, by itself and through a line that another nmcctl serves. usage: nmcctl_test.py NMCCTL"""
+"""nmcctl at the built-in simulator or at nmcsim, by itself and through a line that another nmcctl serves.
+
+usage: nmcctl_test.py NMCCTL NMCSIM
+"""
 import json
 import os
 import signal
@@ -18,6 +21,7 @@ sys.path[1:1] = [str(Path(__file__).resolve().parents[2] / folder) for folder in
 import inparallel  # noqa: E402
 from nmcpanel import Panel  # noqa: E402
 
+SIMULATOR = sys.argv.pop()
 PROGRAM = sys.argv.pop()
 # Counts by which a servo that holds a position moves to and fro within its friction (core/bus/standstill.h).
 STILL = 4
@@ -158,6 +162,18 @@ class AtItsOwnLine(unittest.TestCase):
         self.assertEqual({row[0] for row in rows()}, {"1", "2"})
         times = [float(row[1]) for row in rows() if row[0] == "1"]
         self.assertEqual(times, sorted(times))
+
+    def test_ends_when_its_port_has_gone(self):
+        with subprocess.Popen([SIMULATOR, "--chain", "servo"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                              text=True) as sim:
+            terminal = sim.stdout.readline().removeprefix("ready ").strip()
+            watching = self.place.start("--port", terminal, "watch", stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                        text=True)
+            self.assertTrue(watching.stdout.readline(), "it has begun")
+            sim.kill()
+        _, problems = watching.communicate()
+        self.assertEqual(watching.returncode, NOT_REACHED, problems)
+        self.assertIn("The line is gone.", problems)
 
     def test_may_be_interrupted_while_it_closes_its_line(self):
         listing = self.place.start("--simulator=servo", "list", stdout=subprocess.PIPE, text=True)

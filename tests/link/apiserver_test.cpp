@@ -80,7 +80,7 @@ TEST(ApiClient, CallsNothingOnceItIsInterrupted) {
     ApiClient client;
     ASSERT_TRUE(client.connectTo(path, u"test"_s));
     ASSERT_EQ(lines, 1) << "hello";
-    client.interrupt();
+    client.end({ApiClient::Error::Kind::Interrupted, u"Interrupted."_s});
     const auto moved = client.call("move", {{"axis", 1}, {"to", 10}});
     ASSERT_FALSE(moved);
     EXPECT_EQ(moved.error().kind, ApiClient::Error::Kind::Interrupted);

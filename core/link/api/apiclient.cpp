@@ -18,10 +18,6 @@ namespace {
     return tl::unexpected(ApiClient::Error{kind, sentence});
 }
 
-[[nodiscard]] auto interrupted() {
-    return unexpected(ApiClient::Error::Kind::Interrupted, QStringLiteral("Interrupted."));
-}
-
 }  // namespace
 
 QStringList ApiClient::sockets() {
@@ -45,8 +41,8 @@ ApiClient::Or<void> ApiClient::connectTo(const QString& path, const QString& pro
 }
 
 ApiClient::Or<ApiClient::Json> ApiClient::call(const std::string& method, const Json& parameters) {
-    if (m_interrupted)
-        return interrupted();
+    if (m_end)
+        return tl::unexpected(*m_end);
     const Json request{{"jsonrpc", "2.0"}, {"id", ++m_lastId}, {"method", method}, {"params", parameters}};
     m_socket.write(QByteArray::fromStdString(request.dump()) + '\n');
     while (true) {
@@ -83,8 +79,8 @@ ApiClient::Or<std::optional<ApiClient::Json>> ApiClient::line(const QDeadlineTim
     if (!until.isForever())
         alarm.start(std::chrono::milliseconds(until.remainingTime()));
     while (!m_socket.canReadLine()) {
-        if (m_interrupted)
-            return interrupted();
+        if (m_end)
+            return tl::unexpected(*m_end);
         if (m_socket.state() != QLocalSocket::ConnectedState)
             return unexpected(Error::Kind::Gone, QStringLiteral("The panel has gone."));
         if (until.hasExpired())

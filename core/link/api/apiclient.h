@@ -24,9 +24,9 @@ public:
     struct Error {
         enum class Kind : std::uint8_t {
             NotReached,   ///< nothing accepts connections at the path
-            Gone,         ///< the other end has closed the connection
+            Gone,         ///< the other end has closed the connection, or what it is for has gone
             Refused,      ///< by the other end; `reason` is for programs
-            Interrupted,  ///< by interrupt()
+            Interrupted,  ///< by the user
         };
         Kind kind;
         QString sentence;
@@ -48,8 +48,12 @@ public:
     [[nodiscard]] Or<Json> call(const std::string& method, const Json& parameters = Json::object());
     /// The next notification that was subscribed to, in order of arrival; empty if none came until then.
     [[nodiscard]] Or<std::optional<Json>> next(const QDeadlineTimer& until = QDeadlineTimer::Forever);
-    /// Ends the wait that is in progress, and every later one; no method is called any more.
-    void interrupt() { m_interrupted = true; }
+    /// Ends the wait that is in progress, and every later one, with the error that was stated first; no
+    /// method is called any more.
+    void end(const Error& why) {
+        if (!m_end)
+            m_end = why;
+    }
 
 private:
     [[nodiscard]] Or<std::optional<Json>> line(const QDeadlineTimer& until);
@@ -58,7 +62,7 @@ private:
     Json m_about;
     int m_lastId = 0;
     std::deque<Json> m_notifications;
-    bool m_interrupted = false;
+    std::optional<Error> m_end;  ///< see end()
 };
 
 }  // namespace nmc
