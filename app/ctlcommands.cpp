@@ -484,6 +484,9 @@ CtlCommands::Exit CtlCommands::request(const api::Method& method, const Json& pa
         return Done;
     }
     const auto rest = m_client.call("wait", one ? Json{{"axis", parameters["axis"]}} : Json::object());
+    // A stop of all motors has cancelled what this program had requested before, and they are at rest.
+    if (!rest && method.name == "stop" && !one && rest.error().reason == "NotCarriedOut")
+        return Done;
     if (!rest)
         return reportEnd(rest.error());
     if (one && movesToGoal(method.name) && rest->at("on") == false) {

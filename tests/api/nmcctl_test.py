@@ -283,6 +283,15 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 self.assertEqual(PanelAsWritten(self, {"wait": [reason]}).ctl("move", "1", "500", "--wait"),
                                  (NOT_CARRIED_OUT, "", "Bad news.\n"))
 
+    def test_a_stop_is_carried_out_although_it_cancels_what_was_begun(self):
+        panel = PanelAsWritten(self, {"wait": ["NotCarriedOut"]})
+        self.assertEqual(panel.ctl("-", text="move 1 500\nstop --wait\nlist\n")[0], DONE)
+        self.assertEqual(panel.requests[-1][0], "state", "it goes on")
+        for words, reason, expected in ((("stop", "--wait"), "Unresponsive", NOT_CARRIED_OUT),
+                                        (("stop", "1", "--wait"), "NotCarriedOut", NOT_CARRIED_OUT)):
+            with self.subTest(words):
+                self.assertEqual(PanelAsWritten(self, {"wait": [reason]}).ctl(*words), (expected, "", "Bad news.\n"))
+
     def test_a_jog_that_has_begun_was_not_refused(self):
         for reasons, expected in ((["ServoOff"], REFUSED), ([None, "ServoOff"], NOT_CARRIED_OUT),
                                   ([None, None, "NoControl"], NOT_CARRIED_OUT), ([None, "NotConnected"], NOT_REACHED),
