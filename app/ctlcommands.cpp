@@ -240,7 +240,15 @@ CtlCommands::Exit CtlCommands::run(const QStringList& words) {
         return usage(*command, QStringLiteral("\"%1\" is too much.").arg(rest.values[command->most]));
     const Exit exit = (this->*command->act)(*command, rest);
     m_out.flush();
-    return exit;
+    return exit == Done ? written() : exit;
+}
+
+CtlCommands::Exit CtlCommands::written() {
+    m_out.flush();
+    if (m_out.status() == QTextStream::Ok)
+        return Done;
+    m_problems << "The output could not be written." << Qt::endl;
+    return NotCarriedOut;
 }
 
 CtlCommands::Exit CtlCommands::usage(const Command& command, const QString& problem) {
@@ -386,8 +394,7 @@ CtlCommands::Exit CtlCommands::watch(const Command& command, const Words& words)
                 if (const QString now = placeOf(axis) + QLatin1Char('\t') + shown(axis.at("state"));
                     std::exchange(before[axis.at("number").get<int>()], now) != now)
                     m_out << nameOf(axis) << '\t' << now << '\n';
-        m_out.flush();
-        return Done;
+        return written();
     };
     const auto exit = follow({{"state", true}, {"events", true}}, *until, show);
     return exit ? *exit : report(exit.error());

@@ -94,6 +94,8 @@ private:
     [[nodiscard]] bool mayMove();
     void warnOfLimits(const QString& axis);
     void showPlace(const Json& axis);
+    /// Whether all of the output is; says so if it is not.
+    [[nodiscard]] Exit written();
     [[nodiscard]] Exit usage(const Command& command, const QString& problem);
     Exit report(const ApiClient::Error& error);
     /// Of what was begun, and so was not refused.

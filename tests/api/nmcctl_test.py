@@ -163,6 +163,14 @@ class AtItsOwnLine(unittest.TestCase):
         times = [float(row[1]) for row in rows() if row[0] == "1"]
         self.assertEqual(times, sorted(times))
 
+    def test_says_that_its_output_could_not_be_written(self):
+        for command in ("list", "watch"):
+            with self.subTest(command), open("/dev/full", "w", encoding="utf-8") as full:
+                program = self.place.start("--simulator=servo", command, stdout=full, stderr=subprocess.PIPE, text=True)
+                _, problems = program.communicate()
+                self.assertEqual(program.returncode, NOT_CARRIED_OUT, problems)
+                self.assertEqual(problems.count("The output could not be written."), 1, problems)
+
     def test_ends_when_its_port_has_gone(self):
         with subprocess.Popen([SIMULATOR, "--chain", "servo"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                               text=True) as sim:
