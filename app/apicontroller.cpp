@@ -431,7 +431,7 @@ bool ApiController::isHeld(const Session& session) {
 
 bool ApiController::rests(ModuleIndex index) const {
     const ModuleState* module = m_store.module(index);
-    if (module == nullptr)
+    if (module == nullptr || !module->isKnown())  // what an unknown one does is never known
         return true;
     const auto done = m_doneAt.find(index);
     // A jog may have been requested only just now.

@@ -3,6 +3,8 @@
 // but stop (docs/lending.md). The program is at a real terminal.
 #include <numeric>
 
+#include "link/api/apiserver.h"
+#include "tests/support/otherprogram.h"
 #include "tests/support/port.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/messages/messagemodel.h"
@@ -12,7 +14,9 @@ namespace {
 
 using namespace Qt::StringLiterals;
 using testing_support::moves;
+using testing_support::OtherProgram;
 using testing_support::Port;
+using testing_support::RuntimeFolder;
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
 using Bytes = std::vector<std::uint8_t>;
@@ -149,6 +153,7 @@ TEST_F(Lending, TheProgramEndsItAndThePanelGoesOn) {
 }
 
 TEST_F(Lending, AMachineThatIsNumberedAnewIsShownAsItReportsItself) {
+    const RuntimeFolder runtime;
     ASSERT_NO_FATAL_FAILURE(lend());
     Port port(path.toStdString());
     port.setRate(B19200);
@@ -165,6 +170,14 @@ TEST_F(Lending, AMachineThatIsNumberedAnewIsShownAsItReportsItself) {
     ask(port, 0, 0x21, {2, 0xFF}, 2);
     ASSERT_TRUE(panel.waitFor([&] { return panel.composition().store().link().modules.size() == 2; }));
     EXPECT_EQ(panel.module().info.identity, kUnheardModule);
+    auto* letIn = panel.window().findChild<QAction*>(u"letProgramsInAction"_s);
+    letIn->trigger();
+    {
+        OtherProgram client(panel, ApiServer::pathFor(sim.terminal()));
+        client.hello();
+        EXPECT_TRUE(client.call("wait").contains("result")) << "it cannot be known whether these move";
+    }
+    letIn->trigger();
     ask(port, 1, 0x13, {0x20}, 4);
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().isServo(); }));
     EXPECT_EQ(panel.composition().store().link().baud, 19'200U);
