@@ -357,6 +357,9 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
         session.forget(call.module);  // a search or moves that it has just cancelled were requested before
     else
         noteMoved(client, call.module);
+    for (auto& [other, each] : m_sessions)
+        if (isStop(intent) && isHeld(each) && each.held.module == call.module)
+            each.stopped = true;
     if (operation)
         m_pending[call.module] = session.operations[call.module] = *operation;
     if (operation && leadsToGoal(intent)) {
@@ -370,6 +373,10 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
     Session& session = this->session(client);
     const bool same =
         isHeld(session) && session.held.module == hold.module && session.held.reverse == hold.reverse;
+    if (same && session.stopped) {
+        session.heldAt = monotonicNow();  // it goes on calling, and so the press goes on
+        return fail(client, id, kRefused, texts::wasCancelled(), "NotCarriedOut");
+    }
     hold.press = same ? session.held.press : nextPress();
     const ModuleState& module = *m_store.module(hold.module);
     const auto refusal = whyNot(hold, module);
@@ -381,6 +388,7 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
     }
     session.held = hold;
     session.heldAt = monotonicNow();
+    session.stopped = false;
     session.forget(hold.module);
     session.replaced.insert(hold.module);
     noteMoved(client, hold.module);

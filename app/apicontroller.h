@@ -86,6 +86,7 @@ private:
         std::vector<Pending> waits{};
         bus::HoldToMove held{};  ///< the last jog
         std::optional<TimePoint> heldAt{};
+        bool stopped = false;  ///< another program has stopped the motor that this one jogs
 
         /// It has requested something else of this module, or knows that its last request is done: what
         /// becomes of that is of no interest.

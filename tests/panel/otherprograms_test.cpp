@@ -590,6 +590,25 @@ TEST_F(OtherPrograms, AreToldWhyAJogHasEndedByItself) {
     EXPECT_EQ(answer["error"]["data"]["reason"], "ServoOff") << answer.dump();
 }
 
+TEST_F(OtherPrograms, AreToldThatAnotherOneHasStoppedTheirJog) {
+    OtherProgram client(panel, path()), other(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    const Json jog{{"axis", 1}, {"velocity", 0.5}};
+    EXPECT_EQ(client.call("jog", jog)["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    EXPECT_EQ(client.call("jog", jog)["result"]["accepted"], true);
+    EXPECT_EQ(other.call("stop", {{"axis", 1}})["result"]["accepted"], true);
+    for (int i = 0; i < 10; ++i) {
+        EXPECT_EQ(client.call("jog", jog)["error"]["data"]["reason"], "NotCarriedOut");
+        ASSERT_TRUE(panel.answersFor(0.1));
+    }
+    EXPECT_FALSE(moves(sim));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(client.call("jog", jog)["result"]["accepted"], true) << "as another press";
+    EXPECT_TRUE(panel.waitFor([&] { return moves(sim); }));
+}
+
 TEST_F(OtherPrograms, AreToldWhichLimitKeepsThemFromJogging) {
     OtherProgram client(panel, path());
     client.hello();
