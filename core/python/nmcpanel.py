@@ -165,7 +165,10 @@ class Panel:
         return Axis(self, axis)
 
     def stop(self) -> None:
-        """STOP ALL; always possible. It cancels what is commanded before wait() returns."""
+        """STOP ALL; always possible. It cancels what is commanded before wait() returns.
+
+        wait() then raises NotCarriedOut if moves of this program were cut short, but only once all motors are at rest.
+        """
         self.call("stop")
 
     def request_control(self, on_disconnect: str = "stop") -> None:
