@@ -127,7 +127,7 @@ void Belief::onExecuted(const ModuleCommand& command) {
     if (setsCounter(command))
         rename();
     visitCommand(Executed{*this}, command);
-    std::visit(Overloaded{[this](const ServoCommand& own) { m_servo.apply(own); },
+    std::visit(Overloaded{[this](const ServoCommand& own) { m_servo.apply(own, m_info.identity); },
                           [this](const StepperCommand& own) { m_stepper.apply(own); },
                           [this](const IoCommand& own) { m_outputs.onExecuted(own); }},
                command);

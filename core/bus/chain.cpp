@@ -135,7 +135,7 @@ void Chain::noteSent(ModuleIndex index, const ModuleCommand& command, TimePoint 
     Module& module = at(index);
     module.belief.onSent(command, latched);
     if (const auto* own = std::get_if<ServoCommand>(&command))
-        module.sent.apply(*own);
+        module.sent.apply(*own, module.belief.info().identity);
     module.plausibility.onSent(command, module.sent, latched);
     module.watch.onSent(command, module.sent);
     module.ownMotion.onSent(command);

@@ -5,16 +5,7 @@
 
 namespace nmc {
 
-namespace {
-
-/// Motor off and Stop Here leave the velocity as it is loaded.
-[[nodiscard]] bool zeroesVelocity(servo::StopManner manner) {
-    return manner == servo::StopManner::Abruptly || manner == servo::StopManner::Smoothly;
-}
-
-}  // namespace
-
-void ServoRegisters::apply(const ServoCommand& command) {
+void ServoRegisters::apply(const ServoCommand& command, const ModuleIdentity& module) {
     std::visit(Overloaded{
                    [this](const servo::LoadTrajectory& loaded) {
                        load = loaded;
@@ -29,11 +20,10 @@ void ServoRegisters::apply(const ServoCommand& command) {
                            started();
                    },
                    [this](const StartMotion&) { started(); },
-                   [this](const servo::StopMotor& stop) {
+                   [&](const servo::StopMotor& stop) {
                        amplifierEnabled = stop.amplifierEnable;
-                       loadWaiting = loadWaiting && stop.manner == servo::StopManner::AmplifierOnly;
-                       if (zeroesVelocity(stop.manner))
-                           stopped();
+                       if (stop.manner != servo::StopManner::AmplifierOnly)
+                           stopped(stop.manner, module);
                    },
                    [this](const servo::SetGain& set) {
                        gains = set;
@@ -58,9 +48,12 @@ void ServoRegisters::started() {
     runningAcceleration = acceleration;
 }
 
-void ServoRegisters::stopped() {
-    velocity = CountsPerTick(0);
+void ServoRegisters::stopped(servo::StopManner manner, const ModuleIdentity& module) {
     loadWaiting = false;
+    // DS-V 5.2: only these two set the velocity to 0. CMC and SC keep it (docs/family.md).
+    const bool zeroes = manner == servo::StopManner::Abruptly || manner == servo::StopManner::Smoothly;
+    if (zeroes && !hasPathBuffer(module))
+        velocity = CountsPerTick(0);
 }
 
 servo::LoadTrajectory ServoRegisters::trajectory() const {

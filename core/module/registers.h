@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "protocol/commands.h"
+#include "protocol/moduletype.h"
 
 /// The state that a module keeps from the commands that it carries out. The chips report almost none of it,
 /// so this is the only copy, with a single definition of what each command changes. The caller decides which
@@ -22,10 +23,10 @@ struct PathControl {
 
 /// Registers of a PIC-SERVO (DS-V 5.2).
 struct ServoRegisters {
-    void apply(const ServoCommand& command);
-    /// Call when the chip has stopped the motor abruptly or smoothly, by command or by itself: its velocity
-    /// is 0, and a loaded trajectory no longer waits.
-    void stopped();
+    void apply(const ServoCommand& command, const ModuleIdentity& module);
+    /// Call when the chip has stopped the motor in this manner, by command or by itself: a loaded trajectory
+    /// no longer waits, and its velocity may be 0.
+    void stopped(servo::StopManner manner, const ModuleIdentity& module);
     /// The trajectory that a start would run: the last load, together with the values kept from earlier ones.
     [[nodiscard]] servo::LoadTrajectory trajectory() const;
     /// SC: limit protection is enabled, and the limit in this direction is closed; forward is limit 1.

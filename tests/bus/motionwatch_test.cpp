@@ -14,7 +14,7 @@ using namespace bus;
 using Suspect = std::optional<MotionSuspect::Reason>;
 
 void send(MotionWatch& watch, ServoRegisters& sent, const Order& order) {
-    sent.apply(std::get<ServoCommand>(order.command));
+    sent.apply(std::get<ServoCommand>(order.command), kFirstServo);
     watch.onSent(order.command, sent);
 }
 

@@ -34,7 +34,7 @@ public:
     }
     void sends(const ModuleCommand& command) {
         if (const auto* own = std::get_if<ServoCommand>(&command))
-            sent.apply(*own);
+            sent.apply(*own, kFirstServo);
         plausibility.onSent(command, sent, now + 5ms);
     }
 

@@ -99,6 +99,23 @@ TEST(ModuleState, OnlyTwoMannersOfStoppingTakeTheLoadedVelocityAway) {
     }
 }
 
+/// CMC and SC keep the velocity through every stop (docs/family.md).
+TEST(ModuleState, NoStopTakesTheLoadedVelocityOfALaterVersionAway) {
+    servo::LoadTrajectory again = velocityMode(0, 100);
+    again.velocity.reset();
+    for (const std::uint8_t version : {kPathVersion, kScVersion}) {
+        ModuleState module = holdingServo();
+        module.info.identity.version = version;
+        module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
+        module.apply(executedAt(2.0, stopWith(servo::StopManner::Smoothly)));
+        module.confirmedAtRest();
+        module.apply(executedAt(3.0, again));
+        EXPECT_EQ(module.goalVelocity, 3);
+        module.apply(sampleOf(4.0, kPower | kMoveDone, kServoOn, 5'000));
+        EXPECT_EQ(module.activity(), Activity::AtSpeed);
+    }
+}
+
 /// A servo that holds 20 000, and is 3 counts away from it.
 ModuleState heldAt20000() {
     ModuleState module = holdingServo();

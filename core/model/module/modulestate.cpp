@@ -149,7 +149,7 @@ bool ModuleState::limitEnds(int direction) const {
 void ModuleState::endedByChip() {
     motion = MotionMode::Velocity;
     goalVelocity = 0.0;
-    stopped();
+    stopped(servo::StopManner::Abruptly, info.identity);
     m_goal.reset();
 }
 
@@ -212,7 +212,7 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
             gainsBefore = gains;
         swing.forget();
     }
-    ServoRegisters::apply(*command);
+    ServoRegisters::apply(*command, info.identity);
     if (is<StartMotion>(executed.command) || (is<servo::LoadTrajectory>(executed.command) && !loadWaiting)) {
         applyLoaded(executed.time);
     } else if (const auto* stop = std::get_if<servo::StopMotor>(command)) {
@@ -270,7 +270,7 @@ void ModuleState::doubtGains() {
 void ModuleState::confirmedAtRest() {
     motion = motion == MotionMode::Velocity ? motion : MotionMode::None;
     goalVelocity = 0.0;
-    stopped();
+    stopped(servo::StopManner::Abruptly, info.identity);
     m_motionUnknown = m_drifts = false;
     m_restedAt.reset();
     // A stop whose answer was lost may have cut a move short. The outcome of a stop that was carried out is

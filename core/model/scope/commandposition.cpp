@@ -40,7 +40,7 @@ void CommandPosition::apply(const bus::CommandExecuted& executed) {
     countTicks(executed.time, executed.late, executed.early);
     m_verified = std::exchange(m_unsettled, false);
     const auto gainsBefore = m_registers.gains;
-    m_registers.apply(*command);
+    m_registers.apply(*command, kFirstServo);
     std::visit(Overloaded{
                    [&](const servo::LoadTrajectory& load) {
                        if (load.startNow)
@@ -311,7 +311,7 @@ void CommandPosition::stopAtHome(const Moments& found, TimePoint shows) {
     const servo::StopManner manner = std::exchange(m_homing, std::nullopt)->manner;
     if (manner == servo::StopManner::MotorOff)
         return;  // the status reports that the servo is off
-    m_registers.stopped();
+    m_registers.stopped(manner, kFirstServo);
     m_effective = shows;
     if (manner == servo::StopManner::Smoothly)
         runAt(0.0, {found.earliest - m_tick / 2, found.likely - m_tick / 2, found.latest - m_tick / 2,
