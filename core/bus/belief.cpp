@@ -108,7 +108,7 @@ struct Belief::Executed {
             b.m_on = b.m_may.enable = false;
     }
     void operator()(const servo::SetHoming& homing) const {
-        b.m_homingStops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
+        b.m_homingStops = homing.watches() && (homing.motorOff || homing.stopAbruptly || homing.stopSmoothly);
     }
     void operator()(const DefineStatus& define) const { b.m_items = define.items; }
     void operator()(const SetAddress& set) const {

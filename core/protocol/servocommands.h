@@ -158,8 +158,8 @@ struct IoControl {
     bool operator==(const IoControl&) const = default;
 };
 
-/// Set Homing Mode: captures the home position when any of the chosen conditions occurs. All false cancels
-/// homing.
+/// Set Homing Mode: captures the home position when any of the chosen conditions occurs. Without one, it
+/// cancels homing.
 struct SetHoming {
     bool onLimit1Change = false;
     bool onLimit2Change = false;
@@ -169,6 +169,10 @@ struct SetHoming {
     bool motorOff = false;  ///< version 3 and later; at most one of these three
     bool stopAbruptly = false;
     bool stopSmoothly = false;
+
+    [[nodiscard]] constexpr bool watches() const {
+        return onLimit1Change || onLimit2Change || onIndexChange || onPositionError || onCurrentLimit;
+    }
 
     static constexpr CommandCode kCode = CommandCode::SetHoming;
     static void fields(auto& form, auto& c) {

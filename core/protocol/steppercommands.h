@@ -116,7 +116,7 @@ struct SetOutputs {
     bool operator==(const SetOutputs&) const = default;
 };
 
-/// All false cancels homing. At most one of the three stop actions may be set.
+/// Without a condition, it cancels homing. At most one of the three stop actions may be set.
 struct SetHoming {
     bool onLimit1Change = false;
     bool onLimit2Change = false;
@@ -124,6 +124,10 @@ struct SetHoming {
     bool motorOff = false;
     bool stopAbruptly = false;
     bool stopSmoothly = false;
+
+    [[nodiscard]] constexpr bool watches() const {
+        return onLimit1Change || onLimit2Change || onHomeSwitchChange;
+    }
 
     static constexpr CommandCode kCode = CommandCode::SetHoming;
     static void fields(auto& form, auto& c) {

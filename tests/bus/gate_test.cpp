@@ -191,6 +191,18 @@ TEST(Gate, KnowsThatHomingStopsByItself) {
     EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
+/// Without a condition it cancels the search (protocol.md 2), whatever else it says: nothing ends the run.
+TEST(Gate, KnowsThatASearchWithoutAConditionStopsNothing) {
+    servo::SetHoming cancel;
+    cancel.stopSmoothly = true;
+    Module module = standing();
+    module.executed(loadVelocity(0, 65'536, true));
+    module.status(kMoveDone | kPower, kServoOn, 1);
+    module.executed(toServo(0, cancel));
+    module.status(kMoveDone | kPower, kServoOn, 1);
+    EXPECT_EQ(module.permitMove(), Permission::InMotion);
+}
+
 TEST(Gate, ForbidsWhatTheVersionDoesNotHave) {
     Module old({ModuleType::Servo, 1});
     old.status(kMoveDone | kPower, kServoOn);

@@ -147,6 +147,14 @@ TEST_F(TravelLimit, IsNotInForceAfterTheCounterWasSet) {
     EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 1U);
 }
 
+TEST_F(TravelLimit, ARunIsWatchedThoughASearchForHomeWasCancelled) {
+    enableFirst();
+    servo::SetHoming cancel;
+    cancel.stopSmoothly = true;
+    ASSERT_EQ(bus.perform({run(), toServo(0, cancel)}), Outcome::Done);
+    expectStopBeforeTheLimit(bus);
+}
+
 TEST_F(TravelLimit, LeavesAMoveAloneThatEndsByItself) {
     enableFirst();
     bus.engine.setTravelLimits({{std::nullopt, 5'000}});

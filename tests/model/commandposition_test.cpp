@@ -286,6 +286,17 @@ TEST(CommandPosition, HomeSwitchesTheServoOffAndNothingIsLeft) {
     EXPECT_FALSE(command.at(atSeconds(1.6)).has_value());
 }
 
+/// Without a condition, Set Homing Mode cancels the search (protocol.md 2).
+TEST(CommandPosition, ASearchThatIsCancelledStopsNothing) {
+    CommandPosition command = holdingAt100();
+    command.apply(executedAt(1, velocityMode(4 << 16, 4 << 16)));
+    servo::SetHoming cancel;
+    cancel.stopAbruptly = true;
+    command.apply(executedAt(1.2, cancel));
+    command.apply(sampleOf(1.5, kPower | kMoveDone, kServoOn, 4'000));
+    EXPECT_NEAR(command.at(atSeconds(2.5))->position - command.at(atSeconds(1.5))->position, 4 / kTick, 4);
+}
+
 TEST(CommandPosition, AMoveThatIsDoneIsAtItsGoalWhateverTheClockSays) {
     CommandPosition command = holdingAt100();
     command.apply(executedAt(1, trapezoid(20'100, 8 << 16, 1'024)));

@@ -219,6 +219,19 @@ TEST(StepperState, MotorOffAtHomeIsNoFault) {
     EXPECT_EQ(stepper.module.activity(), Activity::AmplifierOff);
 }
 
+/// Without a condition, Set Homing Mode cancels the search (protocol.md 2).
+TEST(StepperState, ASearchThatIsCancelledDoesNotExplainThatTheMotorIsOff) {
+    Stepper stepper = Stepper::running();
+    stepper::SetHoming cancel;
+    cancel.motorOff = true;
+    stepper.was(cancel);
+    stepper.says(kRuns);
+    stepper.says(kStepPower);
+    stepper.says(kStepPower);
+    EXPECT_TRUE(stepper.module.switchedItselfOff);
+    EXPECT_EQ(stepper.module.activity(), Activity::WentOff);
+}
+
 TEST(StepperState, ASwitchThatWasLookedForIsNoLimitThatWasRunInto) {
     Stepper stepper = Stepper::running();
     stepper::SetHoming homing;

@@ -4,9 +4,9 @@
 namespace nmc {
 
 template <typename SetHoming>
-void HomeWatch::onSetHoming(const SetHoming& homing, TimePoint time, bool watches) {
+void HomeWatch::onSetHoming(const SetHoming& homing, TimePoint time) {
     *this = HomeWatch{};
-    if (!watches)
+    if (!homing.watches())
         return;
     m_state = State::Armed;
     m_since = time;
@@ -18,15 +18,13 @@ void HomeWatch::onSetHoming(const SetHoming& homing, TimePoint time, bool watche
 
 void HomeWatch::apply(const bus::CommandExecuted& executed) {
     if (const auto* homing = getIf<servo::SetHoming>(executed.command)) {
-        const bool inputs = homing->onLimit1Change || homing->onLimit2Change || homing->onIndexChange;
-        onSetHoming(*homing, executed.time, inputs || homing->onPositionError || homing->onCurrentLimit);
+        onSetHoming(*homing, executed.time);
         m_positionError = homing->onPositionError;
         m_currentLimit = homing->onCurrentLimit;
         // A position error switches the servo off by itself.
         m_switchesOff = m_switchesOff || homing->onPositionError;
     } else if (const auto* step = getIf<stepper::SetHoming>(executed.command)) {
-        onSetHoming(*step, executed.time,
-                    step->onLimit1Change || step->onLimit2Change || step->onHomeSwitchChange);
+        onSetHoming(*step, executed.time);
     }
 }
 

@@ -35,7 +35,7 @@ public:
 
 private:
     template <typename SetHoming>
-    void onSetHoming(const SetHoming& homing, TimePoint time, bool watches);
+    void onSetHoming(const SetHoming& homing, TimePoint time);
 
     State m_state = State::Idle;
     TimePoint m_since;

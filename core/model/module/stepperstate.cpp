@@ -138,7 +138,9 @@ struct StepperState::Executed {
             s.started(*s.waiting, time);
     }
     void operator()(const stepper::StopMotor& stop) const { s.stopped(stop, time); }
-    void operator()(const stepper::SetHoming& homing) const { s.m_homingSwitchesOff = homing.motorOff; }
+    void operator()(const stepper::SetHoming& homing) const {
+        s.m_homingSwitchesOff = homing.watches() && homing.motorOff;
+    }
     void operator()(const auto& /*other*/) const {}
 };
 

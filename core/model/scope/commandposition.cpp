@@ -248,6 +248,8 @@ void CommandPosition::zero(const bus::CommandExecuted& executed) {
 void CommandPosition::arm(const servo::SetHoming& homing, const bus::CommandExecuted& executed) {
     using servo::StopManner;
     m_homing.reset();
+    if (!homing.watches())
+        return;
     const StopManner manner = homing.motorOff       ? StopManner::MotorOff
                               : homing.stopAbruptly ? StopManner::Abruptly
                                                     : StopManner::Smoothly;
