@@ -221,6 +221,23 @@ TEST(ModuleState, SwitchingItOffIsNotATrip) {
     }
 }
 
+/// DS-V 5.2: home is found while the servo is off, and an abrupt stop switches it on, so what switches it off
+/// after that is no command.
+TEST(ModuleState, ATripIsOneAlsoWhereAStopAtHomeHasSwitchedTheServoOn) {
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1.0, stopWith(servo::StopManner::MotorOff)));
+    module.apply(sampleOf(1.0, kMoveDone | kPosError | kPower, 0));
+    module.apply(executedAt(1.1, servo::SetHoming{.onLimit1Change = true, .stopAbruptly = true}));
+    module.apply(sampleOf(1.2, kMoveDone | kPosError | kPower | kHoming, 0));
+    module.apply(sampleOf(1.3, kMoveDone | kPosError | kPower, kServoOn));
+    module.apply(sampleOf(1.4, kMoveDone | kPosError | kPower, kServoOn));
+    EXPECT_EQ(module.activity(), Activity::Holding);
+    module.apply(sampleOf(1.5, kMoveDone | kPosError | kPower, 0));
+    module.apply(sampleOf(1.6, kMoveDone | kPosError | kPower, 0));
+    EXPECT_EQ(module.activity(), Activity::Tripped);
+    EXPECT_TRUE(module.switchedItselfOff);
+}
+
 TEST(ModuleState, KeepsWhatAShorterStatusDoesNotCarry) {
     ModuleState module = servoModule();
     StatusReport full;

@@ -181,8 +181,11 @@ bool ModuleState::watchHome(const bus::Sample& sample) {
     const bool found = homing.apply(sample);
     if (!found || !isServo())
         return found;
-    if (homing.stops())
+    if (homing.stops()) {
         endedByChip();
+        // An abrupt or a smooth stop switches on a servo that is off, as by command.
+        offCommanded = offCommanded && homing.switchesOff();
+    }
     const bool off = sample.report.aux && !servo::AuxByte{*sample.report.aux}.servoOn();
     if (off && homing.switchesOff()) {
         offCommanded = true;
