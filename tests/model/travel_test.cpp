@@ -207,6 +207,22 @@ TEST(Travel, NothingIsFasterThanTheAxisMayGo) {
         << "the maximum speed does not depend on home";
 }
 
+/// DS-V 5.2: a velocity that is not loaded is the one loaded before, which nobody has started yet.
+TEST(Travel, ALoadWithoutAVelocityIsAsFastAsTheOneBefore) {
+    ModuleState module = limited();
+    module.home.forget();
+    servo::LoadTrajectory load = velocityMode(3 << 16, 131);
+    load.startNow = false;
+    module.apply(executedAt(1, load));
+    load.velocity.reset();
+    load.startNow = true;
+    const Intent start = intent::Direct{ServoCommand(load)};
+    EXPECT_TRUE(plan(start, module).has_value());
+    module.travel.fastest = 2.9;
+    EXPECT_EQ(plan(start, module).error(), Refusal::TooFast);
+    EXPECT_EQ(travelProblem(start, module)->velocity, 3.0);
+}
+
 TEST(Travel, HeldMotionHasTheLimitAheadAsItsGoal) {
     const ModuleState module = limited();
     bus::HoldToMove hold;

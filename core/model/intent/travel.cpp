@@ -197,8 +197,9 @@ private:
             std::int64_t{module.goal().value_or(positionOf(module).value_or(0))} + load.position->value();
     else if (load.position)
         course.goal = load.position->value();
+    // A velocity that is not loaded is the one loaded before.
     if (load.servo)
-        course.velocity = toCounts(load.velocity.value_or(CountsPerTick()));
+        course.velocity = toCounts(load.velocity.value_or(module.velocity.value_or(CountsPerTick())));
     return course;
 }
 
