@@ -36,6 +36,7 @@ public:
         m_may.run = m_may.pwmUnknown = m_parametersSet = true;
         m_info.group.reset();
         m_servo.pathControl.reset();
+        m_servo.velocity.reset();
         m_outputs.forget();
     }
     /// The same module, found again at its address by another search of the same connection: it has not

@@ -39,10 +39,11 @@ struct ServoRegisters {
         return runningAcceleration && runningAcceleration->value() != 0;
     }
 
-    servo::LoadTrajectory load;             ///< the last one; its control bits hold until the next load
-    bool loadWaiting = false;               ///< `load` waits for a start
-    std::optional<Counts> goal;             ///< loaded last, except by relative moves
-    std::optional<CountsPerTick> velocity;  ///< loaded last, for the next start
+    servo::LoadTrajectory load;  ///< the last one; its control bits hold until the next load
+    bool loadWaiting = false;    ///< `load` waits for a start
+    std::optional<Counts> goal;  ///< loaded last, except by relative moves
+    /// Loaded last, for the next start; 0 after power-up (DS-V 4.5).
+    std::optional<CountsPerTick> velocity = CountsPerTick(0);
     std::optional<CountsPerTickSquared> acceleration;         ///< likewise
     std::optional<CountsPerTick> runningVelocity;             ///< of the last start
     std::optional<CountsPerTickSquared> runningAcceleration;  ///< likewise: that of a smooth stop

@@ -99,6 +99,21 @@ TEST(ModuleState, OnlyTwoMannersOfStoppingTakeTheLoadedVelocityAway) {
     }
 }
 
+/// Attached: without a velocity, a run has the one that another host has loaded.
+TEST(ModuleState, ARunWhoseVelocityIsUnknownShowsInThePositionOnly) {
+    servo::LoadTrajectory run = velocityMode(0, 100);
+    run.velocity.reset();
+    ModuleState module = servoModule();
+    module.attached();
+    for (int i = 0; i < 20; ++i)
+        module.apply(sampleOf(i * 0.1, kMoveDone | kPower, kServoOn));
+    module.apply(executedAt(2.0, run));
+    for (int i = 1; i <= 5; ++i)
+        module.apply(sampleOf(2.0 + i * 0.1, kMoveDone | kPower, kServoOn, i * 500));
+    EXPECT_TRUE(module.moving());
+    EXPECT_EQ(module.activity(), Activity::AtSpeed);
+}
+
 /// CMC and SC keep the velocity through every stop (docs/family.md).
 TEST(ModuleState, NoStopTakesTheLoadedVelocityOfALaterVersionAway) {
     servo::LoadTrajectory again = velocityMode(0, 100);

@@ -223,6 +223,21 @@ TEST(Travel, ALoadWithoutAVelocityIsAsFastAsTheOneBefore) {
     EXPECT_EQ(travelProblem(start, module)->velocity, 3.0);
 }
 
+/// Nor is it known whether it is too fast.
+TEST(Travel, NothingStartsAtAVelocityThatAnotherHostHasLoaded) {
+    ModuleState module = holdingServo();
+    module.attached();
+    servo::LoadTrajectory load = velocityMode(0, 131);
+    load.velocity.reset();
+    EXPECT_EQ(plan(intent::Direct{ServoCommand(load)}, module).error(), Refusal::NoVelocity);
+    load.startNow = false;
+    module.apply(executedAt(1, load));
+    EXPECT_EQ(plan(intent::StartLoaded{}, module).error(), Refusal::NoVelocity);
+    load.velocity = kOne;
+    module.apply(executedAt(2, load));
+    EXPECT_TRUE(plan(intent::StartLoaded{}, module).has_value());
+}
+
 TEST(Travel, HeldMotionHasTheLimitAheadAsItsGoal) {
     const ModuleState module = limited();
     bus::HoldToMove hold;

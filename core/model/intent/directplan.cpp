@@ -24,6 +24,8 @@ struct WhyNot {
             return whyNot(IntentKind::DrivePwm, module);
         if (load.profile == servo::ProfileMode::Trapezoidal)
             return Refusal::StartApart;
+        if (!load.velocity && !module.velocity)
+            return Refusal::NoVelocity;  // it would run at whatever another host has loaded
         const auto acceleration = load.acceleration ? load.acceleration : module.acceleration;
         return acceleration && acceleration->value() != 0 ? whyNot(IntentKind::Run, module)
                                                           : Reason(Refusal::NoAcceleration);

@@ -263,6 +263,8 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
         case IntentKind::StartLoaded:
             if (!module.loadWaiting)
                 return Refusal::NothingLoaded;
+            if (module.load.servo && !module.velocity)
+                return Refusal::NoVelocity;
             if (const auto problem = loadedProblem(module))
                 return problem->refusal;
             return whyNot(IntentKind::Move, module);

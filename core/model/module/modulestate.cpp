@@ -254,6 +254,7 @@ void ModuleState::restarted() {
 void ModuleState::attached() {
     m_motionUnknown = true;
     amplifierEnabled.reset();
+    velocity.reset();
     servoRate.reset();
     pathControl.reset();
     stepper.attached();
@@ -309,6 +310,8 @@ void ModuleState::applyLoaded(TimePoint time) {
     noteCommand(time, magnitude == 0.0 ? 0 : reverse ? -1 : 1, magnitude);
     commanded(started.isVelocityMode() ? MotionMode::Velocity : MotionMode::Trapezoidal, time);
     goalVelocity = started.reverse ? -magnitude : magnitude;
+    // If another host has loaded the velocity, only the position shows whether the motor moves.
+    m_motionUnknown = started.isVelocityMode() && !started.velocity;
     if (started.isVelocityMode() || !started.position)
         return;
     if (!started.relative)
