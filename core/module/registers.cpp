@@ -69,6 +69,8 @@ void StepperRegisters::apply(const StepperCommand& command) {
     std::visit(Overloaded{
                    [this](const stepper::LoadTrajectory& load) {
                        waiting.reset();
+                       if (load.speed)
+                           loadedSpeed = load.speed;
                        if (load.accelerationTime)
                            loadedTime = load.accelerationTime;
                        if (load.startNow)
@@ -89,6 +91,8 @@ void StepperRegisters::apply(const StepperCommand& command) {
                    [this](const stepper::StopMotor& stop) {
                        if (stop.manner != stepper::StopManner::AmplifierOnly)
                            waiting.reset();
+                       if (stop.manner == stepper::StopManner::Smoothly)
+                           loadedSpeed = std::uint8_t{0};
                    },
                    [this](const stepper::SetOutputs& set) { outputs = set.outputs; },
                    [](const auto& /*other*/) {},

@@ -65,6 +65,7 @@ struct StepperRegisters {
 
     std::optional<stepper::SetParameters> parameters;
     std::optional<std::uint8_t> outputs = std::uint8_t{0x10};  ///< OUT5 high, the rest low (DS-S 2.3)
+    std::optional<std::uint8_t> loadedSpeed;                   ///< for the next start; 0 after a smooth stop
     std::optional<std::uint8_t> loadedTime;                    ///< acceleration time, for the next start
     std::optional<std::uint8_t> accelerationTime;              ///< of the last start: that of a smooth stop
     std::optional<stepper::LoadTrajectory> waiting;            ///< waits for a start

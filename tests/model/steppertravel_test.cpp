@@ -63,6 +63,43 @@ TEST(StepperTravel, StepsBeyondAreRefusedAlsoRelativeOnes) {
     EXPECT_FALSE(whyNot(steppermotion::VelocityProfile{40, 4, true}, atEnd.module));
 }
 
+/// DS-S 5.1, Table 4: a speed that is not loaded is the one loaded before. Speed 40 is 1000 steps/s, and a
+/// smooth stop sets it to 0.
+TEST(StepperTravel, ALoadWithoutASpeedIsAsFastAsTheOneBefore) {
+    Stepper stepper = limitedStepper();
+    stepper::LoadTrajectory load;
+    load.position = Counts(200);
+    load.startNow = true;
+    const Intent start = intent::Direct{StepperCommand(load)};
+    EXPECT_EQ(plan(start, stepper.module).error(), Refusal::NoVelocity) << "none was ever loaded";
+    stepper.was(Stepper::trapezoid(100));
+    EXPECT_TRUE(plan(start, stepper.module).has_value());
+    stepper.module.travel.fastest = 999;
+    EXPECT_EQ(plan(start, stepper.module).error(), Refusal::TooFast);
+    stepper.wasStopped(stepper::StopManner::Smoothly);
+    EXPECT_EQ(plan(start, stepper.module).error(), Refusal::NoVelocity);
+}
+
+/// DS-S 5.1, Table 4: from a trapezoid, a ramp begins at a timer count and ends at a speed, 200 x 25 steps/s.
+TEST(StepperTravel, ARampFromATimerCountIsAsFastAsItsEnd) {
+    Stepper stepper = limitedStepper();
+    stepper.module.home.forget();
+    stepper::LoadTrajectory move = Stepper::trapezoid(1'000);
+    move.startNow = true;
+    stepper.was(move);
+    stepper.says(kStepOn | kMoving | kTrapezoidalMode);
+    stepper::LoadTrajectory ramp;
+    ramp.timer = stepper::TimerCount{60'000, 4};
+    ramp.speed = std::uint8_t{200};
+    ramp.accelerationTime = std::uint8_t{4};
+    ramp.startNow = true;
+    const Intent start = intent::Direct{StepperCommand(ramp)};
+    stepper.module.travel.fastest = 5'000;
+    EXPECT_TRUE(plan(start, stepper.module).has_value());
+    stepper.module.travel.fastest = 4'999;
+    EXPECT_EQ(plan(start, stepper.module).error(), Refusal::TooFast);
+}
+
 // The speed unit is 25 steps/s, so speed 4 is 100 steps/s, and no profile is slower here (minimum 4).
 TEST(StepperTravel, AStepperGoesNoFasterEither) {
     Stepper stepper = limitedStepper();

@@ -180,10 +180,12 @@ double speedOf(const stepper::LoadTrajectory& load, const ModuleState& module) {
     if (!parameters)
         return 0.0;
     const StepperSpeed mode(parameters->speedMode);
-    if (load.timer)
-        return mode.ofCount(load.timer->count);
-    // In a profile, the chip runs no slower than this (DS-S 5.1).
-    return load.speed ? mode.ofSpeed(std::max(*load.speed, parameters->minimumProfileSpeed)) : 0.0;
+    const double timed = load.timer ? mode.ofCount(load.timer->count) : 0.0;
+    if (load.timer && !load.speed && !load.accelerationTime)
+        return timed;
+    // Without a speed, a profile has the one loaded before, and none is slower than the minimum (DS-S 5.1).
+    const auto speed = load.speed ? load.speed : module.stepper.loadedSpeed;
+    return std::max(timed, speed ? mode.ofSpeed(std::max(*speed, parameters->minimumProfileSpeed)) : 0.0);
 }
 
 Plan planStep(const Intent& intent, const ModuleState& module) {
@@ -287,9 +289,11 @@ std::optional<Refusal> whyNotStarted(const stepper::LoadTrajectory& load, const 
         load.position ? load.position->value() < stepper.position().value_or(0) : load.reverse;
     if (stepper.limitActs(reverse))
         return reverse ? Refusal::Limit2Active : Refusal::Limit1Active;
-    return mayFollow(stepper.mode(), stepper.runsReverse().value_or(false), load)
-               ? std::nullopt
-               : std::optional(Refusal::NeedsStop);
+    if (!mayFollow(stepper.mode(), stepper.runsReverse().value_or(false), load))
+        return Refusal::NeedsStop;
+    // A smooth stop leaves no speed loaded (DS-S 5.1), and what another host has loaded is unknown.
+    const bool runs = load.timer || load.speed || stepper.loadedSpeed.value_or(0) != 0;
+    return runs ? std::nullopt : std::optional(Refusal::NoVelocity);
 }
 
 stepper::LoadTrajectory loadFor(const StepperMotion& motion, const ModuleState& module) {
