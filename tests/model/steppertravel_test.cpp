@@ -113,6 +113,9 @@ TEST(StepperTravel, AStepperGoesNoFasterEither) {
     stepper.module.travel.fastest = 99;
     EXPECT_EQ(whyNot(steppermotion::Trapezoid{100, false, 1, 4}, stepper.module), Refusal::TooFast)
         << "the minimum profile speed";
+    bus::HoldToMove hold;
+    hold.pace = bus::StepperPace{1, 4};
+    EXPECT_EQ(withinTravel(hold, stepper.module).error().refusal, Refusal::TooFast);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include "base/overloaded.h"
 #include "bus/standstill.h"
 #include "model/intent/backlash.h"
+#include "model/intent/jog.h"
 #include "model/intent/stepperplan.h"
-#include "module/stepperspeed.h"
 
 namespace nmc {
 
@@ -313,11 +313,7 @@ std::optional<TravelProblem> loadedProblem(const ModuleState& module) {
 }
 
 tl::expected<bus::HoldToMove, TravelProblem> withinTravel(bus::HoldToMove hold, const ModuleState& module) {
-    const auto& parameters = module.stepper.parameters;
-    const double velocity = !hold.pace   ? toCounts(hold.velocity)
-                            : parameters ? StepperSpeed(parameters->speedMode).ofSpeed(hold.pace->speed)
-                                         : 0.0;
-    if (const auto problem = problemOf(Course{.reverse = hold.reverse, .velocity = velocity}, module))
+    if (const auto problem = travelProblem(intent::Move{runOf(hold)}, module))
         return tl::unexpected(*problem);
     hold.goal = travelEnd(module, hold.reverse);
     return hold;
