@@ -20,6 +20,10 @@ constexpr int kFocusIntervalMs = 1'000;
 /// Time for the answer to a limit stop to appear in the module's state.
 constexpr Duration kArmingShows = std::chrono::milliseconds(250);
 
+[[nodiscard]] bool startsMotion(const std::vector<bus::Order>& orders) {
+    return std::ranges::any_of(orders, [](const bus::Order& order) { return mayStartMotion(order.command); });
+}
+
 }  // namespace
 
 Commander::Commander(BusStore& store, BusWorker& worker, QObject* parent)
@@ -66,6 +70,9 @@ std::optional<bus::OperationId> Commander::carryOut(ModuleIndex index, const Int
         return std::nullopt;
     }
     auto orders = plan(intent, *module);
+    // That stop would be sent after the motion, and end it.
+    if (orders && m_procedures.stopsLater(index) && startsMotion(*orders))
+        orders = tl::unexpected(Refusal::Moving);
     if (!orders) {
         m_procedures.cancel(index);
         emit refused(index, orders.error(), intent);

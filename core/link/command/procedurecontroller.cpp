@@ -41,6 +41,11 @@ void ProcedureController::cancel(ModuleIndex module) {
     advance();
 }
 
+bool ProcedureController::stopsLater(ModuleIndex module) const {
+    const auto found = m_runs.find(module);
+    return found != m_runs.end() && !found->second.overtaken && found->second.procedure->stopsLater();
+}
+
 void ProcedureController::cancelAll() {
     for (auto& [module, run] : m_runs)
         run.procedure->cancel();

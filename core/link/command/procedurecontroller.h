@@ -30,6 +30,9 @@ public:
     [[nodiscard]] bool begin(std::unique_ptr<Procedure> procedure);
     [[nodiscard]] bool running(ModuleIndex module) const { return m_runs.count(module) != 0; }
     [[nodiscard]] bool anyRunning() const { return !m_runs.empty(); }
+    /// The procedure running with the module ends once its operation in flight is over, and then stops the
+    /// motor.
+    [[nodiscard]] bool stopsLater(ModuleIndex module) const;
 
     /// The user requests something else of the module, or nothing: its procedure stops the motor and ends.
     void cancel(ModuleIndex module);

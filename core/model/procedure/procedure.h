@@ -153,6 +153,8 @@ public:
     void onLinkSuspect();
     /// The procedure is no longer wanted; the following next() may still return a stop.
     void cancel();
+    /// It ends early, and its stop has yet to be returned.
+    [[nodiscard]] bool stopsLater() const { return m_end && !m_lastWordSent; }
     /// The bus has been asked to keep the gains on trial (Engine::keepTrial); other kinds have none.
     virtual void keep() {}
     /// Passes new gains, which apply from the next edge on. Returns false when the procedure has no use for

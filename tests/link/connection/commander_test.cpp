@@ -102,6 +102,17 @@ TEST_F(CommanderTest, AnotherRequestTakesTheModuleFromItsProcedure) {
     EXPECT_LT(position(), 2'500);
 }
 
+TEST_F(CommanderTest, AMotionIsNotSentBeforeTheStopOfTheProcedureThatItTakesTheModuleFrom) {
+    ASSERT_NO_FATAL_FAILURE(enable());
+    commander.carryOut(kModule, by(2'000, 1));
+    commander.carryOut(kModule, intent::Move{servomotion::Trapezoid{Counts(-500), CountsPerTick(4 << 16),
+                                                                    CountsPerTickSquared(1'311)}});
+    EXPECT_EQ(refusals, std::vector{Refusal::Moving}) << "its motor is about to be started, and then stopped";
+    ASSERT_TRUE(connection.waitUntil([this] { return !commander.anyRunning() && rests(); }));
+    EXPECT_GE(position(), 0);
+    EXPECT_LT(position(), 2'000);
+}
+
 TEST_F(CommanderTest, WhoeverHearsOfTheEndOfAProcedureMayBeginTheNext) {
     ASSERT_NO_FATAL_FAILURE(enable());
     std::vector<ProcedureStage> ends;
