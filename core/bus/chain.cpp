@@ -9,18 +9,6 @@
 
 namespace nmc::bus {
 
-namespace {
-
-/// The manner that ends more: off more than an abrupt stop, and that more than a smooth one.
-[[nodiscard]] StopManner firmer(StopManner one, StopManner other) {
-    for (const StopManner firm : {StopManner::Off, StopManner::Abruptly})
-        if (one == firm || other == firm)
-            return firm;
-    return StopManner::Smoothly;
-}
-
-}  // namespace
-
 Chain::Chain(const std::vector<ModuleInfo>& modules, std::uint32_t rate, bool readOnly)
     : m_rate(rate), m_readOnly(readOnly), m_schedule(modules.size()) {
     for (const ModuleInfo& info : modules) {

@@ -667,7 +667,7 @@ void Engine::haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, 
 bool Engine::mayOwe(ModuleIndex module, StopManner manner) const {
     const auto& owed = m_chain.at(module).owed;
     return !owed || ofOperator(owed->cause) ||
-           (manner == StopManner::Off && owed->target.manner() != StopManner::Off);
+           firmer(manner, owed->target.manner()) != owed->target.manner();
 }
 
 /// It is unknown which commands of the two hosts were lost, so what was requested here does not continue.

@@ -248,7 +248,7 @@ private:
     void halt(ModuleIndex module, StopCause cause, StopManner manner);
     /// Stops these modules and cancels all other work for them.
     void haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, StopManner manner);
-    /// A stop owed because of a fault, or in a stop of all modules, is not weakened.
+    /// A stop owed because of a fault, or in a stop of all modules, gives way only to a firmer one.
     [[nodiscard]] bool mayOwe(ModuleIndex module, StopManner manner) const;
     void onForeignTraffic();
     void onLinkLost();

@@ -3,6 +3,13 @@
 
 namespace nmc {
 
+StopManner firmer(StopManner one, StopManner other) {
+    for (const StopManner firm : {StopManner::Off, StopManner::Abruptly})
+        if (one == firm || other == firm)
+            return firm;
+    return StopManner::Smoothly;
+}
+
 ModuleCommand stopMotor(ModuleType chip, StopManner manner, bool amplifier) {
     const bool smoothly = manner == StopManner::Smoothly;
     if (chip == ModuleType::Stepper)

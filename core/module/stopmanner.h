@@ -15,6 +15,9 @@ enum class StopManner : std::uint8_t {
     Off,  ///< servo or amplifier off, for example for a motor that runs the wrong way and would continue
 };
 
+/// The manner that ends more: off more than an abrupt stop, and that more than a smooth one.
+[[nodiscard]] StopManner firmer(StopManner one, StopManner other);
+
 /// The Stop Motor of a motor chip. `amplifier`: AMP_EN is set, unless the motor is switched off.
 [[nodiscard]] ModuleCommand stopMotor(ModuleType chip, StopManner manner, bool amplifier);
 /// How the motor will come to rest if the command is only a stop; empty otherwise. Stop Here counts as an

@@ -162,6 +162,18 @@ TEST_F(PathEnds, SmoothlyWhereAnAccelerationIsLoaded) {
     EXPECT_EQ(bench.bus.sent[firstStop(before)].bytes[3], 0x09) << "it is smooth and keeps the amplifier on";
 }
 
+/// The other axes are being stopped smoothly, because the path has ended.
+TEST_F(PathEnds, AbruptlyWhereTheOperatorThenStopsItsGroupSo) {
+    begin();
+    const std::size_t before = bench.bus.sent.size();
+    ask(bench, 0, intent::StopSmoothly{});
+    const bus::GroupCommand abruptly{PathBench::kGroup, bus::GroupCommand::Action::StopAbruptly};
+    bench.bus.engine.submit(bus::GroupOperation{bus::OperationId(2'000), abruptly}, bench.bus.now);
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Cancelled);
+    EXPECT_EQ(bench.bus.sends("AA 81 17 05 9D", before), 1U);
+    expectAllStand(firstStop(before));
+}
+
 TEST_F(PathEnds, WhenTheLineFallsSilent) {
     begin();
     bench.bus.losesReply = [](ByteSpan) { return true; };
