@@ -74,7 +74,7 @@ Line::Script StopLane::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
         return after;
     }
     const bool looked = !ask.reported && end.result == ReplyResult::Accepted;
-    const bool moves = looked && !owed->target.needsStop() && !owed->target.almostStopped();
+    const bool moves = looked && owed->target.slowsDown();
     owed->looks += moves ? 1U : 0U;
     owed->due = inVain                              ? now + kBlindEvery
                 : owed->target.silences() > kAtOnce ? now + kAfterSilence
@@ -89,7 +89,7 @@ Line::Script StopLane::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
 void StopLane::giveWay(TimePoint now) {
     for (Chain::Module& module : m_chain.modules()) {
         auto& owed = module.owed;
-        if (owed && owed->looks > 0 && !owed->target.needsStop() && !owed->target.almostStopped())
+        if (owed && owed->looks > 0 && owed->target.slowsDown())
             owed->due = std::max(owed->due, now + kGiveWay);
     }
 }

@@ -43,8 +43,8 @@ public:
     [[nodiscard]] bool unknown() const { return m_unknown; }
     /// The module was seen at rest, twice.
     [[nodiscard]] bool stopped() const { return m_confirmed >= 2; }
-    /// The module was seen at rest, once.
-    [[nodiscard]] bool almostStopped() const { return m_confirmed == 1; }
+    /// No stop has to be sent, but the last query did not show the module at rest.
+    [[nodiscard]] bool slowsDown() const { return !m_needsStop && m_confirmed == 0; }
     /// The module has answered since the first stop or query.
     [[nodiscard]] bool heard() const { return m_heard; }
     /// Number of consecutive unanswered queries.
