@@ -25,11 +25,14 @@ struct MotionWatch::Sent {
     void operator()(const servo::LoadTrajectory& load) const {
         // If corrupted in transmission, the load of a trapezoidal move may start by itself; but a motor that
         // is already moving is still watched for its present motion.
-        const bool underWay = w.m_velocity != 0 && (w.m_corridor || w.m_heading);
+        const bool underWay = w.m_heading || (w.m_corridor && (w.m_velocity != 0 || !w.m_done));
         if (load.startNow || (load.profile == servo::ProfileMode::Trapezoidal && !underWay))
             w.started(sent);
     }
-    void operator()(const StartMotion&) const { w.started(sent); }
+    void operator()(const StartMotion&) const {
+        w.started(sent);
+        w.m_done = false;
+    }
     void operator()(const servo::StopMotor& stop) const {
         if (stop.manner != servo::StopManner::AmplifierOnly)
             w.forget();
@@ -78,6 +81,7 @@ std::optional<MotionSuspect::Reason> MotionWatch::onReport(const StatusReport& r
     // If the servo is off but still turning, a load corrupted in transmission may have become a PWM output.
     if (report.aux && !servo::AuxByte{*report.aux}.servoOn() && report.velocity == 0)
         forget();
+    m_done = report.servoStatus().moveDone();
     if (!report.position)
         return std::nullopt;
     const std::int16_t velocity = report.velocity.value_or(m_velocity);

@@ -52,7 +52,8 @@ private:
     [[nodiscard]] bool frozen(const StatusReport& report);
 
     std::optional<std::int64_t> m_position;  ///< exceeds 32 bits if the counter has wrapped
-    std::int16_t m_velocity = 0;
+    std::int16_t m_velocity = 0;             ///< has no fraction: also 0 in slow motion
+    bool m_done = true;                      ///< a trapezoidal move has ended
     std::optional<Corridor> m_corridor;
     std::optional<Heading> m_heading;
     std::array<LastOfLayout, 2> m_last{};

@@ -88,6 +88,25 @@ TEST(MotionWatch, WatchesALoadAsIfItHadStarted) {
         << "corrupted on its way, it may have started";
 }
 
+/// It moves half a count per tick, so that the velocity item, which has no fraction, is 0 as often as 1.
+TEST(MotionWatch, StillWatchesASlowMotionWhenALoadIsToWait) {
+    Watched run;
+    run.told(turn(true));
+    Watched move;
+    move.told(loadMove(0, 5'000));
+    move.told(start(0));
+    for (std::int32_t gone = 0; gone <= 2'000; gone += 50) {
+        ASSERT_EQ(run.is(-gone), Suspect{}) << gone;
+        ASSERT_EQ(move.is(gone), Suspect{}) << gone;
+        if (gone == 500) {
+            run.told(loadMove(0, 5'000));
+            move.told(loadMove(0, -5'000));
+        }
+    }
+    EXPECT_EQ(run.is(-1'000, 1), MotionSuspect::Reason::WrongWay);
+    EXPECT_EQ(move.is(-401, -1), MotionSuspect::Reason::WrongWay);
+}
+
 TEST(MotionWatch, GoesByTheGoalThatStaysLoaded) {
     Watched servo;
     servo.told(loadMove(0, 5'000));
