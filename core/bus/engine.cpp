@@ -96,13 +96,13 @@ void Engine::submit(Operation operation, TimePoint now) {
 }
 
 /// While the chain is being searched for or is lost, stops are sent all the same: blindly, and again until
-/// they are confirmed. Returns false if this is not the situation, or if the modules at these addresses are
-/// no longer known.
+/// they are confirmed. Returns false if this is not the situation, if the modules at these addresses are no
+/// longer known, or while the line is lent.
 bool Engine::oweStops(const Operation& operation) {
     const bool unsettled = !m_connected || m_search.active();
     const bool known = std::ranges::all_of(operation.orders,
                                            [this](const Order& order) { return m_chain.has(order.module); });
-    if (!unsettled || !known || m_config.readOnly || m_search.givesAddresses())
+    if (!unsettled || !known || m_config.readOnly || lent() || m_search.givesAddresses())
         return false;
     for (const Order& order : operation.orders)
         m_chain.owe(order.module, StopCause::GroupStop, *stopManner(order.command));

@@ -282,6 +282,14 @@ TEST_F(Lent, RequestsOfThePanelAreRefused) {
     EXPECT_FALSE(bus.engine.lend()) << "it is lent already";
 }
 
+/// A stop of all motors holds the program off; one of a single motor does not.
+TEST_F(Lent, AStopOfASingleMotorIsRefusedAndIsNotOwed) {
+    EXPECT_EQ(bus.perform({motorOff(0)}), Outcome::Forbidden);
+    EXPECT_TRUE(bus.engine.unconfirmedStops().empty());
+    bus.runFor(100ms);
+    EXPECT_TRUE(bus.sent.empty());
+}
+
 /// The program runs the first motor.
 class LentInMotion : public Lent {
 protected:
