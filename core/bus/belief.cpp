@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "base/overloaded.h"
+#include "bus/standstill.h"
 #include "module/commandfacts.h"
 
 namespace nmc::bus {
@@ -226,6 +227,10 @@ bool Belief::moves(bool servo) const {
     if (m_info.identity.type == ModuleType::Stepper)
         return m_last.stepperStatus().moving();
     return servo || !m_last.servoStatus().moveDone();
+}
+
+bool Belief::showsMotion() const {
+    return nmc::showsMotion(m_info.identity.type, m_last);
 }
 
 StepperMode Belief::stepperMode() const {

@@ -100,6 +100,8 @@ public:
     [[nodiscard]] bool seenMoving() const {
         return moves(m_may.drivePwm || m_last.velocity.value_or(0) != 0);
     }
+    /// The last status itself shows motion, or does not contain the velocity that would, whatever was sent.
+    [[nodiscard]] bool showsMotion() const;
     /// True if a Stop Motor is likely to stop something; determines the order of a stop.
     [[nodiscard]] bool moving() const { return mayMove() || m_last.velocity.value_or(0) != 0; }
 

@@ -16,7 +16,8 @@ constexpr std::int64_t kTellsApart = 10 * kStillCounts;
 [[nodiscard]] Carried verifyMotion(const Belief& belief, const Verification& verification) {
     const bool moved =
         belief.position() && verification.position && !samePlace(*belief.position(), *verification.position);
-    if (belief.mayMove() || moved)
+    // Not mayMove(): a run counts as running from the moment its start was sent.
+    if (belief.showsMotion() || moved)
         return Carried::Out;
     // It was not carried out, or was a move of no length: the module's reply decides.
     return verification.end.result == ReplyResult::Refused ? Carried::NotOut : Carried::Unknown;

@@ -103,6 +103,33 @@ TEST(Verification, NeverCallsAStartNotDoneBySilenceAlone) {
     EXPECT_EQ(Lost(StartMotion{}).refused().looksLike(asItWas), Carried::NotOut);
 }
 
+TEST(Verification, TakesAMotorThatStandsForNoRunThatWasStarted) {
+    servo::LoadTrajectory pwm;
+    pwm.servo = false;
+    pwm.pwm = std::uint8_t{60};
+    for (const Order& load : {loadVelocity(0, 65'536), toServo(0, pwm)}) {
+        Belief belief{{ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}}};
+        TimePoint now{};
+        const auto look = [&](const ServoState& state) {
+            now += 10ms;
+            belief.onStatus(accepted(ModuleType::Servo, kLong, bytesOf(state, kLong), now).report, now);
+        };
+        const ServoState rests{};
+        look(rests);
+        belief.onSent(load.command, now += 10ms);
+        belief.onExecuted(load.command);
+        Verification verification;
+        verification.position = belief.position();
+        belief.onSent(start(0).command, now += 10ms);
+        look(rests);
+        EXPECT_EQ(verify(start(0), belief, verification), Carried::Unknown);
+        ServoState runs;
+        runs.velocity = 1;
+        look(runs);
+        EXPECT_EQ(verify(start(0), belief, verification), Carried::Out);
+    }
+}
+
 TEST(Verification, TellsAResetPositionByThePosition) {
     EXPECT_EQ(Lost(ResetPosition{}).looksLike(at(0)), Carried::Out);
     EXPECT_EQ(Lost(ResetPosition{}).looksLike(at(-3)), Carried::Out);
