@@ -124,8 +124,7 @@ bool GroupRun::partly() const {
             return ((member.outcome.value_or(MemberOutcome::NoAnswer) == outcomes) || ...);
         });
     };
-    return m_command.action == GroupCommand::Action::StartMotion &&
-           any(MemberOutcome::Done, MemberOutcome::Unknown, MemberOutcome::NoAnswer) &&
+    return starts() && any(MemberOutcome::Done, MemberOutcome::Unknown, MemberOutcome::NoAnswer) &&
            any(MemberOutcome::NotDone, MemberOutcome::NoAnswer);
 }
 

@@ -37,6 +37,7 @@ public:
     [[nodiscard]] std::vector<GroupMember> members() const;
     [[nodiscard]] const Belief& before(ModuleIndex module) const;
     [[nodiscard]] TimePoint latched() const { return m_latched; }
+    [[nodiscard]] bool starts() const { return m_command.action == GroupCommand::Action::StartMotion; }
     /// Some members have started, and others have not, or may not have.
     [[nodiscard]] bool partly() const;
 

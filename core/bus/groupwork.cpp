@@ -16,6 +16,15 @@ namespace {
 
 }  // namespace
 
+void GroupWork::cancel(const std::vector<ModuleIndex>& stopped) {
+    const std::optional<GroupRun> run = std::exchange(m_run, std::nullopt);
+    if (!run || !run->starts())
+        return;
+    for (const GroupMember& member : run->members())
+        if (std::ranges::find(stopped, member.module) == stopped.end())
+            m_halfStarted.push_back(member);
+}
+
 std::optional<Next> GroupWork::next(TimePoint now) {
     const GroupOperation& operation = *m_commands.group();
     if (m_run)

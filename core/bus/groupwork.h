@@ -20,8 +20,12 @@ public:
     GroupWork(const Shared& shared, CommandLane& commands)
         : m_chain(shared.chain), m_line(shared.line), m_commands(commands), m_events(shared.events) {}
 
-    void cancel() { m_run.reset(); }
-    /// Only some of these members have started: returned once, after the operation has ended.
+    /// Something else comes first, and stops these modules. Whether all members have carried out a start that
+    /// was sent is not found out any more, so the others must be stopped (takeHalfStarted()).
+    void cancel(const std::vector<ModuleIndex>& stopped);
+    /// All motors are stopped.
+    void drop() { m_run.reset(); }
+    /// Only some of these members have, or may have, started: returned once, after the operation has ended.
     [[nodiscard]] std::vector<GroupMember> takeHalfStarted() { return std::exchange(m_halfStarted, {}); }
 
     /// The current operation is a group operation. Returns nothing if its next order is an ordinary one.

@@ -25,7 +25,8 @@ bool OperationTask::onChange(const Change& change) {
     for (Event& event : m_commands.cancelAll())
         m_events.emplace_back(std::move(event));
     m_verification.reset();
-    m_group.cancel();
+    const bool stopsAll = change.kind == Change::Kind::StopAll || change.kind == Change::Kind::GivenUp;
+    stopsAll ? m_group.drop() : m_group.cancel({});
     return true;
 }
 
@@ -35,7 +36,7 @@ bool OperationTask::cancelFor(const std::vector<ModuleIndex>& modules) {
         m_events.emplace_back(std::move(event));
     if (underWay) {
         m_verification.reset();
-        m_group.cancel();
+        m_group.cancel(modules);
         m_attempts = 0;
     }
     return underWay;

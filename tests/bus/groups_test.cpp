@@ -296,6 +296,24 @@ TEST(GroupStart, DoesNotHoldUpAStop) {
         }
 }
 
+/// The outcome of a start is found out by queries of its members, and a stop of any other module comes first.
+TEST(GroupStart, ThatIsNotFollowedUpBecauseOfAStopOfAnotherMotorIsEnded) {
+    GroupBus bus(servos(4));
+    makeGroup(bus, false);
+    ASSERT_EQ(bus.put(3, 0x82).outcome, Outcome::Done);
+    ASSERT_EQ(bus.perform({gains(3), enable(3), loadVelocity(3, kOnePerTick, true)}), Outcome::Done);
+    for (std::uint8_t i = 0; i < 3; ++i)
+        ASSERT_EQ(bus.perform({loadMove(i, 40'000)}), Outcome::Done);
+    const OperationId started = bus.submitGroup(GroupCommand{0x81, GroupCommand::Action::StartMotion});
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends("AA 81 05") == 1; }, 1s));
+    bus.submitGroup(GroupCommand{0x82, GroupCommand::Action::StopAbruptly});
+    EXPECT_EQ(bus.finish(started).outcome, Outcome::Cancelled);
+    bus.runFor(1s);
+    for (std::uint8_t i = 0; i < 4; ++i)
+        EXPECT_EQ(bus.servo(i).commandVelocity, 0.0) << int{i};
+    bus.expectNoViolations();
+}
+
 TEST(GroupStop, GoesToEachModuleWhenNotAllAreInGroupFF) {
     GroupBus bus(servos(3));
     ASSERT_TRUE(bus.connect());
