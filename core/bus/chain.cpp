@@ -144,7 +144,9 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
         return;  // it has no stop command
     if (m_readOnly && cause != StopCause::StopAll)
         return;  // nobody asked
-    if (module.owed && !ofOperator(module.owed->cause))
+    // A motor that runs the wrong way would continue with its servo on.
+    const bool bothWanted = module.owed && ofOperator(module.owed->cause) && ofOperator(cause);
+    if (module.owed && !bothWanted)
         manner = firmer(manner, module.owed->target.manner());
     const auto before = std::exchange(module.owed, OwedStop{StopTarget(module.belief, manner), cause});
     if (before && before->standsAlone()) {

@@ -151,8 +151,8 @@ public:
 
     /// Makes a stop owed to the module from now on, unless it has no stop command, or is off because it
     /// restarted. If one is owed already for a cause of its own, that cause is kept, and so is its manner if
-    /// that is firmer and was not the operator's choice. On a read-only connection, only a stop of all
-    /// modules can be owed.
+    /// that is firmer, unless the operator wanted the one and wants the other. On a read-only connection,
+    /// only a stop of all modules can be owed.
     void owe(ModuleIndex module, StopCause cause, StopManner manner = StopManner::Abruptly);
 
     /// The module was heard again after a silence: the stop owed to it is due at once.

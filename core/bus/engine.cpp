@@ -30,6 +30,11 @@ namespace {
     return used;
 }
 
+/// True if the stop that is owed is gentler.
+[[nodiscard]] bool endsMore(StopManner manner, const OwedStop& owed) {
+    return firmer(manner, owed.target.manner()) != owed.target.manner();
+}
+
 }  // namespace
 
 Engine::Engine(EngineConfig config) : m_config(config), m_line(config.adapterLatency, config.margin) {}
@@ -666,8 +671,7 @@ void Engine::haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, 
 
 bool Engine::mayOwe(ModuleIndex module, StopManner manner) const {
     const auto& owed = m_chain.at(module).owed;
-    return !owed || ofOperator(owed->cause) ||
-           firmer(manner, owed->target.manner()) != owed->target.manner();
+    return !owed || ofOperator(owed->cause) || endsMore(manner, *owed);
 }
 
 /// It is unknown which commands of the two hosts were lost, so what was requested here does not continue.
@@ -937,8 +941,9 @@ void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport
     const bool mayMove = known.belief.mayMove() && !known.belief.pwmUnknown();
     if (known.ownMotion.onReport(end.report, end.latched, mayMove))
         m_events.emplace_back(ForeignMotion{module, trusted.position.value_or(0)});
+    // A stop that is owed already does as well, unless this one has to be firmer.
     if (const auto manner = known.travel.onReport(trusted, end.latched, known.belief);
-        manner && mayOwe(module, *manner) && !(known.owed && known.owed->cause == StopCause::TravelLimit)) {
+        manner && (!known.owed || endsMore(*manner, *known.owed))) {
         m_events.emplace_back(StoppedBeforeLimit{module});
         haltAxes({module}, StopCause::TravelLimit, *manner);
     }

@@ -130,9 +130,7 @@ void StopLane::begin(TimePoint now) {
     m_run->members.clear();
     for (Chain::Module& module : m_chain.modules()) {
         const ModuleIndex index = module.belief.info().index;
-        // A motor that runs the wrong way would continue with its servo on.
-        const bool off = module.owed && module.owed->target.manner() == StopManner::Off;
-        m_chain.owe(index, StopCause::StopAll, off ? StopManner::Off : StopManner::Abruptly);
+        m_chain.owe(index, StopCause::StopAll);
         if (!module.owed)
             continue;
         m_run->members.push_back({index, !m_chain.answers(index), module.belief.moving()});

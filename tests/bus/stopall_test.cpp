@@ -439,6 +439,22 @@ TEST(StopAll, StopsASimulatedStepperAndLeavesAnOffOneOff) {
     bus.expectNoViolations();
 }
 
+/// link.md 2.6.
+TEST(OwedStop, IsMadeGentlerOnlyIfTheOperatorWantsBoth) {
+    const ModuleIndex motor(0);
+    const auto after = [motor](StopCause first, StopManner wanted, StopCause then, StopManner later) {
+        Chain chain({ModuleInfo{motor, BusAddress(1), {ModuleType::Servo, 4}}}, 19'200, false);
+        chain.owe(motor, first, wanted);
+        chain.owe(motor, then, later);
+        return chain.at(motor).owed->target.manner();
+    };
+    using enum StopManner;
+    EXPECT_EQ(after(StopCause::GroupStop, Off, StopCause::GroupStop, Smoothly), Smoothly);
+    EXPECT_EQ(after(StopCause::GroupStop, Off, StopCause::LinkGivenUp, Abruptly), Off);
+    EXPECT_EQ(after(StopCause::MotionSuspect, Off, StopCause::GroupStop, Smoothly), Off);
+    EXPECT_EQ(after(StopCause::PathEnded, Smoothly, StopCause::GroupStop, Abruptly), Abruptly);
+}
+
 }  // namespace
 
 }  // namespace nmc::test

@@ -209,6 +209,22 @@ TEST_F(TravelLimit, IsSilentWhileEverythingIsBeingStopped) {
     EXPECT_EQ(bus.count<StoppedBeforeLimit>(), 0U);
 }
 
+/// The limit asks for a smooth stop, by a report that was on its way when the operator asked for more.
+TEST_F(TravelLimit, DoesNotKeepAMotorOnThatTheOperatorSwitchesOff) {
+    for (const auto after : {0us, 4'000us, 8'000us, 12'000us}) {
+        SCOPED_TRACE(after.count());
+        GroupBus chain(servos(1));
+        ASSERT_TRUE(chain.connect());
+        ASSERT_EQ(chain.put(0, kGroup).outcome, Outcome::Done);
+        ASSERT_EQ(chain.perform({gains(0), enable(0), run()}), Outcome::Done);
+        chain.runFor(1s + after);
+        chain.engine.setTravelLimits({{std::nullopt, chain.servo(0).position}});
+        chain.submitGroup(GroupCommand{kGroup, GroupCommand::Action::MotorOff});
+        chain.runFor(1s);
+        EXPECT_FALSE(chain.servo(0).servoOn);
+    }
+}
+
 TEST_F(TravelLimit, LeavesAnotherHostsRunAlone) {
     enableFirst();
     ASSERT_EQ(bus.perform({run()}), Outcome::Done);

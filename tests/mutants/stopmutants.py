@@ -197,13 +197,12 @@ OWING = (
              "    if (m_recovery.resyncing() && m_stops.anyUnsent())\n        interrupt(now);\n", ""),
     )),
     Mutant("switched-off-motor-held-by-a-stop-of-all", "link.md 2.6: with its servo on, it would run on the wrong way", (
-        Edit("core/bus/stoplane.cpp",
-             "        const bool off = module.owed && module.owed->target.manner() == StopManner::Off;\n",
-             "        const bool off = false;\n"),
+        Edit("core/bus/chain.cpp",
+             "    if (module.owed && !bothWanted)\n", "    if (module.owed && !bothWanted && false)\n"),
     )),
     Mutant("limit-reported-during-a-stop-of-all", "types.h: StoppedBeforeLimit is for a stop that the limit has caused", (
         Edit("core/bus/engine.cpp",
-             "        manner && mayOwe(module, *manner) &&", "        manner &&"),
+             "        manner && (!known.owed || endsMore(*manner, *known.owed))) {", "        manner) {"),
     )),
     Mutant("hold-without-an-end", "link.md 2.7: held motion ends when the evidence stops coming", (
         Edit("core/bus/holdlane.cpp", "m_until = now + m_timeout;", "m_until = now + 1000 * m_timeout;"),
