@@ -30,9 +30,10 @@ tl::expected<ServoCommand, CommandError> decodeAs(const Payload& payload, const 
 /// Where several commands share a code, the first alternative is the one that all versions know.
 tl::expected<ServoCommand, CommandError> decodeServoCommand(const ModuleIdentity& module,
                                                             const Payload& payload) {
+    if (!hasPathBuffer(module) && payload.code == CommandCode::AddPathPoints)
+        return tl::unexpected(CommandError::WrongCode);
     if (!hasPathBuffer(module))
-        return payload.code == CommandCode::AddPathPoints ? tl::unexpected(CommandError::WrongCode)
-                                                          : decodeAny<ServoCommand>(payload, kFirstServo);
+        return decodeAny<ServoCommand>(payload, hasDataSheet(module) ? module : kFirstServo);
     const unsigned control = payload.data.empty() ? 0U : payload.data[0];
     if (payload.code == CommandCode::ResetPosition) {
         if (isSc(module) && ((control & 2U) != 0 || payload.data.size() > 1))

@@ -181,7 +181,8 @@ struct SetHoming {
         form.bit(3, c.onIndexChange, "change of index");
         form.bit(6, c.onPositionError, "position error");
         form.bit(7, c.onCurrentLimit, "current limiting");
-        homingStopFields(form, c);
+        if (form.ofVersions(kAutoStopVersion))
+            homingStopFields(form, c);
     }
     bool operator==(const SetHoming&) const = default;
 };

@@ -159,6 +159,8 @@ TEST(DescribeCommand, SaysWhatOlderVersionsMakeOfThem) {
     EXPECT_EQ(servoSays("AA 01 10 01 12"), "Reset Position");
     EXPECT_EQ(servoSays("AA 01 14 50 65"), "Load Trajectory: trapezoidal, reverse");
     EXPECT_EQ(servoSays("AA 01 1F 00 20"), "Hard Reset");
+    EXPECT_EQ(describeCommand(ModuleIdentity{ModuleType::Servo, 2}, fromHex("AA 01 19 11 2B")),
+              "Set Homing Mode: change of limit1");
     EXPECT_EQ(describeCommand(kCmc, fromHex("AA 01 18 4C 65")),
               "I/O Control: limit1 input, limit2 input, fast path");
     EXPECT_EQ(describeCommand(kCmc, fromHex("AA 01 17 21 39")),
