@@ -130,6 +130,21 @@ TEST_F(Head, ShowsNoLimitWhereThePinIsAnOutput) {
     EXPECT_EQ(text(u"headLimit1"_s), u"Limit 1 –"_s);
 }
 
+/// In a chain that was found running, another host may have made it one (DS-V 5.2).
+TEST_F(Head, ShowsNoLimitWhereThePinMayBeAnOutput) {
+    ModuleState module = Servo{}.state();
+    module.latest->status |= 0x20;  // limit 1 (DS-V 5.3)
+    module.attached();
+    window->showLink(connectedTo({module}));
+    EXPECT_EQ(text(u"headLimit1"_s), u"Limit 1 –"_s);
+    EXPECT_EQ(text(u"headLimit2"_s), u"Limit 2 –"_s);
+    module.apply(
+        bus::CommandExecuted{module.info.index, module.latestTime, ServoCommand(servo::IoControl{})});
+    window->showLink(connectedTo({module}));
+    EXPECT_EQ(text(u"headLimit1"_s), u"Limit 1 high"_s);
+    EXPECT_EQ(text(u"headLimit2"_s), u"Limit 2 low"_s);
+}
+
 TEST_F(Head, ShowsAnArmedLimitStop) {
     ModuleState module = Servo{}.state();
     servo::SetHoming arm;

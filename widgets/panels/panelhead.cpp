@@ -299,8 +299,10 @@ void PanelHead::refreshSigns() {
     if (latest && isServo()) {
         const servo::StatusByte status = latest->servoStatus();
         const servo::IoControl io = module.io.value_or(servo::IoControl{});
-        limits = {io.limit1IsInput ? std::optional(status.limit1()) : std::nullopt,
-                  io.limit2IsInput ? std::optional(status.limit2()) : std::nullopt};
+        // The level of an output is no limit, nor is that of a pin that may be one.
+        const bool known = module.limitPinsKnown();
+        limits = {known && io.limit1IsInput ? std::optional(status.limit1()) : std::nullopt,
+                  known && io.limit2IsInput ? std::optional(status.limit2()) : std::nullopt};
         power = status.powerOn();
     } else if (latest) {
         if (latest->aux)
