@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happened around a fault or a stop, shown in the scope of the whole program.
+#include "tests/support/choosefile.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/common/requests.h"
 #include "widgets/messages/banner.h"
@@ -100,8 +101,7 @@ TEST_F(Flight, WhatIsExportedSaysWhereItHappenedWhateverIsConnectedNow) {
     panel.window().findChild<QAction*>(QStringLiteral("scopeExportCsvAction"))->trigger();
     auto* dialog = panel.window().findChild<QFileDialog*>(QStringLiteral("scopeExportcsvDialog"));
     ASSERT_NE(dialog, nullptr);
-    emit dialog->fileSelected(directory.filePath(QStringLiteral("fault.csv")));
-    dialog->close();
+    testing_support::chooseFile(*dialog, directory.filePath(QStringLiteral("fault.csv")));
     ASSERT_TRUE(panel.waitFor([&] { return saved.count() == 1; }));
     const QString file = QString::fromStdString(saved[0][1].value<FileContent>()());
     EXPECT_TRUE(file.contains(sim.terminal())) << file.left(500).toStdString();

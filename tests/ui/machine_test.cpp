@@ -2,6 +2,7 @@
 // The machine part of the File menu, the table of differences, and the questions before unsaved work is given
 // up.
 #include "model/machinefile/machinecompare.h"
+#include "tests/support/choosefile.h"
 #include "widgets/machine/machinemenu.h"
 #include "windowtest.h"
 
@@ -100,7 +101,7 @@ TEST_F(MachineWindow, AMachineWithoutAFileAsksForOneWhenItIsSaved) {
     auto* dialog = find<QFileDialog>(u"saveMachineDialog"_s);
     EXPECT_FALSE(dialog->isModal()) << "STOP ALL stays within reach";
     QSignalSpy savedAs(&menu(), &MachineMenu::saveAsRequested);
-    emit dialog->fileSelected(u"/home/anna/new.json"_s);
+    testing_support::chooseFile(*dialog, u"/home/anna/new.json"_s);
     ASSERT_EQ(savedAs.count(), 1);
     EXPECT_EQ(savedAs[0][0].toString(), u"/home/anna/new.json"_s);
 }

@@ -3,6 +3,7 @@
 
 #include "model/recording/recordingreader.h"
 #include "scopehistory.h"
+#include "tests/support/choosefile.h"
 #include "widgets/common/palettes.h"
 #include "widgets/scope/scopepanel.h"
 #include "widgets/scope/scopeplot.h"
@@ -32,8 +33,8 @@ protected:
         auto* dialog = find<QFileDialog>(u"scopeExport"_s + name.toLower() + u"Dialog"_s);
         EXPECT_FALSE(dialog->isModal()) << "STOP ALL stays within reach";
         dialog->selectNameFilter(dialog->nameFilters().value(filter));
-        emit dialog->fileSelected(u"/home/anna/run.x"_s);
-        dialog->close();
+        testing_support::chooseFile(*dialog, u"/home/anna/run.x"_s);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         show(made, now);
         EXPECT_EQ(saved.count(), 1);
         if (saved.isEmpty())
@@ -211,8 +212,7 @@ TEST_F(ScopeFilesTest, WhatIsExportedIsSavedEvenIfTheScopeIsHiddenMeanwhile) {
     auto* dialog = find<QFileDialog>(u"scopeExportcsvDialog"_s);
     action(u"scopeDockAction"_s)->trigger();
     ASSERT_FALSE(window->findChild<ScopePanel*>()->isVisible());
-    emit dialog->fileSelected(u"/home/anna/run.csv"_s);
-    dialog->close();
+    testing_support::chooseFile(*dialog, u"/home/anna/run.csv"_s);
     show(made, 30);
     EXPECT_EQ(saved.count(), 1);
 }
@@ -228,7 +228,7 @@ TEST_F(ScopeFilesTest, RecordsOnlyWhatIsConnected) {
     auto* dialog = find<QFileDialog>(u"scopeRecordDialog"_s);
     EXPECT_FALSE(dialog->isModal());
     EXPECT_FALSE(dialog->testOption(QFileDialog::DontConfirmOverwrite));
-    emit dialog->fileSelected(u"/home/anna/mill.csv"_s);
+    testing_support::chooseFile(*dialog, u"/home/anna/mill.csv"_s);
     ASSERT_EQ(wanted.count(), 1);
     EXPECT_EQ(wanted[0][0].toString(), u"/home/anna/mill.csv"_s);
 }
@@ -263,11 +263,13 @@ TEST_F(ScopeFilesTest, SaysHowFarItHasOpenedAndCanBeCancelled) {
 }
 
 TEST_F(ScopeFilesTest, OpensWhatIsChosenOrDropped) {
+    const QString chosen = directory.filePath(u"a.csv"_s);
+    ASSERT_TRUE(QFile(chosen).open(QIODevice::WriteOnly));
     QSignalSpy wanted(&files(), &ScopeFiles::openRequested);
     action(u"openRecordingAction"_s)->trigger();
     auto* dialog = find<QFileDialog>(u"openRecordingDialog"_s);
     EXPECT_FALSE(dialog->isModal());
-    emit dialog->fileSelected(u"/home/anna/a.csv"_s);
+    testing_support::chooseFile(*dialog, chosen);
     QMimeData dragged;
     dragged.setUrls({QUrl::fromLocalFile(u"/home/anna/b.csv"_s)});
     auto* panel = window->findChild<ScopePanel*>();
@@ -277,7 +279,7 @@ TEST_F(ScopeFilesTest, OpensWhatIsChosenOrDropped) {
     QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &dragged, Qt::LeftButton, {});
     QApplication::sendEvent(panel, &drop);
     ASSERT_EQ(wanted.count(), 2);
-    EXPECT_EQ(wanted[0][0].toString(), u"/home/anna/a.csv"_s);
+    EXPECT_EQ(wanted[0][0].toString(), chosen);
     EXPECT_EQ(wanted[1][0].toString(), u"/home/anna/b.csv"_s);
 }
 

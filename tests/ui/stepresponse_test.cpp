@@ -501,7 +501,7 @@ TEST_F(Responses, ExportIsReadableWhateverTheLocale) {
     ASSERT_NE(dialog, nullptr);
     EXPECT_FALSE(dialog->isModal());
     QSignalSpy saves(&window->requests(), &Requests::save);
-    emit dialog->fileSelected(u"/home/anna/runs.csv"_s);
+    testing_support::chooseFile(*dialog, u"/home/anna/runs.csv"_s);
     ASSERT_EQ(saves.size(), 1);
     EXPECT_EQ(saves[0][0].toString(), u"/home/anna/runs.csv"_s);
     const std::string content = saves[0][1].value<FileContent>()();
@@ -619,8 +619,7 @@ TEST_F(Responses, PicturesGoToFilesAndOntoTheClipboard) {
         auto* dialog = window->findChild<QFileDialog*>(u"responsePicture%1Dialog"_s.arg(kind.toLower()));
         ASSERT_NE(dialog, nullptr) << kind.toStdString();
         EXPECT_FALSE(dialog->isModal());
-        emit dialog->fileSelected(u"/home/anna/step."_s + kind.toLower());
-        dialog->close();
+        testing_support::chooseFile(*dialog, u"/home/anna/step."_s + kind.toLower());
         const std::string content = saves.takeFirst()[1].value<FileContent>()();
         EXPECT_TRUE(content.starts_with(magic)) << kind.toStdString();
         if (kind == u"Svg"_s) {
