@@ -27,7 +27,8 @@ void LoopTestController::take(const ProcedureReport& report) {
     if (report.kind == ProcedureKind::SquareWave)
         followSquareWave(report);
     if (report.kind == ProcedureKind::FrequencyResponse && !report.frequencies.empty())
-        m_window.loopTests().frequency().showReport(report);
+        m_window.loopTests().frequency().showReport(report, QString::fromStdString(m_store.link().port),
+                                                    m_store.link().simulated);
 }
 
 void LoopTestController::followSteps(const ProcedureReport& report) {

@@ -35,6 +35,13 @@ protected:
         EXPECT_EQ(intents.size(), 1);
         return std::get<Kind>(intents.takeFirst().at(1).value<Intent>());
     }
+    void show(const ProcedureReport& measured) {
+        window->loopTests().frequency().showReport(measured, u"simulator"_s, true);
+    }
+    void select(int module) {
+        auto* chain = find<QAbstractItemView>(u"chainList"_s);
+        chain->setCurrentIndex(chain->model()->index(module, 0));
+    }
     void report(ProcedureKind kind, ProcedureStage stage, std::vector<FrequencyPoint> points = {},
                 unsigned rounds = 0, double speed = 0.0) {
         ProcedureReport r;
@@ -46,7 +53,7 @@ protected:
         r.round = static_cast<unsigned>(r.frequencies.size());
         r.rounds = rounds;
         window->showProcedure(r);
-        window->loopTests().frequency().showReport(r);
+        show(r);
     }
     /// A first-order loop with its corner at 5 Hz.
     [[nodiscard]] static std::vector<FrequencyPoint> firstOrder(double to) {
@@ -140,7 +147,7 @@ TEST_F(LoopTestsInTheWindow, EditedGainsShowWhatTheLoopWouldDo) {
     r.gains = someGains();
     r.gains->kd = 0;
     r.gains->ki = 0;
-    window->loopTests().frequency().showReport(r);
+    show(r);
     emit window->requests().stageGains(*r.gains);
     EXPECT_TRUE(label(u"frequencyWouldDo"_s).startsWith(u"Edit the gains"_s))
         << label(u"frequencyWouldDo"_s).toStdString();
@@ -172,20 +179,16 @@ TEST_F(LoopTestsInTheWindow, ResponsesAtRestAndInMotionStayWhileTheGainsAreTheSa
     other.frequencies = firstOrder(20);
     other.gains = someGains();
     other.gains->el += 1;
-    window->loopTests().frequency().showReport(other);
+    show(other);
     EXPECT_NE(picture(), atRest) << "the position error limit is no part of the loop";
     other.gains->kp += 1;
-    window->loopTests().frequency().showReport(other);
+    show(other);
     EXPECT_EQ(picture(), atRest);
     EXPECT_EQ(window->loopTests().frequency().last()->report.speed, 0.0);
 }
 
 TEST_F(LoopTestsInTheWindow, AFileOfFrequenciesSaysWhatItIs) {
     openWith();
-    LinkState link = connectedTo({Servo{.held = true}.state()});
-    link.port = "simulator";
-    link.simulated = true;
-    window->showLink(link);
     report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20));
     QSignalSpy saves(&window->requests(), &Requests::save);
     click(u"frequencyExportButton"_s);
@@ -196,6 +199,22 @@ TEST_F(LoopTestsInTheWindow, AFileOfFrequenciesSaysWhatItIs) {
     for (const char* const line : {"# NMC Panel frequency response 1\n", "\n# started: 2",
                                    "\n# port: simulator\n", "\n# simulated: yes (no real motor moved)\n",
                                    "\n# module: Module 1\n", " kp 100 kd 1000 ", "\nfrequency_hz,"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << text;
+}
+
+/// The dialog that asks for the file blocks nothing.
+TEST_F(LoopTestsInTheWindow, AFileHasTheFrequenciesThatWereShownWhenItWasAskedFor) {
+    openWith();
+    showServos({{.held = true}, {.held = true}});
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20));
+    QSignalSpy saves(&window->requests(), &Requests::save);
+    click(u"frequencyExportButton"_s);
+    select(1);
+    EXPECT_FALSE(button(u"frequencyExportButton"_s)->isEnabled());
+    testing_support::chooseFile(*find<QFileDialog>(u"frequencyFileDialog"_s), u"/home/anna/loop.csv"_s);
+    ASSERT_EQ(saves.size(), 1);
+    const std::string text = saves[0][1].value<FileContent>()();
+    for (const char* const line : {"\n# port: simulator\n", "\n# module: Module 1\n"})
         EXPECT_NE(text.find(line), std::string::npos) << line << text;
 }
 
@@ -212,7 +231,7 @@ TEST_F(LoopTestsInTheWindow, AReportSaysWithWhichGainsAndWhereEachPartWasMeasure
     r.gains = someGains();
     r.gains->kp = 55;
     r.speed = 5'000;
-    window->loopTests().frequency().showReport(r);
+    show(r);
     LinkState link = connectedTo({Servo{.held = true}.state()});
     link.port = "/dev/ttyUSB0";
     link.simulated = false;

@@ -94,8 +94,6 @@ signals:
     void showRun(const nmc::KeptResponse& run);
     /// ResponsePage::runs() have changed other than by showKept() or clearRuns(), and must be stored.
     void storeRuns();
-    /// The frequency response of the selected module.
-    void saveFrequencies(const QString& path);
 
     // ---- of other programs (docs/api.md) ----
 

@@ -6,12 +6,15 @@
 
 #include "model/intent/gainsplan.h"
 #include "model/intent/looptestplan.h"
+#include "model/response/frequencyfile.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/sharedwords.h"
+#include "widgets/common/words.h"
 #include "widgets/looptests/looptestwords.h"
 #include "widgets/looptests/testform.h"
+#include "widgets/scope/scoperecord.h"
 
 namespace nmc {
 
@@ -82,7 +85,7 @@ void FrequencyPage::forgetModules() {
     refresh();
 }
 
-void FrequencyPage::showReport(const ProcedureReport& report) {
+void FrequencyPage::showReport(const ProcedureReport& report, const QString& port, bool simulated) {
     if (report.frequencies.empty())
         return;
     std::vector<Found>& kept = m_found[report.module];
@@ -91,7 +94,7 @@ void FrequencyPage::showReport(const ProcedureReport& report) {
         return sameKind || !found.report.gains || !report.gains ||
                changeOf(*found.report.gains, *report.gains) != LoopChange::None;
     });
-    kept.push_back({report, QDateTime::currentDateTime()});
+    kept.push_back({report, QDateTime::currentDateTime(), port, simulated});
     refresh();
 }
 
@@ -141,13 +144,21 @@ void FrequencyPage::refresh() {
                       tr("Saves frequency, magnitude and phase of the open and the closed loop."));
 }
 
+/// The file gets what was shown when it was asked for: another module may be selected before it is chosen.
 void FrequencyPage::chooseFile() {
+    const Found& found = *last();
+    const auto content = [origin = recordingHeader({}, found.port, found.simulated, {}, found.measured),
+                          name = texts::moduleName(found.report.module).toStdString(),
+                          report = found.report] {
+        const GainsChange gains{report.module, {}, report.gains};
+        return frequencyCsv(origin, name, report.frequencies, gains, report.speed);
+    };
     askWhereToSave(this,
                    {.objectName = u"frequencyFileDialog"_s,
                     .title = tr("Export the frequency response"),
                     .filters = {Common::tr("CSV (*.csv)")},
                     .proposed = u"frequency-response"_s},
-                   [this](const QString& path) { emit m_requests.saveFrequencies(path); });
+                   [this, content](const QString& path) { emit m_requests.save(path, content); });
 }
 
 }  // namespace nmc

@@ -34,11 +34,13 @@ public:
     void showNothing();
     void forgetModules();
     /// Shows the points measured so far, from the first one on.
-    void showReport(const ProcedureReport& report);
+    void showReport(const ProcedureReport& report, const QString& port, bool simulated);
 
     struct Found {
         ProcedureReport report;
         QDateTime measured;
+        QString port;
+        bool simulated = false;
     };
     /// The last response of the module that is shown; null while there is none.
     [[nodiscard]] const Found* last() const;

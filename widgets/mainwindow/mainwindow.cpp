@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/response/frequencyfile.h"
 #include "widgets/axes/axesdock.h"
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
@@ -667,7 +666,6 @@ void MainWindow::buildDocks() {
     connect(m_loopTests, &LoopTestsDock::opened, this, &MainWindow::showSelected);
     connect(m_requests, &Requests::showRun, this, &MainWindow::showResponse);
     connect(m_loopTests, &LoopTestsDock::reportWanted, this, &MainWindow::chooseReportFile);
-    connect(m_requests, &Requests::saveFrequencies, this, &MainWindow::saveFrequencies);
     for (LazyDock* dock : std::initializer_list<LazyDock*>{m_sequences, m_paths, m_axes})
         connect(dock, &LazyDock::opened, this, &MainWindow::showAllAxes);
     m_stepNow = new QAction(tr("Step"), this);
@@ -1059,20 +1057,6 @@ std::optional<TuningReport> MainWindow::tuningReport() {
     if (const FrequencyPage::Found* last = m_loopTests->frequency().last())
         report.frequency = *last;
     return report;
-}
-
-void MainWindow::saveFrequencies(const QString& path) {
-    const FrequencyPage::Found* last = m_loopTests->frequency().last();
-    if (last == nullptr)
-        return;
-    const LinkState& link = m_session.link();
-    emit m_requests->save(
-        path,
-        [origin = recordingHeader({}, QString::fromStdString(link.port), link.simulated, {}, last->measured),
-         name = texts::moduleName(last->report.module).toStdString(), report = last->report] {
-            const GainsChange gains{report.module, {}, report.gains};
-            return frequencyCsv(origin, name, report.frequencies, gains, report.speed);
-        });
 }
 
 void MainWindow::chooseReportFile() {

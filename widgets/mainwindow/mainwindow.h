@@ -214,7 +214,6 @@ private:
     void showDockOf(const QWidget& content);
     [[nodiscard]] std::optional<TuningReport> tuningReport();
     void chooseReportFile();
-    void saveFrequencies(const QString& path);
     void showAllAxes();
     void makeRoomForMotions(int higher);
     void restoreLayout();
