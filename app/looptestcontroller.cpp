@@ -54,7 +54,7 @@ void LoopTestController::followSquareWave(const ProcedureReport& report) {
         m_edges.erase(report.module);
     } else if (report.step) {
         if (last == m_edges.end())
-            m_window.loopTests().squareWave().clear();
+            m_window.loopTests().squareWave().clear(report.module);
         m_edges[report.module] = *report.step;
     }
 }

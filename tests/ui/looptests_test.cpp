@@ -10,6 +10,7 @@
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/looptests/squareplot.h"
 #include "widgets/looptests/squarewavepage.h"
+#include "widgets/response/responsedock.h"
 
 namespace nmc {
 namespace {
@@ -271,8 +272,26 @@ TEST_F(LoopTestsInTheWindow, EdgesWithTheSameGainsAreLaidOverOneAnotherAndKept) 
     window->findChild<QAction*>(u"responseDockAction"_s)->trigger();
     ASSERT_TRUE(eventually([this] { return find(u"responsePage"_s)->isVisible(); }));
     EXPECT_EQ(find<QTableWidget>(u"responseRunTable"_s)->rowCount(), 1);
-    page.clear();
+    page.clear(ModuleIndex(0));
     EXPECT_TRUE(label(u"squareWaveResults"_s).isEmpty());
+}
+
+/// Two waves run at the same time.
+TEST_F(LoopTestsInTheWindow, EdgesOfTwoModulesAreNotLaidOverOneAnother) {
+    openWith();
+    showServos({{.held = true}, {.held = true}});
+    SquareWavePage& page = window->loopTests().squareWave();
+    page.clear(ModuleIndex(0));
+    page.showEdge(ramp());
+    page.clear(ModuleIndex(1));
+    page.showEdge(ramp(80, 1));
+    page.showEdge(ramp());
+    EXPECT_TRUE(label(u"squareWaveResults"_s).startsWith(u"Edges with these gains: 2\n"_s));
+    select(1);
+    EXPECT_TRUE(label(u"squareWaveResults"_s).startsWith(u"Edges with these gains: 1\n"_s));
+    click(u"squareWaveKeepButton"_s);
+    ASSERT_EQ(window->stepResponses().runs().size(), 1U);
+    EXPECT_TRUE(window->stepResponses().runs().front().run.module == ModuleIndex(1));
 }
 
 /// As a run, they would count as steps of the module that has its number now.

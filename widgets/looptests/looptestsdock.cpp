@@ -58,7 +58,7 @@ void LoopTestsDock::showModule(const PanelView& view) {
 void LoopTestsDock::forgetModules() {
     if (m_tabs == nullptr)
         return;
-    m_square->clear();
+    m_square->forgetModules();
     m_frequency->forgetModules();
 }
 

@@ -24,7 +24,7 @@ public:
     // As in its pages.
     void showModule(const PanelView& view);
     void showNothing();
-    /// For another connection: discards the frequency responses.
+    /// For another connection: discards what was measured.
     void forgetModules();
     [[nodiscard]] SquareWavePage& squareWave();
     [[nodiscard]] FrequencyPage& frequency();

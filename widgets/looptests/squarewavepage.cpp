@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "model/intent/looptestplan.h"
 #include "model/response/edgefold.h"
@@ -94,41 +95,58 @@ SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent) : QWidget(pa
 
 void SquareWavePage::showModule(const PanelView& view) {
     m_form->showModule(view);
+    const ModuleIndex module = view.module.info.index;
+    if (std::exchange(m_shown, module) != module)
+        refresh();
 }
 
 void SquareWavePage::showNothing() {
     m_form->showNothing();
 }
 
-void SquareWavePage::clear() {
-    m_edges.clear();
+void SquareWavePage::forgetModules() {
+    m_waves.clear();
+    refresh();
+}
+
+void SquareWavePage::clear(ModuleIndex module) {
+    m_waves.erase(module);
     refresh();
 }
 
 void SquareWavePage::showEdge(KeptResponse edge) {
-    m_edges.push_back(edge.run);
-    m_labels = std::move(edge);
+    Wave& wave = m_waves[edge.run.module];
+    wave.edges.push_back(edge.run);
+    wave.labels = std::move(edge);
     refresh();
 }
 
+const SquareWavePage::Wave* SquareWavePage::shown() const {
+    const auto found = m_shown ? m_waves.find(*m_shown) : m_waves.end();
+    return found != m_waves.end() ? &found->second : nullptr;
+}
+
 void SquareWavePage::refresh() {
+    const Wave none{};
+    const Wave& wave = shown() != nullptr ? *shown() : none;
+    const std::vector<ResponseRecord>& edges = wave.edges;
     // The edges before the last change of the gains.
-    const auto changed = std::find_if(m_edges.rbegin(), m_edges.rend(), [this](const ResponseRecord& edge) {
-        return edge.taken.gains != m_edges.back().taken.gains;
+    const auto changed = std::find_if(edges.rbegin(), edges.rend(), [&](const ResponseRecord& edge) {
+        return edge.taken.gains != edges.back().taken.gains;
     });
-    const std::span<const ResponseRecord> before(m_edges.begin(), changed.base());
-    const auto forward = foldEdges(m_edges, true);
-    m_plot->showFold(drawn(m_edges, forward), drawn(before, foldEdges(before, true)), m_labels.scale);
+    const std::span<const ResponseRecord> before(edges.begin(), changed.base());
+    const auto forward = foldEdges(edges, true);
+    m_plot->showFold(drawn(edges, forward), drawn(before, foldEdges(before, true)), wave.labels.scale);
     m_folded = forward ? std::optional(forward->run) : std::nullopt;
     QStringList lines;
     if (m_folded) {
         const ResponseMetrics& metrics = m_folded->metrics;
-        lines << tr("Edges with these gains: %1").arg(std::distance(m_edges.rbegin(), changed))
+        lines << tr("Edges with these gains: %1").arg(std::distance(edges.rbegin(), changed))
               << Common::tr("Rise %1").arg(texts::responseTime(metrics.rise))
               << Common::tr("Overshoot %1").arg(texts::responseOvershoot(metrics.overshoot))
               << tr("Settling %1").arg(texts::responseTime(metrics.settling))
               << Common::tr("Steady-state error %1")
-                     .arg(texts::responseError(metrics.steadyError, m_labels.scale));
+                     .arg(texts::responseError(metrics.steadyError, wave.labels.scale));
     }
     look::setText(m_results, lines.join(u'\n'));
     look::setPossible(m_keep, m_folded ? QString() : tr("No edge recorded yet."),
@@ -138,7 +156,7 @@ void SquareWavePage::refresh() {
 void SquareWavePage::keep() {
     if (!m_folded)
         return;
-    KeptResponse kept = m_labels;
+    KeptResponse kept = shown()->labels;
     kept.run = *m_folded;
     emit m_requests.showRun(kept);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -21,7 +22,7 @@ class SquarePlot;
 class TestForm;
 
 /// A square wave of the command position of the selected servo: overlays many edges while the gains are
-/// changed.
+/// changed. Waves of several servos may run at the same time; the edges of the last one of each are kept.
 class SquareWavePage : public QWidget {
     Q_OBJECT
 
@@ -30,14 +31,22 @@ public:
 
     // These emit nothing.
     void showModule(const PanelView& view);
+    /// What was shown last stays.
     void showNothing();
-    /// A wave begins, or another connection: discards the edges of the previous one.
-    void clear();
+    void forgetModules();
+    /// A wave of the module begins: discards the edges of its previous one.
+    void clear(ModuleIndex module);
     void showEdge(KeptResponse edge);
 
 private:
+    struct Wave {
+        std::vector<ResponseRecord> edges;
+        KeptResponse labels;  ///< origin of the edges
+    };
     void refresh();
     void keep();
+    /// That of the module that is shown; null if there is none.
+    [[nodiscard]] const Wave* shown() const;
 
     Requests& m_requests;
     TestForm* m_form;
@@ -49,9 +58,9 @@ private:
     SquarePlot* m_plot;
     QLabel* m_results;
     QPushButton* m_keep;
-    std::vector<ResponseRecord> m_edges;
+    std::map<ModuleIndex, Wave> m_waves;
+    std::optional<ModuleIndex> m_shown;
     std::optional<ResponseRecord> m_folded;  ///< median of the rising edges with the present gains
-    KeptResponse m_labels;                   ///< origin of the edges
 };
 
 }  // namespace nmc
