@@ -169,6 +169,17 @@ TEST_F(ChainWindow, AGroupIsToldToStopAndToClear) {
     EXPECT_FALSE(button(u"groupStopAbruptlyButton"_s)->isEnabled());
 }
 
+TEST_F(ChainWindow, AQuestionOfAPageThatWaitsIsNamedInTheBanner) {
+    showGrouped({bus::GroupPlace{0x81, false}, bus::GroupPlace{0x81, false}});
+    open("groupsAction");
+    click(u"groupResetButton"_s);
+    ASSERT_TRUE(QTest::qWaitForWindowActive(find(u"groupResetDialog"_s), testing_support::kPatienceMs));
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), testing_support::kPatienceMs));
+    ASSERT_TRUE(eventually([this] { return find(u"banner"_s)->isVisible(); }));
+    EXPECT_EQ(text(u"bannerHeadline"_s), u"A question is waiting for your answer: Set positions to 0"_s);
+}
+
 TEST_F(ChainWindow, ANewZeroOfAGroupAsksFirstAndOnlyAtRest) {
     showGrouped({bus::GroupPlace{0x81, false}, bus::GroupPlace{0x81, false}});
     open("groupsAction");

@@ -212,6 +212,27 @@ TEST_F(Expert, ResetsAModuleAfterAQuestion) {
     EXPECT_TRUE(std::holds_alternative<intent::ResetModule>(intents.at(0).at(1).value<Intent>()));
 }
 
+TEST_F(Expert, AQuestionThatWaitsIsNamedInTheBanner) {
+    showServo();
+    click(u"resetModuleButton"_s);
+    ASSERT_TRUE(QTest::qWaitForWindowActive(find(u"resetModuleQuestion"_s), testing_support::kPatienceMs));
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), testing_support::kPatienceMs));
+    ASSERT_TRUE(eventually([this] { return find(u"banner"_s)->isVisible(); }));
+    EXPECT_EQ(text(u"bannerHeadline"_s), u"A question is waiting for your answer: Reset module"_s);
+}
+
+/// The page that has asked no longer follows its module.
+TEST_F(Expert, WithdrawsTheQuestionWhenAnotherModuleIsSelected) {
+    showServos({{}, {}});
+    click(u"resetModuleButton"_s);
+    const QPointer<QWidget> question = find(u"resetModuleQuestion"_s);
+    ASSERT_TRUE(question->isVisible());
+    auto* chain = find<QAbstractItemView>(u"chainList"_s);
+    chain->setCurrentIndex(chain->model()->index(1, 0));
+    EXPECT_TRUE(question == nullptr || !question->isVisible());
+}
+
 TEST_F(Expert, WithdrawsTheQuestionWhenTheMotorMoves) {
     showServo();
     click(u"resetModuleButton"_s);

@@ -31,14 +31,14 @@ void AskDialog::comeForward() {
 
 AskDialog* AskDialog::waiting(const QWidget& window) {
     const QWindow* active = QGuiApplication::focusWindow();
-    for (AskDialog* dialog : window.findChildren<AskDialog*>(Qt::FindDirectChildrenOnly))
+    for (AskDialog* dialog : window.findChildren<AskDialog*>())
         if (dialog->isVisible() && active != nullptr && active != dialog->windowHandle())
             return dialog;
     return nullptr;
 }
 
 void AskDialog::reviewAll(const QWidget& window) {
-    for (AskDialog* dialog : window.findChildren<AskDialog*>(Qt::FindDirectChildrenOnly))
+    for (AskDialog* dialog : window.findChildren<AskDialog*>())
         if (dialog->isVisible())
             dialog->review();
 }

@@ -36,12 +36,13 @@ public:
     /// Opens the question, in place of one of this name that is already open: that one may be about something
     /// else.
     static AskDialog& ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
-    /// An open question of this window while the user works in another window; null if there is none.
+    /// An open question of this window, of its pages, or of windows that it has opened, while the user works
+    /// in another window; null if there is none.
     [[nodiscard]] static AskDialog* waiting(const QWidget& window);
     void comeForward();
     /// The present text.
     [[nodiscard]] QString text() const { return m_text(); }
-    /// Call when something has changed that open questions of this window may be about.
+    /// Call when something has changed that these questions may be about.
     static void reviewAll(const QWidget& window);
 
 private:

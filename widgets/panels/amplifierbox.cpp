@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QPointer>
 
 #include "widgets/common/askdialog.h"
 #include "widgets/common/flowlayout.h"
@@ -230,19 +231,27 @@ void AmplifierBox::refreshRest() {
         save = tr("Apply the amplifier settings first: the module's present settings are unknown.");
     m_save->setPossible(save, tr("Saves the module's present settings and restarts it."));
     m_erase->setPossible(now, tr("Erases the module's saved configuration and restarts it."));
-    AskDialog::reviewAll(*this);
+    AskDialog::reviewAll(*window());
 }
 
 void AmplifierBox::question(const QString& name, const QString& title, const Command& of,
                             const std::function<QString()>& text, const QString& verb,
                             const std::function<Intent()>& intent) {
+    // While another module's page is shown, this one is in no window, and does not follow its module.
+    const auto shown = [self = QPointer(this), &of, text] {
+        return self && self->window()->isVisible() && of.isEnabled() ? text() : QString();
+    };
+    const auto go = [self = QPointer(this), intent] {
+        if (self)
+            self->context().ask(intent());
+    };
     AskDialog::ask({.name = name,
                     .title = title,
-                    .text = [&of, text] { return of.isEnabled() ? text() : QString(); },
+                    .text = shown,
                     .stay = Common::tr("Cancel"),
                     .stayName = name + u"Cancel"_s,
                     .stayIsDefault = true},
-                   {{verb, name + u"Go"_s, [this, intent] { context().ask(intent()); }}}, this);
+                   {{verb, name + u"Go"_s, go}}, window());
 }
 
 void AmplifierBox::apply() {

@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QPointer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -365,29 +366,32 @@ ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent)
 }
 
 void ExpertBox::refresh() {
-    AskDialog::reviewAll(*this);
     m_reset->setPossible(
         m_context.reasonNow(IntentKind::ResetModule),
         tr("Returns this module to its power-up state and assigns its address again. The other modules are unchanged."));
 }
 
 void ExpertBox::askBeforeReset() {
-    const QString module = texts::moduleName(m_context.state().info.index);
-    AskDialog::ask(
-        {.name = u"resetModuleQuestion"_s,
-         .title = tr("Reset module"),
-         .text =
-             [this, module] {
-                 return m_context.whyNot(IntentKind::ResetModule)
-                            ? QString()
-                            : tr("Reset %1? Its motor switches off, and it loses its position, settings and group. The other modules are unchanged.")
-                                  .arg(module);
-             },
-         .stay = Common::tr("Cancel"),
-         .stayName = u"resetModuleCancel"_s,
-         .stayIsDefault = true},
-        {{tr("Reset the module"), u"resetModuleGo"_s, [this] { m_context.ask(intent::ResetModule{}); }}},
-        this);
+    // While another module's page is shown, this one is in no window, and does not follow its module.
+    const auto text = [self = QPointer(this), module = texts::moduleName(m_context.state().info.index)] {
+        const bool stands =
+            self && self->window()->isVisible() && !self->m_context.whyNot(IntentKind::ResetModule);
+        return stands
+                   ? tr("Reset %1? Its motor switches off, and it loses its position, settings and group. The other modules are unchanged.")
+                         .arg(module)
+                   : QString();
+    };
+    const auto go = [self = QPointer(this)] {
+        if (self)
+            self->m_context.ask(intent::ResetModule{});
+    };
+    AskDialog::ask({.name = u"resetModuleQuestion"_s,
+                    .title = tr("Reset module"),
+                    .text = text,
+                    .stay = Common::tr("Cancel"),
+                    .stayName = u"resetModuleCancel"_s,
+                    .stayIsDefault = true},
+                   {{tr("Reset the module"), u"resetModuleGo"_s, go}}, window());
 }
 
 }  // namespace nmc
