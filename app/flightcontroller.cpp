@@ -11,10 +11,8 @@ namespace nmc {
 unsigned FlightController::note(const QString& what, std::optional<ModuleIndex> module, TimePoint at) {
     const unsigned record = m_recorder.note(module, at);
     const LinkState& link = m_store.link();
-    m_circumstances[record] = {
-        texts::recordTitle(what, QTime::currentTime()), m_window.scopeModules(),
-        QString::fromStdString(link.port), link.simulated,
-        QDateTime::currentDateTime().addMSecs(-qRound64(toSeconds(monotonicNow() - at) * 1e3))};
+    m_circumstances[record] = {texts::recordTitle(what, QTime::currentTime()), m_window.scopeModules(),
+                               QString::fromStdString(link.port), link.simulated, dateOf(at, monotonicNow())};
     if (m_circumstances.size() > FlightRecorder::kKept)
         m_circumstances.erase(m_circumstances.begin());
     return record;
@@ -26,9 +24,9 @@ bool FlightController::show(unsigned record) {
         return false;
     const Circumstances& then = m_circumstances[record];
     const double at = toSeconds(incident->at - *incident->history.zero());
-    m_window.showRecord(std::make_shared<const ScopeRecord>(ScopeRecord{
-        then.title, incident->history, then.modules, then.simulated, incident->module, incident->at,
-        ScopeOrigin{then.port, then.simulated, then.date.addMSecs(-qRound64(at * 1e3))}}));
+    m_window.showRecord(std::make_shared<const ScopeRecord>(
+        ScopeRecord{then.title, incident->history, then.modules, incident->module, incident->at,
+                    ScopeOrigin{then.port, then.simulated, then.date.addMSecs(-qRound64(at * 1e3))}}));
     return true;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/looptestcontroller.h"
 
-#include <QDateTime>
 #include <utility>
 
 #include "link/clock.h"
@@ -12,6 +11,7 @@
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/looptests/squarewavepage.h"
 #include "widgets/response/responsedock.h"
+#include "widgets/scope/scoperecord.h"
 
 namespace nmc {
 
@@ -66,12 +66,10 @@ std::optional<KeptResponse> LoopTestController::recordOf(const ModuleState& modu
     if (history == nullptr)
         return std::nullopt;
     const auto samples = history->samples(taken.at - kBeforeStep, taken.at + fromSeconds(taken.record));
-    const auto ago = std::chrono::duration_cast<std::chrono::milliseconds>(monotonicNow() - taken.at);
-    const QDateTime started = QDateTime::currentDateTime().addMSecs(-ago.count());
     const AxisSettings axis = m_store.machine().axis(index);
     KeptResponse kept;
     kept.run = takeRun(index, samples, taken, kFirstBand);
-    kept.startedAt = isoDate(started).toStdString();
+    kept.startedAt = isoDate(dateOf(taken.at, monotonicNow())).toStdString();
     kept.moduleName = texts::moduleName(index).toStdString();
     kept.axisName = axis.name;
     kept.scale = scaleOf(module, axis);

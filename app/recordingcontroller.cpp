@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recordingcontroller.h"
 
-#include <QDateTime>
 #include <QFileInfo>
 #include <algorithm>
 
@@ -69,10 +68,9 @@ void RecordingController::start(const QString& path) {
 void RecordingController::writeHead() {
     const LinkState& link = m_store.link();
     const History& history = m_store.history();
-    const auto ago = std::chrono::duration_cast<std::chrono::milliseconds>(m_started - m_zero);
-    std::string text = recordingHead(
-        recordingHeader(m_window.scopeModules(), QString::fromStdString(link.port), link.simulated, m_zero,
-                        QDateTime::currentDateTime().addMSecs(-ago.count())));
+    std::string text =
+        recordingHead(recordingHeader(m_window.scopeModules(), QString::fromStdString(link.port),
+                                      link.simulated, m_zero, dateOf(m_zero, m_started)));
     const History present = history.cut(m_started, m_started);
     for (const GainsChange& change : present.gains())
         appendGains(text, change, m_zero);

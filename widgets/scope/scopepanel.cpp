@@ -350,8 +350,7 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
     if (history.zero() != m_zero) {
         m_zero = history.zero();
         m_another = true;
-        m_origin.zero =
-            QDateTime::currentDateTime().addMSecs(-qRound64(toSeconds(now - m_zero.value_or(now)) * 1e3));
+        m_origin.zero = dateOf(m_zero.value_or(now), now);
     }
     m_trigger->follow(history, now, m_origin.zero);
     if (m_strips == nullptr || (!isVisible() && !m_files->exporting().isDue()))
@@ -437,7 +436,8 @@ void ScopePanel::showRecord(std::shared_ptr<const ScopeRecord> record) {
         m_strips->showMarker(at);
         m_strips->time().show(at - kBeforeEvent, at + kBehindEvent);
     }
-    m_bar->showRecord(m_record->simulated ? tr("%1 (simulator)").arg(m_record->title) : m_record->title);
+    m_bar->showRecord(m_record->origin.simulated ? tr("%1 (simulator)").arg(m_record->title)
+                                                 : m_record->title);
     applyModules();
     showTime();
 }
@@ -458,7 +458,7 @@ void ScopePanel::backToLive() {
 void ScopePanel::showUnder(std::shared_ptr<const ScopeRecord> record) {
     if (record == nullptr || record->history.empty())
         return;
-    m_files->showUnder(record->simulated ? tr("%1 (simulator)").arg(record->title) : record->title);
+    m_files->showUnder(record->origin.simulated ? tr("%1 (simulator)").arg(record->title) : record->title);
     m_under = std::make_unique<Underlay>(std::move(record));
     backToLive();
     touch();

@@ -7,6 +7,10 @@
 
 namespace nmc {
 
+QDateTime dateOf(TimePoint at, TimePoint now) {
+    return QDateTime::currentDateTime().addMSecs(-qRound64(toSeconds(now - at) * 1e3));
+}
+
 QString isoDate(const QDateTime& date) {
     return date.toOffsetFromUtc(date.offsetFromUtc()).toString(Qt::ISODateWithMs);
 }
@@ -34,7 +38,6 @@ RecordingHeader recordingHeader(const std::vector<ScopeModule>& modules, const Q
 ScopeRecord recordOf(const QString& title, const RecordingHeader& header, History history) {
     ScopeRecord record;
     record.title = title;
-    record.simulated = header.simulated;
     for (std::size_t i = 0; i < history.modules(); ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));
         const auto told = std::find_if(header.modules.begin(), header.modules.end(),

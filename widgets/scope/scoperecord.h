@@ -22,12 +22,13 @@ struct ScopeRecord {
     QString title;  ///< "mill.csv", "Module 1 switched itself off, 14:02:11"
     History history;
     std::vector<ScopeModule> modules;
-    bool simulated = false;
     std::optional<ModuleIndex> module{};  ///< the module that it is about
     std::optional<TimePoint> event{};     ///< time of the event that it is about
     ScopeOrigin origin{};
 };
 
+/// The date and time of a moment, `now` being the present one.
+[[nodiscard]] QDateTime dateOf(TimePoint at, TimePoint now);
 /// ISO 8601 with the offset of the time zone; empty for an invalid date.
 [[nodiscard]] QString isoDate(const QDateTime& date);
 
