@@ -380,6 +380,7 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
     hold.press = same ? session.held.press : nextPress();
     const ModuleState& module = *m_store.module(hold.module);
     const auto refusal = whyNot(hold, module);
+    m_connection.dropSearch();
     if ((refusal && !same) || !m_commander.hold(hold)) {
         const Refusal reason = refusal.value_or(Refusal::Moving);
         const AxisScale scale = scaleOf(module, m_store.machine().axis(hold.module));
@@ -406,6 +407,7 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
         return refuse(client, id, {api::Problem::Kind::SequenceUnknown, "name"});
     if (m_commander.sequences().running())
         return refuse(client, id, api::refused(Refusal::Moving));
+    m_connection.dropSearch();
     m_notBegun.reset();
     Session& own = session(client);
     own.awaitsEnd = true;  // it may end as soon as it begins

@@ -160,6 +160,12 @@ void Composition::wireWindow() {
     connect(requests, &Requests::workOffset, &m_store, &BusStore::useWorkOffset);
     connect(requests, &Requests::copyAxis, &m_machine, &MachineController::copy);
     connect(requests, &Requests::scan, &m_connection, &Connection::searchAgain);
+    connect(requests, &Requests::hold, &m_connection, &Connection::dropSearch);
+    connect(requests, &Requests::groupCommand, &m_connection, &Connection::dropSearch);
+    connect(requests, &Requests::homeAll, &m_connection, &Connection::dropSearch);
+    connect(requests, &Requests::goToPoint, &m_connection, &Connection::dropSearch);
+    connect(requests, &Requests::goToPlace, &m_connection, &Connection::dropSearch);
+    connect(requests, &Requests::startSequence, &m_connection, &Connection::dropSearch);
     connect(requests, &Requests::lend, &m_connection, &Connection::lend);
     connect(requests, &Requests::letProgramThrough, &m_worker, &BusWorker::letThrough);
     connect(requests, &Requests::endLending, &m_worker, &BusWorker::endLending);

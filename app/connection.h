@@ -47,7 +47,7 @@ public:
 
     /// Searches for the chain again, once procedures and sequences have stopped their motors.
     void searchAgain();
-    /// The user has requested something else than the search that waits.
+    /// The user or a program has requested something else than the search that waits, which would stop it.
     void dropSearch() { m_searchWhenIdle = false; }
     /// Lends the line to the program that opens this path, if no procedure and no sequence is running.
     void lend(const QString& path);

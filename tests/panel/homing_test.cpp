@@ -141,6 +141,27 @@ TEST_F(HomingPage, ScanAgainEndsTheSearchForHomeAndThenLooks) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+/// The search waits until the motor has stopped. It would stop what was begun meanwhile, too.
+TEST_F(HomingPage, ScanAgainIsDroppedForAMoveOfOtherAxes) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    const auto tell = [&](const Intent& intent) {
+        emit panel.window().requests().intent(ModuleIndex(1), intent);
+    };
+    const auto second = [&] { return *panel.composition().store().module(ModuleIndex(1)); };
+    tell(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}}});
+    ASSERT_TRUE(panel.waitFor([&] { return second().gains.has_value(); }));
+    tell(intent::Enable{});
+    ASSERT_TRUE(panel.waitFor([&] { return second().servoOn(); }));
+    type("homingVelocityField", u"0.2"_s);
+    click("homeButton");
+    ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
+    panel.window().findChild<QAction*>(u"scanAction"_s)->trigger();
+    emit panel.window().requests().goToPlace({"Away", {{ModuleIndex(1), 5'000, false}}});
+    EXPECT_TRUE(panel.waitFor([&] { return std::abs(sim.state(2)[u"position"_s].toInt() - 5'000) < 5; }));
+    EXPECT_EQ(panel.chainsFound(), 1);
+    EXPECT_EQ(sim.violations(), "");
+}
+
 TEST_F(HomingPage, TheIndexBehindTheLimit) {
     ASSERT_NO_FATAL_FAILURE(begin());
     panel.type("homingVelocityField", u"1.5"_s);
