@@ -9,7 +9,7 @@
 namespace nmc {
 
 unsigned FlightController::note(const QString& what, std::optional<ModuleIndex> module, TimePoint at) {
-    const unsigned record = m_recorder.note(module, at);
+    const unsigned record = m_recorder.note(module, at, m_store.history());
     const LinkState& link = m_store.link();
     m_circumstances[record] = {texts::recordTitle(what, QTime::currentTime()), m_window.scopeModules(),
                                QString::fromStdString(link.port), link.simulated, dateOf(at, monotonicNow())};

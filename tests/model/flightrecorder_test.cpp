@@ -25,7 +25,7 @@ History until(double end) {
 
 TEST(FlightRecorder, KeepsFiveSecondsBeforeAndTwoAfterOfAllModules) {
     FlightRecorder recorder;
-    const unsigned trip = recorder.note(ModuleIndex(1), atSeconds(60));
+    const unsigned trip = recorder.note(ModuleIndex(1), atSeconds(60), until(60));
     recorder.keep(until(62.5), atSeconds(62.5));
     const auto* incident = recorder.find(trip, History());
     ASSERT_NE(incident, nullptr);
@@ -39,7 +39,7 @@ TEST(FlightRecorder, KeepsFiveSecondsBeforeAndTwoAfterOfAllModules) {
 
 TEST(FlightRecorder, ShowsWhatThereIsBeforeItIsWhole) {
     FlightRecorder recorder;
-    const unsigned trip = recorder.note({}, atSeconds(60));
+    const unsigned trip = recorder.note({}, atSeconds(60), until(60));
     recorder.keep(until(60.5), atSeconds(60.5));
     const auto* incident = recorder.find(trip, until(61));
     ASSERT_NE(incident, nullptr);
@@ -49,15 +49,30 @@ TEST(FlightRecorder, ShowsWhatThereIsBeforeItIsWhole) {
 
 TEST(FlightRecorder, OutlivesTheHistory) {
     FlightRecorder recorder;
-    const unsigned stop = recorder.note({}, atSeconds(10));
+    const unsigned stop = recorder.note({}, atSeconds(10), until(10));
     recorder.keepAll(until(10.3));
     EXPECT_EQ(recorder.find(stop, History())->history.end(), atSeconds(10.3));
 }
 
+TEST(FlightRecorder, TakesNothingFromTheHistoryOfAnotherChain) {
+    FlightRecorder recorder;
+    const unsigned trip = recorder.note(ModuleIndex(1), atSeconds(60), until(60));
+    History other(1);
+    ScopeSample sample;
+    sample.time = atSeconds(61);
+    other.append(ModuleIndex(0), sample);
+    EXPECT_EQ(recorder.find(trip, other)->history.end(), atSeconds(60));
+    recorder.keep(other, atSeconds(62.5));
+    const auto* incident = recorder.find(trip, other);
+    EXPECT_EQ(incident->history.modules(), 2U);
+    EXPECT_EQ(incident->history.begin(), atSeconds(55));
+    EXPECT_EQ(incident->history.end(), atSeconds(60));
+}
+
 TEST(FlightRecorder, KeepsEachIncidentUnderItsNumber) {
     FlightRecorder recorder;
-    const unsigned first = recorder.note({}, atSeconds(10));
-    const unsigned second = recorder.note({}, atSeconds(30));
+    const unsigned first = recorder.note({}, atSeconds(10), until(10));
+    const unsigned second = recorder.note({}, atSeconds(30), until(30));
     recorder.keepAll(until(40));
     EXPECT_EQ(recorder.find(first, History())->history.begin(), atSeconds(5));
     EXPECT_EQ(recorder.find(second, History())->history.begin(), atSeconds(25));
@@ -65,10 +80,10 @@ TEST(FlightRecorder, KeepsEachIncidentUnderItsNumber) {
 
 TEST(FlightRecorder, TheOldestIncidentsMakeRoom) {
     FlightRecorder recorder;
-    const unsigned first = recorder.note({}, atSeconds(0));
-    const unsigned second = recorder.note({}, atSeconds(1));
+    const unsigned first = recorder.note({}, atSeconds(0), History());
+    const unsigned second = recorder.note({}, atSeconds(1), History());
     for (std::size_t i = 2; i <= FlightRecorder::kKept; ++i)
-        (void)recorder.note({}, atSeconds(static_cast<double>(i)));
+        (void)recorder.note({}, atSeconds(static_cast<double>(i)), History());
     EXPECT_EQ(recorder.find(first, History()), nullptr);
     EXPECT_NE(recorder.find(second, History()), nullptr);
 }

@@ -5,15 +5,17 @@
 
 namespace nmc {
 
-unsigned FlightRecorder::note(std::optional<ModuleIndex> module, TimePoint at) {
+unsigned FlightRecorder::note(std::optional<ModuleIndex> module, TimePoint at, const History& history) {
     if (m_incidents.size() == kKept)
         m_incidents.pop_front();
     m_incidents.push_back({++m_noted, module, at});
+    take(m_incidents.back(), history);
     return m_noted;
 }
 
 void FlightRecorder::take(Incident& incident, const History& history) {
-    incident.history = history.cut(incident.at - kBefore, incident.at + kAfter);
+    if (incident.history.empty() || incident.history.zero() == history.zero())
+        incident.history = history.cut(incident.at - kBefore, incident.at + kAfter);
 }
 
 void FlightRecorder::keep(const History& history, TimePoint now) {

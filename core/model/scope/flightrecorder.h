@@ -25,8 +25,9 @@ public:
         bool whole = false;  ///< complete, no more samples will be added
     };
 
-    /// Notes an incident; `at` is a sample time. Returns its number, from 1 on.
-    unsigned note(std::optional<ModuleIndex> module, TimePoint at);
+    /// Notes an incident; `at` is a sample time. Returns its number, from 1 on. Takes what has led to it at
+    /// once: within two seconds, a search may find another chain, whose history begins anew.
+    unsigned note(std::optional<ModuleIndex> module, TimePoint at, const History& history);
     /// Takes the samples of each incident whose time is over. Cheap when there is none; call at least once a
     /// second.
     void keep(const History& history, TimePoint now);
@@ -36,6 +37,7 @@ public:
     [[nodiscard]] const Incident* find(unsigned number, const History& history);
 
 private:
+    /// Leaves the incident as it is if the history is that of another chain.
     static void take(Incident& incident, const History& history);
 
     std::deque<Incident> m_incidents;
