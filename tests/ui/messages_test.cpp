@@ -75,6 +75,24 @@ TEST_F(Messages, WhatBecomesKnownLaterIsNoRepeat) {
     EXPECT_FALSE(find(u"banner"_s)->isVisible());
 }
 
+TEST_F(Messages, TheOldestRowLastsAsLongAsTheClickOnItsButton) {
+    window->showMessage(
+        {.key = u"oldest"_s, .headline = u"Oldest"_s, .actions = {{MessageAction::How, u"How"_s}}});
+    for (std::size_t i = 1; i < MessageModel::kMost; ++i)
+        window->showMessage({.key = u"other"_s + QString::number(i), .headline = u"Other"_s});
+    const QPointer<MessageRow> oldest = list()->rows().last();
+    ASSERT_EQ(oldest->message().headline, u"Oldest"_s);
+    bool lasts = false;
+    QObject::connect(window.get(), &MainWindow::messageAction, window.get(), [&] {
+        window->showMessage({.key = u"news"_s, .headline = u"News"_s});
+        lasts = oldest != nullptr;
+    });
+    oldest->findChild<QAbstractButton*>()->click();
+    EXPECT_TRUE(lasts) << "the message is read again after what the button does";
+    EXPECT_EQ(list()->rows().size(), static_cast<qsizetype>(MessageModel::kMost));
+    EXPECT_EQ(list()->rows().first()->message().headline, u"News"_s);
+}
+
 TEST_F(Messages, TheOthersAndAllWordsAreOneClickAway) {
     window->findChild<QAction*>(u"messagesDockAction"_s)->trigger();
     ASSERT_FALSE(list()->isVisible());

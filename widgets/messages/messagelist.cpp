@@ -61,8 +61,11 @@ void MessageList::showReported(const MessageEntry& entry) {
     m_layout->insertWidget(0, row);
     filterRow(*row);
     verticalScrollBar()->setValue(0);
-    while (m_rows.size() > static_cast<qsizetype>(m_model.entries().size()))
-        delete m_rows.takeLast();
+    while (m_rows.size() > static_cast<qsizetype>(m_model.entries().size())) {
+        // The message may be reported by the click on a button of this row, which has not returned yet.
+        m_rows.last()->hide();
+        m_rows.takeLast()->deleteLater();
+    }
     showWhetherEmpty();
 }
 
