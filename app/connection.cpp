@@ -141,16 +141,13 @@ void Connection::end() {
 }
 
 void Connection::searchAgain() {
-    if (m_worker.isOpen()) {
-        m_searchWhenIdle = m_commander.anyRunning();
-        if (m_searchWhenIdle) {
-            // Nothing is left running without supervision: the motors stop first.
-            m_commander.stopRuns();
-        } else
-            m_worker.connectAgain();
-    } else {
-        reopen();
-    }
+    if (!m_worker.isOpen())
+        return reopen();
+    m_searchWhenIdle = m_commander.anyRunning();
+    if (m_searchWhenIdle)
+        m_commander.stopRuns();  // nothing is left running without supervision: the motors stop first
+    else
+        m_worker.connectAgain();
     emit searching();
 }
 

@@ -171,6 +171,25 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidAndConnectedOnlyWhenConfirmed) {
     EXPECT_EQ(panel.count(kBack), 0);
 }
 
+/// The messages about a bad link stay when the adapter that made it is exchanged.
+TEST(F30_OldName, WithAnotherAdapterIsSaidWhicheverMessageReconnects) {
+    PortsMachine machine;
+    const QString port = machine.port("ttyUSB0");
+    machine.set({adapter(port, "A1")});
+    VirtualChain sim(QStringLiteral("servo"), port);
+    VirtualPanel panel({}, machine.places());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(port));
+    panel.window().showMessage(texts::badLink({bus::LinkHealth::Lost, 5, 20, std::nullopt}));
+    machine.set({});
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    machine.set({adapter(port, "B2")});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(kDifferent) == 1; }));
+    ASSERT_TRUE(panel.press(QStringLiteral("The link is unreliable"), QStringLiteral("Reconnect")));
+    EXPECT_EQ(panel.composition().store().link().phase, LinkPhase::Disconnected);
+    EXPECT_NE(panel.standing(kDifferent), nullptr) << "it is the way to connect";
+}
+
 TEST(UnpluggedWhileItMoves, NamesTheModuleAndTheAgeOfItsPositionGoesOn) {
     VirtualChain sim(QStringLiteral("servo,servo"));
     VirtualPanel panel;
