@@ -310,6 +310,16 @@ TEST_F(ModelPage, TakesNoRunsOfAnEarlierConnection) {
     EXPECT_EQ(runs.front().points.back().position, 620);
 }
 
+/// The file may be read late. The runs in it come first, so that the numbers of the others change.
+TEST_F(ModelPage, StaysWithItsRunWhenStoredOnesAreListedBeforeIt) {
+    find();
+    KeptResponse stored = ramp();
+    stored.number = 1;
+    stored.run.taken.goal = 550;
+    dock().showKept({stored});
+    EXPECT_EQ(task().taken.goal, 600);
+}
+
 /// The first run of the machine that is opened then has the number of the run from which the model was found.
 TEST_F(ModelPage, IsForgottenWithTheRunsOfItsMachine) {
     find();

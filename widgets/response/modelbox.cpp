@@ -176,6 +176,13 @@ void ModelBox::showRuns() {
     suggest();
 }
 
+void ModelBox::renumber(int by) {
+    for (auto& [module, found] : m_found)
+        found.from += by;
+    if (m_looking)
+        m_looking->from += by;
+}
+
 void ModelBox::suggest() {
     m_suggestion = {};
     m_fitted.clear();

@@ -59,6 +59,8 @@ public:
     void showNothing();
     /// The runs of the list have changed.
     void showRuns();
+    /// The numbers of the runs have become higher by this; showRuns() follows.
+    void renumber(int by);
     /// The answer to Requests::identify(); ignored if it is no longer expected.
     void showMotor(ModuleIndex module, const FoundMotor& found);
     /// The answer to Requests::suggest().

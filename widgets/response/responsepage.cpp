@@ -188,6 +188,7 @@ void ResponsePage::showKept(std::vector<KeptResponse> runs) {
     for (std::optional<int>& shown : m_shown)
         if (shown)
             *shown += last;
+    m_model->renumber(last);
     m_lastNumber += last;
     m_kept.insert(m_kept.begin(), std::make_move_iterator(runs.begin()), std::make_move_iterator(runs.end()));
     showList();
