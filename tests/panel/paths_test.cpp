@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Paths, with mouse and keys; the oracle is what the simulator knows about its modules.
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <vector>
 
 #include "tests/support/choosefile.h"
 #include "tests/support/virtualpanel.h"
@@ -41,7 +43,7 @@ protected:
         }
         return text;
     }
-    void open(const QString& text) {
+    void askFor(const QString& text) {
         const QString name = directory.filePath(u"swing.csv"_s);
         QFile file(name);
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
@@ -51,6 +53,9 @@ protected:
         auto* dialog = panel.window().findChild<QFileDialog*>(u"openPathDialog"_s);
         ASSERT_NE(dialog, nullptr);
         testing_support::chooseFile(*dialog, name);
+    }
+    void open(const QString& text) {
+        ASSERT_NO_FATAL_FAILURE(askFor(text));
         ASSERT_TRUE(panel.waitFor([&] { return summary().contains(u"swing.csv"_s); }))
             << summary().toStdString();
     }
@@ -91,6 +96,22 @@ TEST_F(Paths, AFileIsOpenedAndRunToItsLastPoint) {
         << state().toStdString();
     EXPECT_EQ(commanded(1), 500);
     EXPECT_EQ(sim.violations(), "");
+}
+
+/// Its columns are axes of the chain that it was opened for, which need not be those of the next one.
+TEST_F(Paths, AFileThatASlowDiskReadsForAnEarlierConnectionIsDropped) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    std::vector<std::function<void()>> waiting;
+    setBackground([&](std::function<void()> work) { waiting.push_back(std::move(work)); });
+    ASSERT_NO_FATAL_FAILURE(askFor(swing({u"Module 1"_s}, 500, 2)));
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return module(0).latest.has_value(); }));
+    setBackground([](const std::function<void()>& work) { work(); });
+    for (const auto& work : waiting)
+        work();
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_TRUE(summary().contains(u"Axes here: Module 1."_s)) << summary().toStdString();
+    EXPECT_FALSE(panel.window().findChild<QAbstractButton*>(u"runPathButton"_s)->isEnabled());
 }
 
 TEST_F(Paths, NothingMovesWithoutAYes) {

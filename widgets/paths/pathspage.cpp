@@ -230,9 +230,10 @@ void PathsPage::showSession(const LinkState& link, const Machine& machine,
 
 void PathsPage::showPath(LoadedPath path) {
     m_reading = false;
+    if (m_connection != m_link.connection)
+        return refresh();
     m_problems.clear();
     m_ran = false;
-    m_connection = m_link.connection;
     m_path = std::make_shared<const LoadedPath>(std::move(path));
     m_about = {texts::pathLength(m_path->table)};
     for (std::size_t i = 0; i < m_path->axes.size(); ++i)
@@ -244,6 +245,8 @@ void PathsPage::showPath(LoadedPath path) {
 void PathsPage::showProblems(const QString& name, const std::vector<PathProblem>& problems,
                              const std::vector<PathColumn>& axes) {
     m_reading = false;
+    if (m_connection != m_link.connection)
+        return refresh();
     QStringList lines{tr("%1 is not a path for this chain:").arg(name)};
     for (const PathProblem& problem : problems)
         lines << texts::pathProblem(problem, axes);
@@ -266,6 +269,7 @@ void PathsPage::showSequence(bool running) {
 
 void PathsPage::showReading() {
     m_reading = true;
+    m_connection = m_link.connection;
     refresh();
 }
 
@@ -368,6 +372,7 @@ void PathsPage::draw() {
     std::vector<std::optional<std::int32_t>> homes;
     for (const PathColumn& axis : axes)
         homes.push_back(m_link.modules[axis.module.value()].home.counts());
+    m_connection = m_link.connection;
     showPath({m_sequence->currentText(), std::move(*table), std::move(axes), std::move(homes)});
 }
 

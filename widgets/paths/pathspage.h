@@ -44,7 +44,8 @@ public:
 
     // These emit nothing.
     void showSession(const LinkState& link, const Machine& machine, const Session::Procedures& procedures);
-    /// Shows the path that was read, instead of the previous one.
+    /// Shows the path that was read, instead of the previous one; ignored if its chain is gone, as are the
+    /// problems of a file.
     void showPath(LoadedPath path);
     /// Shows the problems of a file that is not a path; the previous path stays.
     void showProblems(const QString& name, const std::vector<PathProblem>& problems,
@@ -102,7 +103,7 @@ private:
     Session::Procedures m_procedures;
     std::shared_ptr<const LoadedPath> m_path;
     QStringList m_about;             ///< length and reach; kept, because there may be very many points
-    std::uint32_t m_connection = 0;  ///< connection that the path belongs to
+    std::uint32_t m_connection = 0;  ///< connection that the path, or the file being read, belongs to
     QString m_problems;              ///< of the file or drawing that was last tried
     bool m_reading = false;
     bool m_sequenceRuns = false;
