@@ -145,8 +145,6 @@ void MachineController::setOperatorRights(const OperatorRights& rights) {
 
 void MachineController::acceptChain(const std::vector<ModuleIdentity>& there,
                                     const std::vector<ModuleIndex>& gone) {
-    if (locked())
-        return;
     if (!gone.empty()) {
         ParsedMachine left = withoutAxes(gone, {std::move(m_machine), std::move(m_unknown)});
         m_machine = std::move(left.machine);

@@ -4,6 +4,7 @@
 #include "app/knownchain.h"
 
 #include "tests/support/virtualpanel.h"
+#include "widgets/mainwindow/operatorlock.h"
 #include "widgets/response/responsedock.h"
 #include "widgets/sequences/sequencesdock.h"
 
@@ -149,6 +150,23 @@ TEST_F(WithoutY, ZKeepsItsSettings) {
     EXPECT_EQ(runs[0].run.module, second);
     EXPECT_EQ(runs[0].startedAt, "2026-11-21T21:21:02+01:00");
     EXPECT_EQ(xyz.violations(), "");
+}
+
+/// The port has to close first. Positions, step responses and the port's own list follow in any case.
+TEST_F(WithoutY, ZKeepsItsSettingsEvenIfOperatorModeBeginsMeanwhile) {
+    ASSERT_NO_FATAL_FAILURE(run(xyz.terminal()));
+    ASSERT_NO_FATAL_FAILURE(lookAgain());
+    for (const auto& [module, name] : {std::pair{x, "X"}, std::pair{y, "Y"}, std::pair{z, "Z"}})
+        emit panel->window().requests().axisEdited(module, axisCalled(name, 1'000));
+    ASSERT_TRUE(panel->press(missing, QStringLiteral("Work with 2")));
+    panel->window().findChild<QAction*>(QStringLiteral("operatorAction"))->trigger();
+    for (const char* field : {"operatorPinField", "operatorPinAgainField"})
+        QTest::keyClicks(panel->window().findChild<QLineEdit*>(QLatin1String(field)), QStringLiteral("4711"));
+    panel->window().findChild<QAbstractButton*>(QStringLiteral("operatorBeginButton"))->click();
+    ASSERT_TRUE(panel->window().operatorLock().isLocked());
+    ASSERT_TRUE(panel->waitFor([&] { return panel->connected() && modules().size() == 2; })) << told();
+    ASSERT_EQ(panel->composition().machine().axes.size(), 2U);
+    EXPECT_EQ(panel->composition().machine().axes[1].name, "Z");
 }
 
 TEST_F(WithoutY, ASequenceThatNeedsYPreventsItAndIsNamed) {
