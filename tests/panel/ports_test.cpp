@@ -224,6 +224,20 @@ TEST(SlowAdapter, IsReckonedWithAndItsCureIsOneClickAway) {
     EXPECT_EQ(panel.count(QStringLiteral("Set the latency timer")), 1);
 }
 
+TEST(SlowAdapter, IsNoLongerToldOfWhenAnotherPortIsOpened) {
+    const QString slow = QStringLiteral("adapter waits 16 ms");
+    VirtualChain sim(QStringLiteral("servo"));
+    VirtualChain other(QStringLiteral("servo"));
+    PortsMachine machine;
+    machine.setLatency(sim.terminal(), "16\n");
+    VirtualPanel panel({}, machine.places());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(slow) != nullptr; }));
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(other.terminal()));
+    EXPECT_EQ(panel.standing(slow), nullptr) << "the command of its cure would be for this port";
+}
+
 TEST(SlowAdapter, AtOneMillisecondIsNotSlow) {
     PortsMachine machine;
     const QString port = machine.port("ttyUSB0");

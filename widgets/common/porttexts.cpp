@@ -182,7 +182,7 @@ Message portProblem(const PortError& error) {
 
 Message slowAdapter(int updatesPerSecond, int latencyMs) {
     return {
-        .key = u"slowAdapter"_s,
+        .key = key::slowAdapter(),
         .severity = Severity::Attention,
         .headline =
             Texts::tr(

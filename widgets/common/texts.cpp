@@ -295,6 +295,9 @@ namespace key {
 QString port() {
     return u"port"_s;
 }
+QString slowAdapter() {
+    return u"slowAdapter"_s;
+}
 QString link() {
     return u"link"_s;
 }

@@ -255,6 +255,7 @@ namespace key {
 /// A successful stop of all motors, until something moves again.
 [[nodiscard]] QString stopped();
 [[nodiscard]] QString port();
+[[nodiscard]] QString slowAdapter();
 [[nodiscard]] QString link();
 [[nodiscard]] QString badLink();
 [[nodiscard]] QString unaddressed();
