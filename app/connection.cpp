@@ -62,6 +62,11 @@ void Connection::reopenFully() {
         open({m_target->port, m_target->baud, false});
 }
 
+void Connection::reopenUnplugged() {
+    if (m_unplugged)
+        open(*m_unplugged);
+}
+
 void Connection::openOffered() {
     if (const auto offer = m_ports.offered())
         openAnyway(*offer);
@@ -238,8 +243,10 @@ void Connection::on(const PortClosed& closed) {
     m_searchWhenIdle = false;
     m_unconfirmed[m_target->port] = closed.unconfirmed;
     if (closed.error) {
-        if (closed.error->problem == PortProblem::Gone)
+        if (closed.error->problem == PortProblem::Gone) {
             m_lost = {m_target->port, m_chain};
+            m_unplugged = m_target;
+        }
         m_ports.closed(*closed.error);
     }
     // Only now: while the modules have their former numbers, none must get the settings of another.

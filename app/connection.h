@@ -39,6 +39,8 @@ public:
     void reopen();
     /// The same, with commands allowed.
     void reopenFully();
+    /// Opens the connection again whose adapter was unplugged last, whatever has been opened since.
+    void reopenUnplugged();
     /// Opens the port of the adapter that is back.
     void openOffered();
     void close();
@@ -98,8 +100,9 @@ private:
     Commander& m_commander;
     PortController& m_ports;
     Transports m_transports;
-    std::optional<ConnectTarget> m_target;    ///< the present connection, or the last one
-    std::optional<ConnectTarget> m_openNext;  ///< opened when the present connection has closed
+    std::optional<ConnectTarget> m_target;     ///< the present connection, or the last one
+    std::optional<ConnectTarget> m_unplugged;  ///< the one whose adapter was unplugged last
+    std::optional<ConnectTarget> m_openNext;   ///< opened when the present connection has closed
     std::map<QString, std::vector<bus::UnconfirmedStop>> m_unconfirmed;  ///< stops, by port
     std::vector<bus::ModuleInfo> m_chain;  ///< found last, with its present addresses
     /// Where the state of motors became unknown.

@@ -29,7 +29,8 @@ void MessageActions::act(const Message& message, MessageAction action) {
             m_flight.show(message.record);
             return;  // the condition persists
         case MessageAction::Retry:
-            return m_connection.reopen();  // the message ends when the chain is found
+            // The message ends when the chain is found.
+            return message.key == texts::key::port() ? m_connection.reopen() : m_connection.reopenUnplugged();
         case MessageAction::ScanAgain:
         case MessageAction::Reconnect:
             return m_connection.searchAgain();

@@ -208,6 +208,22 @@ TEST(UnpluggedWhileItMoves, NamesTheModuleAndTheAgeOfItsPositionGoesOn) {
     EXPECT_TRUE(label("positionUnit")->text().endsWith(QStringLiteral("s old")));
 }
 
+/// The message about it stays, because its motors may still be moving.
+TEST(Unplugged, IsConnectedByItsRetryWhateverIsConnectedMeanwhile) {
+    VirtualChain sim(QStringLiteral("servo"));
+    VirtualChain other(QStringLiteral("servo"));
+    VirtualPanel panel;
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(other.terminal()));
+    sim.plugIn();
+    ASSERT_TRUE(panel.press(QStringLiteral("was unplugged"), QStringLiteral("Retry")));
+    const LinkState& link = panel.composition().store().link();
+    EXPECT_TRUE(panel.waitFor([&] { return panel.connected() && link.port == sim.terminal().toStdString(); }))
+        << link.port;
+}
+
 TEST(SlowAdapter, IsReckonedWithAndItsCureIsOneClickAway) {
     VirtualChain sim(QStringLiteral("servo"));
     PortsMachine machine;
