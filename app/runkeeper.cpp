@@ -94,10 +94,16 @@ void RunKeeper::loaded() {
         m_window.showMessage(texts::runsNotRead(*m_reading->error));
     else
         m_window.endMessage(texts::key::runs());
-    std::vector<KeptResponse> runs = std::exchange(m_reading->runs, {});
-    for (KeptResponse& run : runs) {
-        m_known.insert(idOf(run));
-        run.run.module = moduleOf(run, m_reading->machine);
+    std::vector<KeptResponse> runs;
+    for (KeptResponse& run : std::exchange(m_reading->runs, {})) {
+        std::optional<ModuleIndex> module = moduleOf(run, m_reading->machine);
+        for (const std::vector<ModuleIndex>& modules : m_reading->leftOut)
+            module = module ? indexWithout(modules, *module) : std::nullopt;
+        if (!module)
+            continue;
+        m_known.insert(idOf(run));  // as it is in the file
+        run.run.module = *module;
+        runs.push_back(std::move(run));
     }
     if (runs.empty())
         return;
@@ -120,6 +126,8 @@ void RunKeeper::moveFrom(const QString& before) {
 }
 
 void RunKeeper::leaveOut(const std::vector<ModuleIndex>& modules) {
+    if (m_loading.isBusy())
+        m_reading->leftOut.push_back(modules);
     std::vector<KeptResponse> left;
     for (KeptResponse& run : m_window.stepResponses().runs())
         if (const auto index = indexWithout(modules, run.run.module)) {

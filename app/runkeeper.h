@@ -42,6 +42,7 @@ private:
         std::vector<KeptResponse> runs;
         std::optional<FileError> error;
         std::optional<FileProblem> problem;
+        std::vector<std::vector<ModuleIndex>> leftOut{};  ///< in the meantime, one after the other
     };
 
     [[nodiscard]] QString pathFor(const QString& machineFile) const;

@@ -152,6 +152,31 @@ TEST_F(WithoutY, ZKeepsItsSettings) {
     EXPECT_EQ(xyz.violations(), "");
 }
 
+/// They are in the file with the numbers of before.
+TEST_F(WithoutY, StepResponsesThatASlowDiskReadsLateHaveTheNewNumbers) {
+    ASSERT_NO_FATAL_FAILURE(run(xyz.terminal()));
+    showRun(y);
+    showRun(z);
+    end();
+    (void)xyz.control(QStringLiteral("fault module 2 silent"));
+    panel = std::make_unique<VirtualPanel>(directory.filePath(QStringLiteral("panel.ini")));
+    std::vector<std::function<void()>> waiting;
+    setBackground([&](std::function<void()> work) { waiting.push_back(std::move(work)); });
+    panel->start();
+    ASSERT_NO_FATAL_FAILURE(panel->connectTo(xyz.terminal()));
+    ASSERT_TRUE(comes(missing)) << told();
+    ASSERT_NO_FATAL_FAILURE(workWithTheOthers());
+    ASSERT_TRUE(panel->window().stepResponses().runs().empty());
+    setBackground([](const std::function<void()>& work) { work(); });
+    for (const auto& work : waiting)
+        work();
+    ASSERT_TRUE(panel->waitFor([&] { return !panel->window().stepResponses().runs().empty(); }));
+    const std::vector<KeptResponse> runs = panel->window().stepResponses().runs();
+    ASSERT_EQ(runs.size(), 1U) << "Y's is no longer listed";
+    EXPECT_EQ(runs[0].run.module, ModuleIndex(1));
+    EXPECT_EQ(runs[0].startedAt, "2026-11-21T21:21:02+01:00");
+}
+
 /// The port has to close first. Positions, step responses and the port's own list follow in any case.
 TEST_F(WithoutY, ZKeepsItsSettingsEvenIfOperatorModeBeginsMeanwhile) {
     ASSERT_NO_FATAL_FAILURE(run(xyz.terminal()));
