@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <utility>
 
 #include "link/clock.h"
 #include "widgets/common/requests.h"
@@ -44,6 +45,8 @@ RecordingController::RecordingController(MainWindow& window, const BusStore& sto
     connect(&m_writer, &RecordingWriter::finished, this, [this](qint64 /*bytes*/, double seconds) {
         showRecording();
         m_window.showMessage(texts::recordingEnded(m_writer.path(), seconds));
+        if (const QString next = std::exchange(m_next, {}); !next.isEmpty())
+            start(next);
     });
     m_clock.setInterval(kClockMs);
     connect(&m_clock, &QTimer::timeout, this, &RecordingController::showRecording);
@@ -53,8 +56,12 @@ RecordingController::RecordingController(MainWindow& window, const BusStore& sto
 // ---- recording ----
 
 void RecordingController::start(const QString& path) {
-    if (m_writer.isBusy() || m_store.link().modules.empty())
+    if (m_writer.isRecording() || m_store.link().modules.empty())
         return;
+    if (m_writer.isBusy()) {
+        m_next = path;
+        return;
+    }
     m_window.endMessage(texts::key::recording());
     m_writer.start(path);
     m_bytes = 0;
@@ -132,8 +139,10 @@ void RecordingController::write(std::string text) {
 }
 
 void RecordingController::take(const StoreEvent& event) {
-    if (std::holds_alternative<PortClosed>(event))
-        end();
+    if (!std::holds_alternative<PortClosed>(event))
+        return;
+    m_next.clear();
+    end();
 }
 
 void RecordingController::end() {
@@ -152,6 +161,7 @@ void RecordingController::showRecording() {
 }
 
 void RecordingController::failed(const RecordingFailure& failure) {
+    m_next.clear();
     showRecording();
     m_window.showMessage(
         texts::recordingFailed(m_writer.path(), failure, toSeconds(monotonicNow() - m_started)));

@@ -44,6 +44,7 @@ private:
     MainWindow& m_window;
     const BusStore& m_store;
     RecordingWriter m_writer;
+    QString m_next;  ///< begins when the disk has taken the previous recording; empty: none
     RecordingLoader m_loader;
     bool m_under = false;  ///< the file being loaded is shown under the live traces
     FileWriter m_files;

@@ -7,6 +7,7 @@
 
 #include "tests/support/choosefile.h"
 #include "tests/support/virtualpanel.h"
+#include "widgets/scope/scopefiles.h"
 
 namespace nmc {
 namespace {
@@ -126,6 +127,20 @@ TEST_F(SlowDisk, LetsMotorsRunWhileUnsavedWorkIsKept) {
     ASSERT_TRUE(panel.answersFor(4)) << "longer than a save is delayed, and than a frozen panel is tolerated";
     EXPECT_TRUE(sim.driven(0));
     EXPECT_EQ(panel.count(QStringLiteral("not backed up")), 0);
+}
+
+TEST_F(SlowDisk, GetsTheNextRecordingWhenItHasTakenTheOneBefore) {
+    ASSERT_NO_FATAL_FAILURE(connect());
+    ScopeFiles& files = panel.window().scopeFiles();
+    emit files.recordRequested(directory.filePath(QStringLiteral("first.csv")));
+    emit files.recordingEndRequested();
+    emit files.recordRequested(directory.filePath(QStringLiteral("second.csv")));
+    ASSERT_TRUE(panel.answersFor(0.2));
+    answer();
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Recorded \"first.csv\"")) == 1; }));
+    ASSERT_TRUE(panel.answersFor(0.2));
+    emit files.recordingEndRequested();
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Recorded \"second.csv\"")) == 1; }));
 }
 
 TEST_F(SlowDisk, LetsMotorsRunWhilePacketsAreSaved) {
