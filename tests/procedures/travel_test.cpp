@@ -404,6 +404,20 @@ TEST_F(Steps, TakeUpTheBacklashWhereTheyComeFromTheWrongSide) {
     bench.bus.expectNoViolations();
 }
 
+TEST_F(Steps, TurnRoundAtTheLimitItself) {
+    ASSERT_TRUE(bench.enable());
+    bench.module().backlash.distance = 40;
+    bench.module().home.declare(bench.module().latestTime);
+    bench.module().travel.lowest = -240;
+    EXPECT_EQ(bench.run(by(-100, 2)).stage, ProcedureStage::Done);
+    EXPECT_EQ(goals(), (std::vector<std::int32_t>{-140, -100, -240, -200}));
+    const ServoPace pace{CountsPerTick(2 << 16), CountsPerTickSquared(1'311)};
+    bench.module().travel.lowest = -260;
+    EXPECT_EQ(bench.run(intent::Move{moveTo(-220, pace)}).stage, ProcedureStage::Done);
+    EXPECT_EQ(goals(), (std::vector<std::int32_t>{-140, -100, -240, -200, -260, -220}));
+    bench.bus.expectNoViolations();
+}
+
 TEST_F(Steps, AMoveTurnsRoundToo) {
     ASSERT_TRUE(bench.enable());
     bench.module().backlash = {40, true};

@@ -22,4 +22,9 @@ std::optional<std::int64_t> turningPoint(std::int64_t from, std::int64_t goal, c
     return goal - play * side;
 }
 
+ModuleState withoutBacklash(ModuleState module) {
+    module.backlash = {};
+    return module;
+}
+
 }  // namespace nmc

@@ -15,4 +15,8 @@ namespace nmc {
 [[nodiscard]] std::optional<std::int64_t> turningPoint(std::int64_t from, std::int64_t goal,
                                                        const ModuleState& module);
 
+/// The module for a move that goes straight to its goal, such as each of the two that such a turn lies
+/// between.
+[[nodiscard]] ModuleState withoutBacklash(ModuleState module);
+
 }  // namespace nmc

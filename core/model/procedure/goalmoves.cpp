@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/goalmoves.h"
 
+#include "model/intent/backlash.h"
 #include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
 
@@ -26,9 +27,11 @@ GoalMoves::Next GoalMoves::go(ProcedureStage stage, std::int64_t goal, const Mod
         return fail(ProcedureFailure::TravelLimit);
     m_heading = static_cast<std::int32_t>(goal);
     const Intent next = moveTo(m_heading);
-    if (travelProblem(next, module))
+    // A turn to take up the backlash is one of these moves, and no reason to turn another time.
+    const ModuleState straight = withoutBacklash(module);
+    if (travelProblem(next, straight))
         return fail(ProcedureFailure::SoftLimit);
-    const auto orders = plan(next, module);
+    const auto orders = plan(next, straight);
     if (!orders)
         return fail(ProcedureFailure::Refused);
     m_report.stage = stage;
