@@ -306,6 +306,16 @@ TEST(Backlash, TheWayRoundRespectsTheLimitsToo) {
     EXPECT_FALSE(travelProblem(to(700), module)->turn) << "the goal itself is beyond it";
 }
 
+TEST(Backlash, WhatKeepsAServoFromTheGoalThatItHoldsIsNotTakenForAMove) {
+    ModuleState module = limited(820);
+    module.backlash.distance = 50;
+    module.apply(sampleOf(0.4, kMoveDone | kPower, kServoOn, 821));
+    ASSERT_EQ(module.goal(), 820);
+    EXPECT_TRUE(plan(to(820), module).has_value()) << "from 821 it would turn at 770, below the limit";
+    EXPECT_EQ(plan(to(819), module).error(), Refusal::BeyondTravel);
+    EXPECT_EQ(travelProblem(to(819), module)->turn, 769);
+}
+
 TEST(Backlash, PointsAndSequencesDoNotTurnRoundSoTheLimitIsTheirGoalsOnly) {
     ModuleState module = limited(1'200);
     module.backlash.distance = 50;

@@ -429,6 +429,9 @@ TEST_F(Steps, AMoveTurnsRoundToo) {
     EXPECT_NEAR(bench.truth().position, 500, 3);
     EXPECT_EQ(procedureFor(intent::Move{moveTo(100, pace)}, bench.module()), nullptr)
         << "from the right side it moves straight there";
+    bench.module().latest->position = 499;
+    EXPECT_EQ(procedureFor(intent::Move{moveTo(500, pace)}, bench.module()), nullptr)
+        << "it holds 500, and friction keeps it away";
     bench.bus.expectNoViolations();
 }
 

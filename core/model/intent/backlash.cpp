@@ -22,6 +22,12 @@ std::optional<std::int64_t> turningPoint(std::int64_t from, std::int64_t goal, c
     return goal - play * side;
 }
 
+std::optional<std::int64_t> turningPoint(std::int64_t goal, const ModuleState& module) {
+    if (module.moving() || !module.latest || !module.latest->position)
+        return std::nullopt;
+    return turningPoint(module.goal().value_or(*module.latest->position), goal, module);
+}
+
 ModuleState withoutBacklash(ModuleState module) {
     module.backlash = {};
     return module;

@@ -15,6 +15,10 @@ namespace nmc {
 [[nodiscard]] std::optional<std::int64_t> turningPoint(std::int64_t from, std::int64_t goal,
                                                        const ModuleState& module);
 
+/// The same for a move that begins now. At rest, it begins where the motor holds, and friction that keeps it
+/// a few counts away from there is no reason to turn; a motion that is changed on its way goes straight.
+[[nodiscard]] std::optional<std::int64_t> turningPoint(std::int64_t goal, const ModuleState& module);
+
 /// The module for a move that goes straight to its goal, such as each of the two that such a turn lies
 /// between.
 [[nodiscard]] ModuleState withoutBacklash(ModuleState module);

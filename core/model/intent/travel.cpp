@@ -158,7 +158,7 @@ private:
     const auto position = course.from ? course.from : positionOf(module);
     if (!course.goal || !range || !position)
         return std::nullopt;
-    const auto turn = course.turns ? turningPoint(*position, *course.goal, module) : std::nullopt;
+    const auto turn = course.turns ? turningPoint(*course.goal, module) : std::nullopt;
     if (auto problem = turn ? beyondTravel(*position, *turn, *range) : std::nullopt) {
         // The move must turn round before the limit.
         problem->nearest = static_cast<std::int32_t>(problem->limit + (*course.goal - *turn));

@@ -26,10 +26,8 @@ using Made = std::unique_ptr<Procedure>;
 
 /// Returns the procedure for a move that must turn round on the way; null if it goes straight.
 Made approachFor(const MotionSpec& motion, const ModuleState& module) {
-    if (!module.latest->position || module.moving())
-        return nullptr;
-    const auto goal = goalOf(motion, *module.latest->position);
-    const auto turn = goal ? turningPoint(*module.latest->position, *goal, module) : std::nullopt;
+    const auto goal = module.latest->position ? goalOf(motion, *module.latest->position) : std::nullopt;
+    const auto turn = goal ? turningPoint(*goal, module) : std::nullopt;
     return turn ? std::make_unique<Approach>(motion, static_cast<std::int32_t>(*turn), module) : nullptr;
 }
 
