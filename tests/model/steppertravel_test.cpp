@@ -100,6 +100,17 @@ TEST(StepperTravel, ARampFromATimerCountIsAsFastAsItsEnd) {
     EXPECT_EQ(plan(start, stepper.module).error(), Refusal::TooFast);
 }
 
+/// It would turn round at -1 030, but only a move that is started with its load does so.
+TEST(StepperTravel, ALoadedMoveIsNotRefusedForATurnThatItDoesNotMake) {
+    Stepper stepper = limitedStepper();
+    stepper.module.backlash.distance = 50;
+    const steppermotion::Trapezoid move{-980, false, 40, 4};
+    EXPECT_EQ(plan(intent::Move{move}, stepper.module).error(), Refusal::BeyondTravel);
+    EXPECT_TRUE(plan(intent::LoadMove{move}, stepper.module).has_value());
+    EXPECT_EQ(plan(intent::LoadMove{steppermotion::Trapezoid{-1'001, false, 40, 4}}, stepper.module).error(),
+              Refusal::BeyondTravel);
+}
+
 // The speed unit is 25 steps/s, so speed 4 is 100 steps/s, and no profile is slower here (minimum 4).
 TEST(StepperTravel, AStepperGoesNoFasterEither) {
     Stepper stepper = limitedStepper();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/intent/backlash.h"
 #include "model/intent/planner.h"
 #include "model/intent/travel.h"
 #include "module/profiledload.h"
@@ -76,11 +77,11 @@ struct LoadOf {
 }
 
 /// A load changes nothing until it is started (DS-S 5.1), but the position from which it will start is
-/// unknown while the motor moves.
+/// unknown while the motor moves. It goes straight to its goal.
 [[nodiscard]] std::optional<Refusal> whyNotLoaded(const StepperMotion& motion, const ModuleState& module) {
     if (isRelative(motion) && module.stepper.moving())
         return Refusal::NeedsStop;
-    return whyNotFromStandstill(motion, module);
+    return whyNotFromStandstill(motion, withoutBacklash(module));
 }
 
 struct StepperPlanner : MotorPlanner {
