@@ -435,6 +435,15 @@ TEST_F(Steps, AMoveTurnsRoundToo) {
     bench.bus.expectNoViolations();
 }
 
+/// A turn 20 counts beyond the end of the counter would be at its other end in 32 bits.
+TEST_F(Steps, DoNotTurnRoundBeyondTheEndOfTheCounter) {
+    ASSERT_TRUE(bench.enable());
+    bench.module().backlash = {40, true};
+    const ServoPace pace{CountsPerTick(2 << 16), CountsPerTickSquared(1'311)};
+    EXPECT_EQ(bench.run(intent::Move{moveTo(0x7FFFFFFF - 20, pace)}).failure, ProcedureFailure::TravelLimit);
+    EXPECT_TRUE(goals().empty());
+}
+
 TEST_F(Steps, AStopHereHasTakenUpNothing) {
     ASSERT_TRUE(bench.enable());
     bench.module().backlash.distance = 40;

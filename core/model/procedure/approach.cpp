@@ -3,7 +3,7 @@
 
 namespace nmc {
 
-Approach::Approach(const MotionSpec& motion, std::int32_t turn, const ModuleState& module)
+Approach::Approach(const MotionSpec& motion, std::int64_t turn, const ModuleState& module)
     : GoalMoves(ProcedureKind::Approach, module),
       m_motion(motion),
       m_end(static_cast<std::int32_t>(goalOf(motion, *module.latest->position).value_or(0))),

@@ -12,7 +12,7 @@ namespace nmc {
 class Approach : public GoalMoves {
 public:
     /// `motion` must be possible now, and must turn round at `turn`.
-    Approach(const MotionSpec& motion, std::int32_t turn, const ModuleState& module);
+    Approach(const MotionSpec& motion, std::int64_t turn, const ModuleState& module);
 
 private:
     [[nodiscard]] Intent moveTo(std::int32_t goal) const override;
@@ -20,7 +20,7 @@ private:
 
     MotionSpec m_motion;
     std::int32_t m_end;
-    std::int32_t m_turn;
+    std::int64_t m_turn;  ///< possibly beyond the counter, which ends the procedure
 };
 
 }  // namespace nmc

@@ -28,7 +28,7 @@ using Made = std::unique_ptr<Procedure>;
 Made approachFor(const MotionSpec& motion, const ModuleState& module) {
     const auto goal = module.latest->position ? goalOf(motion, *module.latest->position) : std::nullopt;
     const auto turn = goal ? turningPoint(*goal, module) : std::nullopt;
-    return turn ? std::make_unique<Approach>(motion, static_cast<std::int32_t>(*turn), module) : nullptr;
+    return turn ? std::make_unique<Approach>(motion, *turn, module) : nullptr;
 }
 
 /// The procedure of an intent whose preconditions are met; null for one that is an operation.
