@@ -83,6 +83,29 @@ TEST(Goals, AreGoneToAtAShareOfTheAxisVelocity) {
     EXPECT_EQ(move.acceleration.value(), 32'768U);
 }
 
+/// The axis must arrive from below, with 50 counts of play.
+TEST(Goals, AreGoneToInTwoLegsWhereAMoveTurnsRound) {
+    ModuleState module = servoAt(0, 0);
+    module.backlash = {50, false};
+    const auto loaded = [](const Orders& orders) {
+        return std::get<servo::LoadTrajectory>(std::get<ServoCommand>(orders.at(0).command)).position;
+    };
+    const auto down = planMove({kX, -1'000, false}, 100, module, {});
+    ASSERT_TRUE(down.has_value());
+    EXPECT_EQ(down->goal, -1'050);
+    EXPECT_EQ(loaded(down->orders), Counts(-1'050));
+    ASSERT_TRUE(down->then);
+    EXPECT_EQ(down->then->goal, -1'000);
+    const auto back = planLeg(*down->then, module);
+    ASSERT_TRUE(back.has_value());
+    EXPECT_EQ(loaded(*back), Counts(-1'000));
+    const auto up = planMove({kX, 1'000, false}, 100, module, {});
+    ASSERT_TRUE(up.has_value());
+    EXPECT_EQ(loaded(up->orders), Counts(1'000));
+    EXPECT_FALSE(up->then);
+    EXPECT_EQ(planMove({kX, -0x7FFFFFFF, false}, 100, module, {}).error(), Refusal::GoalOutOfRange);
+}
+
 TEST(SequenceEdit, RepeatsFollowTheirRow) {
     Sequence sequence{"S", {action::Wait{1}, action::Wait{2}, action::Repeat{1, 3}}};
     insertRow(sequence, 0, action::Wait{0});
@@ -237,6 +260,35 @@ TEST(WhyNotRun, PointsBeyondTheChipAndWithoutHome) {
     program.points[1].axes[0].fromHome = false;
     EXPECT_EQ(kinds(whyNotRun("Main", 0, machineOf(program), chain())),
               std::vector{SequenceFault::TaughtElsewhere});
+}
+
+/// X arrives from above: at Place, 5 000 from home, it turns round at 5 050.
+TEST(WhyNotRun, TheWayRoundLeavesTheTravelLimits) {
+    auto modules = chain();
+    modules[0].backlash = {50, true};
+    modules[0].travel.highest = 5'050;
+    EXPECT_THAT(whyNotRun("Main", 0, machineOf(twoPoints()), modules), IsEmpty());
+    modules[0].travel.highest = 5'049;
+    const auto problems = whyNotRun("Main", 0, machineOf(twoPoints()), modules);
+    ASSERT_EQ(kinds(problems), std::vector{SequenceFault::Refused});
+    EXPECT_EQ(problems[0].refusal, Refusal::BeyondTravel);
+    EXPECT_EQ(problems[0].row, 1U);
+}
+
+/// X stands at home, where it need not move; when it comes back from Away, it turns round 50 below.
+TEST(WhyNotRun, EachRowIsJudgedFromWhereTheRowsAboveLeaveTheAxis) {
+    Program program;
+    program.points = {{"Home", {{kX, 0, true}}}, {"Away", {{kX, 1'000, true}}}};
+    program.sequences = {{"Main", {action::MoveTo{"Home"}, action::MoveTo{"Away"}, action::MoveTo{"Home"}}}};
+    std::vector<ModuleState> modules{homed(servoAt(0, 100), 100)};
+    modules[0].backlash = {50, false};
+    modules[0].travel.lowest = -50;
+    EXPECT_THAT(whyNotRun("Main", 0, machineOf(program), modules), IsEmpty());
+    modules[0].travel.lowest = -49;
+    const auto problems = whyNotRun("Main", 0, machineOf(program), modules);
+    ASSERT_EQ(kinds(problems), std::vector{SequenceFault::Refused});
+    EXPECT_EQ(problems[0].refusal, Refusal::BeyondTravel);
+    EXPECT_EQ(problems[0].row, 2U);
 }
 
 TEST(WhyNotRun, ASequenceMayFindTheHomeThatItsPointsCountFrom) {

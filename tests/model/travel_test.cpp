@@ -316,11 +316,12 @@ TEST(Backlash, WhatKeepsAServoFromTheGoalThatItHoldsIsNotTakenForAMove) {
     EXPECT_EQ(travelProblem(to(819), module)->turn, 769);
 }
 
-TEST(Backlash, PointsAndSequencesDoNotTurnRoundSoTheLimitIsTheirGoalsOnly) {
+TEST(Backlash, TheWayRoundOfPointsAndSequencesIsTheSame) {
     ModuleState module = limited(1'200);
     module.backlash.distance = 50;
-    EXPECT_TRUE(plan(to(801), asOfSequence(module)).has_value());
-    EXPECT_EQ(plan(to(799), asOfSequence(module)).error(), Refusal::BeyondTravel);
+    EXPECT_TRUE(plan(to(850), asOfSequence(module)).has_value());
+    EXPECT_EQ(plan(to(849), asOfSequence(module)).error(), Refusal::BeyondTravel);
+    EXPECT_TRUE(plan(to(801), withoutBacklash(module)).has_value()) << "a leg goes straight";
 }
 
 }  // namespace

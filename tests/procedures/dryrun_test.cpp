@@ -52,6 +52,34 @@ TEST_F(DryRuns, TakeAsLongAndGoAsFarAsTheRun) {
     EXPECT_NE(bench.shafts(), shafts) << "the run itself moved the shafts";
 }
 
+/// X approaches from below: on its way back from 1 000 to 0 it turns round at -50.
+TEST_F(DryRuns, TurnRoundWhereTheRunDoes) {
+    bench.modules[0].backlash = {50, false};
+    bench.machine.program.sequences = {{"Main", {action::MoveTo{"A"}, action::MoveTo{"B"}}},
+                                       {"Stay", {action::MoveTo{"B"}}}};
+    DryRun foreseen = dry("Main");
+    ASSERT_TRUE(foreseen.done());
+    EXPECT_NEAR(foreseen.axes[0].lowest, -50, 10);
+    EXPECT_NEAR(foreseen.axes[0].highest, 1'000, 10);
+    EXPECT_EQ(foreseen.axes[0].moves, 3U);
+    const TimePoint began = bench.bus.now;
+    bench.start("Main");
+    ASSERT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_NEAR(foreseen.seconds, toSeconds(bench.bus.now - began), 0.5);
+
+    bench.modules[0].travel.lowest = -49;
+    foreseen = dry("Main");
+    ASSERT_EQ(foreseen.problems.size(), 1U);
+    EXPECT_EQ(foreseen.problems[0].refusal, Refusal::BeyondTravel);
+    EXPECT_EQ(foreseen.problems[0].row, 1U);
+
+    ASSERT_EQ(bench.modules[0].goal(), 0);
+    bench.modules[0].latest->position = 1;  // friction keeps it from its goal
+    foreseen = dry("Stay");
+    ASSERT_TRUE(foreseen.done());
+    EXPECT_EQ(foreseen.axes.at(0).moves, 1U);
+}
+
 TEST_F(DryRuns, MoveNothing) {
     const std::size_t before = bench.bus.sent.size();
     const auto shafts = bench.shafts();

@@ -14,8 +14,28 @@ using testing::IsEmpty;
 class Sequences : public testing::Test {
 protected:
     void SetUp() override { ASSERT_TRUE(bench.ready()); }
+    /// The address and the command of everything since then that loads a motion (05 starts one).
+    [[nodiscard]] std::vector<std::string> loadsAndStarts(std::size_t since) {
+        std::vector<std::string> order;
+        for (std::size_t i = since; i < bench.bus.sent.size(); ++i)
+            if (const std::string hex = bench.bus.sent[i].hex(); hex.size() > 8)
+                for (const char* start :
+                     {"AA 01 05", "AA 02 05", "AA 03 05", "AA 01 D4", "AA 02 D4", "AA 03 74"})
+                    if (hex.rfind(start, 0) == 0)
+                        order.push_back(hex.substr(3, 5));
+        return order;
+    }
     SequenceBench bench;
 };
+
+/// The goals of the motions of one module, in order.
+std::vector<std::int32_t> goalsOf(const SequenceBench& bench, ModuleIndex module) {
+    std::vector<std::int32_t> all;
+    for (const auto& [index, goal] : bench.goals())
+        if (index == module.value())
+            all.push_back(goal);
+    return all;
+}
 
 TEST_F(Sequences, GoesThroughItsRows) {
     ASSERT_THAT(whyNotRun("Main", 0, bench.machine, bench.modules), IsEmpty());
@@ -35,12 +55,7 @@ TEST_F(Sequences, TogetherIsLoadedBeforeAnythingStarts) {
     bench.machine.program.sequences = {{"Move", {action::MoveTo{"A"}}}};
     bench.start("Move");
     EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
-    std::vector<std::string> order;
-    for (std::size_t i = before; i < bench.bus.sent.size(); ++i)
-        if (const std::string hex = bench.bus.sent[i].hex(); hex.size() > 8)
-            for (const char* start : {"AA 01 05", "AA 02 05", "AA 03 05", "AA 01 D4", "AA 02 D4", "AA 03 74"})
-                if (hex.rfind(start, 0) == 0)
-                    order.push_back(hex.substr(3, 5));
+    const std::vector<std::string> order = loadsAndStarts(before);
     ASSERT_EQ(order.size(), 6U) << testing::PrintToString(order);
     for (std::size_t i = 0; i < 6; ++i)
         EXPECT_EQ(order[i].ends_with("05"), i >= 3) << testing::PrintToString(order);
@@ -96,6 +111,99 @@ TEST_F(Sequences, WaitsForAnInputOrItsTimeout) {
     EXPECT_EQ(report.end, SequenceEnd::InputTimeout);
     EXPECT_EQ(report.places[0].row, 0U);
 }
+
+// ---- backlash ----
+
+/// From 0, 0, 0 to A at 1 000, -500, 200, and then X and the table one after the other to B at 0.
+TEST_F(Sequences, TakeUpTheBacklashWhereAMoveDoes) {
+    bench.modules[0].backlash = {50, false};
+    bench.modules[1].backlash = {30, false};
+    bench.modules[2].backlash = {40, true};
+    bench.machine.program.sequences = {{"Move", {action::MoveTo{"A"}, action::MoveTo{"B", false}}}};
+    ASSERT_THAT(whyNotRun("Move", 0, bench.machine, bench.modules), IsEmpty());
+    bench.start("Move");
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_EQ(goalsOf(bench, kX), (std::vector<std::int32_t>{1'000, -50, 0}));
+    EXPECT_EQ(goalsOf(bench, kY), (std::vector<std::int32_t>{-530, -500}));
+    EXPECT_EQ(goalsOf(bench, kTable), (std::vector<std::int32_t>{240, 200, 0}));
+    EXPECT_EQ(bench.goals().back(), (std::pair<int, std::int32_t>{2, 0})) << "after X was back";
+    EXPECT_EQ(bench.shafts(), (std::vector<std::int64_t>{0, -500, 0}));
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(Sequences, WhatTurnsRoundStartsTogetherWithTheOthers) {
+    const std::size_t before = bench.bus.sent.size();
+    bench.modules[1].backlash = {30, false};
+    bench.run = SequenceRun::toPoint(bench.machine, "A");
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_EQ(loadsAndStarts(before), (std::vector<std::string>{"01 D4", "02 D4", "03 74", "01 05", "02 05",
+                                                                "03 05", "02 D4", "02 05"}));
+    EXPECT_EQ(goalsOf(bench, kY), (std::vector<std::int32_t>{-530, -500}));
+}
+
+/// Its position is read with noise of 10 counts rms.
+TEST_F(Sequences, AnAxisThatStaysWhereItIsDoesNotTurnRound) {
+    bench.modules[0].backlash = {100, false};
+    bench.machine.axes[0].arrival = {60, 0.1};
+    bench.machine.program.points = {{"A", {{kX, 1'000, false}}}};
+    bench.machine.program.sequences = {{"Main", {action::MoveTo{"A"}, action::Repeat{0, 5}}}};
+    bench.bus.chain.set(kX, sim::Input::EncoderNoise, 10.0, bench.bus.now);
+    bench.start("Main");
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_EQ(goalsOf(bench, kX), std::vector<std::int32_t>(5, 1'000));
+}
+
+/// Y moves from 0 to -500 from below with 600 counts of play, so it turns round at -1 100. The parameter is
+/// the number of the leg, from 0.
+class InEitherLeg : public testing::TestWithParam<std::size_t> {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(bench.ready());
+        bench.modules[1].backlash = {600, false};
+        bench.machine.program.points = {{"A", {{kY, -500}}}};
+        bench.machine.program.sequences = {
+            {"Main", {action::MoveTo{"A"}, action::SetOutput{kTable, 2, true}}}};
+        bench.start("Main");
+        while (bench.goals().size() <= GetParam())
+            ASSERT_TRUE(bench.turn());
+        bench.turns(2);
+        ASSERT_TRUE(bench.modules[1].moving());
+    }
+    SequenceBench bench;
+};
+
+TEST_P(InEitherLeg, AStopEndsItThere) {
+    bench.run->stop();
+    EXPECT_EQ(bench.goOn().end, SequenceEnd::ByUser);
+    bench.expectRest();
+    const std::vector<std::int32_t> legs{-1'100, -500};
+    EXPECT_EQ(goalsOf(bench, kY), std::vector(legs.begin(), legs.begin() + 1 + (GetParam() == 1 ? 1 : 0)));
+    EXPECT_GT(bench.shafts()[1], -1'100);
+    EXPECT_LT(bench.shafts()[1], GetParam() == 0 ? 0 : -500);
+    EXPECT_EQ(bench.outputs() & 0x02U, 0U);
+}
+
+TEST_P(InEitherLeg, APauseFinishesThemBoth) {
+    bench.run->pause();
+    bench.turns(1'000);
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Paused);
+    EXPECT_EQ(bench.run->report().places[0].row, 1U);
+    EXPECT_EQ(goalsOf(bench, kY), (std::vector<std::int32_t>{-1'100, -500}));
+    EXPECT_EQ(bench.shafts()[1], -500);
+    EXPECT_EQ(bench.outputs() & 0x02U, 0U);
+    bench.run->resume();
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_EQ(bench.outputs() & 0x02U, 0x02U);
+}
+
+TEST_P(InEitherLeg, AStopOfTheMotorAloneIsNotFollowedByAnotherLeg) {
+    ASSERT_TRUE(bench.order(kY, intent::StopSmoothly{}));
+    EXPECT_EQ(bench.goOn().end, SequenceEnd::NotArrived);
+    bench.expectRest();
+    EXPECT_EQ(goalsOf(bench, kY).size(), GetParam() + 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Legs, InEitherLeg, testing::Values(0U, 1U));
 
 /// A chain of one PIC-I/O: IO3 is an output, all other pins are inputs.
 class IoSequences : public testing::Test {
@@ -345,18 +453,21 @@ constexpr int kMoments = 12;
 
 class AtAnyMoment : public testing::TestWithParam<int> {
 protected:
-    /// Runs the sequence up to the moment in question, and another bench to its end.
+    /// Runs the sequence up to the moment in question, and another bench to its end. In the second half of
+    /// the tests, the axes have backlash to take up.
     void SetUp() override {
-        ASSERT_TRUE(bench.ready());
-        bench.start("Main");
         SequenceBench whole;
-        ASSERT_TRUE(whole.ready());
-        whole.start("Main");
+        for (SequenceBench* each : {&bench, &whole}) {
+            ASSERT_TRUE(each->ready());
+            for (ModuleState& module : each->modules)
+                module.backlash.distance = GetParam() < kMoments ? 0.0 : 60.0;
+            each->start("Main");
+        }
         int length = 0;
         for (; whole.turn(); ++length) {
         }
         last = whole.shafts();
-        bench.turns(1 + GetParam() * length / kMoments);
+        bench.turns(1 + GetParam() % kMoments * length / kMoments);
         ASSERT_FALSE(bench.run->report().over());
     }
     SequenceBench bench;
@@ -448,7 +559,7 @@ TEST_P(AtAnyMoment, ItIsResumedOnlyFromAStateThatAFreshRunWouldBeIn) {
     bench.bus.expectNoViolations();
 }
 
-INSTANTIATE_TEST_SUITE_P(Moments, AtAnyMoment, testing::Range(0, kMoments));
+INSTANTIATE_TEST_SUITE_P(Moments, AtAnyMoment, testing::Range(0, 2 * kMoments));
 
 }  // namespace
 }  // namespace nmc::test

@@ -7,7 +7,9 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
+#include "model/intent/backlash.h"
 #include "model/intent/rights.h"
 #include "model/intent/travel.h"
 #include "model/module/modulescale.h"
@@ -357,7 +359,10 @@ void PathsPage::chooseTarget() {
 
 void PathsPage::draw() {
     const std::string sequence = m_sequence->currentText().toStdString();
-    const auto refused = nmc::whyNotRun(sequence, 0, m_machine, asOfSequence(m_link.modules));
+    std::vector<ModuleState> modules = asOfSequence(m_link.modules);
+    for (ModuleState& module : modules)
+        module = withoutBacklash(std::move(module));  // a path goes straight to its points
+    const auto refused = nmc::whyNotRun(sequence, 0, m_machine, modules);
     if (!refused.empty()) {
         m_problems = texts::sequenceProblem(refused.front());
         return refresh();

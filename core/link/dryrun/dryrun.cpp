@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "bus/engine.h"
+#include "model/intent/backlash.h"
 #include "model/sequence/sequencenews.h"
 #include "sim/chain.h"
 
@@ -119,10 +120,12 @@ public:
     }
 
 private:
-    /// The position at which the axis starts, which is 0 in the copy.
+    /// The position from which the axis starts, which is 0 in the copy: the one that it holds, whatever
+    /// friction makes of it.
     [[nodiscard]] std::int32_t origin(ModuleIndex index) const {
-        const auto& latest = m_start.modules[index.value()].latest;
-        return latest ? latest->position.value_or(0) : 0;
+        const ModuleState& module = m_start.modules[index.value()];
+        const auto position = module.latest ? module.latest->position : std::nullopt;
+        return module.goal().value_or(position.value_or(0));
     }
     [[nodiscard]] Machine machineOfCopy() {
         Machine machine = m_start.machine;
@@ -174,6 +177,7 @@ private:
             m_modules[index.value()].home.found(countsBetween(origin(index), real.home.place()->counts),
                                                 m_modules[index.value()].latestTime);
         m_modules[index.value()].travel = real.travel;  // last, so that nothing of the above is refused
+        m_modules[index.value()].backlash = real.backlash;
     }
     void setPins(const ModuleState& real) {
         const ModuleIndex index = real.info.index;
@@ -209,8 +213,9 @@ private:
             if ((outputs & levels) >> pin & 1U)
                 tell(index, iointent::SetOutput{pin, true});
     }
+    /// A move goes straight to its goal, as a home search does.
     void tell(ModuleIndex index, const Intent& intent) {
-        if (auto orders = plan(intent, m_modules[index.value()])) {
+        if (auto orders = plan(intent, withoutBacklash(m_modules[index.value()]))) {
             m_bus.submit(std::move(*orders));
             take(m_bus.runFor(kSettling));
         }

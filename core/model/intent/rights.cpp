@@ -53,7 +53,6 @@ ModuleState asOfSequence(ModuleState module) {
         module.rights.reset();
     else if (module.rights)
         module.rights = kNothing;
-    module.backlash = {};
     return module;
 }
 

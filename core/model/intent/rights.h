@@ -17,8 +17,7 @@ namespace nmc {
 [[nodiscard]] std::optional<Refusal> whyNotEdited(const std::optional<OperatorRights>& rights);
 
 /// The module as points and sequences see it: if these are left to an operator, so is everything they consist
-/// of; if not, none of it is. Several axes that move together cannot each turn round first, so all of them go
-/// straight to their goals, whatever their backlash.
+/// of; if not, none of it is.
 [[nodiscard]] ModuleState asOfSequence(ModuleState module);
 [[nodiscard]] std::vector<ModuleState> asOfSequence(std::vector<ModuleState> modules);
 

@@ -5,6 +5,7 @@
 
 #include "base/overloaded.h"
 #include "bus/standstill.h"
+#include "model/intent/backlash.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/pace.h"
 
@@ -73,12 +74,13 @@ std::optional<SequenceProblem> wrongRow(const Program& program, const Sequence& 
 /// True if the refusal depends on where the axis is at the time; it then counts only for the first row that
 /// moves the axis.
 bool mayChange(Refusal refusal) {
-    return refusal == Refusal::Moving || refusal == Refusal::NeedsStop || refusal == Refusal::Limit1Active ||
-           refusal == Refusal::Limit2Active || refusal == Refusal::TooFar;
+    return refusal == Refusal::Moving || refusal == Refusal::NeedsStop || refusal == Refusal::LimitClosed ||
+           refusal == Refusal::Limit1Active || refusal == Refusal::Limit2Active || refusal == Refusal::TooFar;
 }
 
-/// Checks the program against the machine in its present state. A row that runs more than once is checked
-/// only for the first time, because the other times would yield nothing else.
+/// Checks the program against the machine in its present state, with each axis where the rows above leave it.
+/// A row that runs more than once is checked only for the first time: the other times differ at most in where
+/// the axis comes from, which the run checks before it moves anything.
 class Checker {
 public:
     Checker(const Machine& machine, const std::vector<ModuleState>& modules)
@@ -143,14 +145,20 @@ public:
             refuse(set.module, steps.error());
     }
     void operator()(const action::Home& home) {
-        const auto& recipe = m_machine.axis(home.module).homing;
+        const AxisSettings& settings = m_machine.axis(home.module);
+        const ModuleState& module = m_modules[home.module.value()];
+        const auto& recipe = settings.homing;
         if (!recipe)
             report(SequenceProblem::Kind::NoRecipe, home.module);
-        else if (const auto refusal = whyNotHome(*recipe, m_modules[home.module.value()]))
+        else if (const auto refusal = whyNotHome(*recipe, module))
             if (!m_moved.contains(home.module) || !mayChange(*refusal))
                 refuse(home.module, *refusal);
         m_homed.insert(home.module);
         m_moved.insert(home.module);
+        const PointAxis place{home.module, 0, true};
+        const auto back = moveIntent(place, 100, module, settings);
+        if (back && recipe && recipe->goToHome)
+            arrive(home.module, *goalOf(place, module), plan(*back, withoutBacklash(module)));
     }
     void operator()(const action::Call& call) { checkHasRows(call.sequence); }
     void operator()(const AnyOf<action::Wait, action::WaitForArrival, action::Repeat> auto&) {}
@@ -195,10 +203,24 @@ private:
         PointAxis place = axis;
         if (homed && !module.home.place())
             place.fromHome = false;  // where home will be is unknown yet; 0 is assumed
-        const auto steps = moveIntent(place, move.percent, module, m_machine.axis(axis.module))
-                               .and_then([&](const Intent& wanted) { return plan(wanted, module); });
-        if (!steps && (first || !mayChange(steps.error())))
-            refuse(axis.module, steps.error());
+        const auto planned = planMove(place, move.percent, module, m_machine.axis(axis.module));
+        if (!planned && (first || !mayChange(planned.error())))
+            refuse(axis.module, planned.error());
+        if (planned)
+            arrive(axis.module, planned->goal, planned->orders);
+        if (planned && planned->then)
+            arrive(axis.module, planned->then->goal, planLeg(*planned->then, module));
+    }
+    /// Leaves the axis at rest where this leads, for the rows below.
+    void arrive(ModuleIndex index, std::int32_t goal, const Plan& steps) {
+        ModuleState& module = m_modules[index.value()];
+        if (!steps)
+            return;
+        for (const bus::Order& step : *steps)
+            module.apply(bus::CommandExecuted{index, module.latestTime, step.command});
+        StatusReport there = *module.latest;
+        there.position = goal;
+        module.apply(bus::Sample{index, module.latestTime + Standstill::kFor, there});
     }
     [[nodiscard]] bool isAt(const EntryState::Place& place, const ModuleState& module) const {
         const auto goal = goalOf(place.axis, module);
@@ -220,7 +242,7 @@ private:
     }
 
     const Machine& m_machine;
-    const std::vector<ModuleState>& m_modules;
+    std::vector<ModuleState> m_modules;  ///< as the rows checked so far leave them
     std::vector<SequenceProblem> m_problems;
     SequenceProblem m_at;
     std::set<ModuleIndex> m_homed;
@@ -319,6 +341,29 @@ tl::expected<Intent, Refusal> moveIntent(const PointAxis& axis, unsigned percent
     if (!goal)
         return tl::unexpected(goal.error());
     return intent::Move{moveTo(*goal, paceOf(module, settings, percent / 100.0))};
+}
+
+Plan planLeg(const Leg& leg, const ModuleState& module) {
+    return plan(leg.intent, withoutBacklash(module));
+}
+
+tl::expected<PointMove, Refusal> planMove(const PointAxis& axis, unsigned percent, const ModuleState& module,
+                                          const AxisSettings& settings) {
+    const auto wanted = moveIntent(axis, percent, module, settings);
+    Plan orders = wanted.and_then([&](const Intent& intent) { return plan(intent, module); });
+    if (!orders)
+        return tl::unexpected(orders.error());
+    const Leg whole{*goalOf(axis, module), *wanted};
+    const auto turn = turningPoint(whole.goal, module);
+    if (!turn)
+        return PointMove{whole.goal, std::move(*orders)};
+    if (!servo::kPositionRange.contains(*turn))
+        return tl::unexpected(Refusal::GoalOutOfRange);
+    const auto place = static_cast<std::int32_t>(*turn);
+    orders = planLeg({place, intent::Move{endingAt(place, std::get<intent::Move>(*wanted).motion)}}, module);
+    if (!orders)
+        return tl::unexpected(orders.error());
+    return PointMove{place, std::move(*orders), whole};
 }
 
 std::optional<bool> readPin(InputPin pin, const ModuleState& module) {

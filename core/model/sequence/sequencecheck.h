@@ -100,6 +100,23 @@ struct EntryState {
 [[nodiscard]] tl::expected<Intent, Refusal> moveIntent(const PointAxis& axis, unsigned percent,
                                                        const ModuleState& module,
                                                        const AxisSettings& settings);
+/// A move straight to its goal.
+struct Leg {
+    std::int32_t goal = 0;
+    Intent intent;
+};
+/// A leg does not turn round itself.
+[[nodiscard]] Plan planLeg(const Leg& leg, const ModuleState& module);
+/// The move of an axis to a point as it begins now: straight there or, where it has to take up the backlash,
+/// to where it turns round beyond the point (model/intent/backlash.h).
+struct PointMove {
+    std::int32_t goal = 0;  ///< of `orders`
+    Orders orders;
+    std::optional<Leg> then{};  ///< back to the point, when the motor has arrived where it turns round
+};
+[[nodiscard]] tl::expected<PointMove, Refusal> planMove(const PointAxis& axis, unsigned percent,
+                                                        const ModuleState& module,
+                                                        const AxisSettings& settings);
 /// The level of an input; empty if the module has no such pin or the pin is an output, or before its first
 /// status.
 [[nodiscard]] std::optional<bool> readPin(InputPin pin, const ModuleState& module);

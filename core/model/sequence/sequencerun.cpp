@@ -16,6 +16,10 @@ void startsLast(std::vector<bus::Order>& steps) {
                           [](const bus::Order& step) { return !is<StartMotion>(step.command); });
 }
 
+LimitWatch::Limits limitsRunInto(const ModuleState& module) {
+    return {module.limits.ranInto(0), module.limits.ranInto(1)};
+}
+
 /// The commands that stop the motor, even if the module is believed silent; empty if nothing is on.
 std::vector<bus::Order> stopOf(ModuleState module) {
     module.silent = false;
@@ -148,6 +152,8 @@ SequenceRun::Next SequenceRun::next(const Modules& modules, TimePoint now) {
         return Wait{};
     if (ending())
         return finishEnding(modules);
+    if (RowNext back = turnRound(modules))
+        return m_report.end ? finishEnding(modules) : *std::move(back);
     if (m_report.stage == SequenceStage::Pausing && !m_row.began && row() != nullptr) {
         m_report.stage = m_moves.empty() ? SequenceStage::Paused : SequenceStage::Pausing;
         return Wait{};
@@ -193,7 +199,8 @@ void SequenceRun::watch(const Modules& modules, TimePoint now) {
         return;
     for (auto move = m_moves.begin(); move != m_moves.end() && !ending();) {
         const bool arrived = hasArrived(modules[move->first.value()], move->second, now);
-        move = arrived ? m_moves.erase(move) : std::next(move);
+        move->second.turns = arrived && move->second.then;
+        move = arrived && !move->second.then ? m_moves.erase(move) : std::next(move);
     }
 }
 
@@ -284,23 +291,41 @@ SequenceRun::Next SequenceRun::sendMoves(std::span<const PointAxis> axes, unsign
     std::map<ModuleIndex, Move> moves;
     for (const PointAxis& axis : axes) {
         const ModuleState& module = modules[axis.module.value()];
-        const auto planned = moveIntent(axis, percent, module, m_machine.axis(axis.module))
-                                 .and_then([&](const Intent& wanted) { return plan(wanted, module); });
+        const auto planned = planMove(axis, percent, module, m_machine.axis(axis.module));
         if (!planned)
             return refused(axis.module, planned.error());
-        const std::int32_t goal = *goalOf(axis, module);
         m_on.insert(axis.module);
-        if (module.isStepper() && module.stepper.position() == goal)
+        if (module.isStepper() && module.stepper.position() == planned->goal)
             continue;  // already there; a move of zero steps is not a motion
-        moves[axis.module] = {.goal = goal,
-                              .closedBefore = {module.limits.ranInto(0), module.limits.ranInto(1)}};
-        steps.insert(steps.end(), planned->begin(), planned->end());
+        moves[axis.module] = {
+            .goal = planned->goal, .closedBefore = limitsRunInto(module), .then = planned->then};
+        steps.insert(steps.end(), planned->orders.begin(), planned->orders.end());
     }
     if (steps.empty())
         return Wait{};
     startsLast(steps);
     m_moves.merge(moves);
     return send({std::move(steps)});
+}
+
+/// Sends back the motors that have arrived where they turn round, whichever row is in progress and even if a
+/// pause is wanted. They arrive there at different times, so each one starts on its own.
+SequenceRun::RowNext SequenceRun::turnRound(const Modules& modules) {
+    std::vector<std::vector<bus::Order>> operations;
+    for (auto& [index, move] : m_moves) {
+        if (!move.turns)
+            continue;
+        const ModuleState& module = modules[index.value()];
+        const Leg back = *move.then;
+        auto planned = planLeg(back, module);
+        if (!planned)
+            return refused(index, planned.error());
+        move = {.goal = back.goal, .closedBefore = limitsRunInto(module)};
+        operations.push_back(std::move(*planned));
+    }
+    if (operations.empty())
+        return std::nullopt;
+    return send(std::move(operations));
 }
 
 SequenceRun::RowNext SequenceRun::moveTo(const action::MoveTo& move, const Modules& modules) {

@@ -135,6 +135,8 @@ private:
     struct Move {
         std::int32_t goal = 0;
         LimitWatch::Limits closedBefore{};  ///< closed by an earlier motion (LimitWatch::ranInto)
+        std::optional<Leg> then{};          ///< follows when this one has arrived (PointMove)
+        bool turns = false;                 ///< it has, and the next one is due
         std::optional<TimePoint> since{};   ///< only later statuses show the result of the move
         Arrival arrival{};
     };
@@ -157,6 +159,7 @@ private:
     [[nodiscard]] RowNext setOutput(const action::SetOutput& set, const ModuleState& module);
     [[nodiscard]] RowNext findHome(const action::Home& home);
     [[nodiscard]] Next sendMoves(std::span<const PointAxis> axes, unsigned percent, const Modules& modules);
+    [[nodiscard]] RowNext turnRound(const Modules& modules);
     [[nodiscard]] bool anyMoves(std::span<const PointAxis> axes) const;
     [[nodiscard]] Next refused(ModuleIndex module, Refusal refusal);
     [[nodiscard]] Next send(std::vector<std::vector<bus::Order>> operations);
