@@ -188,6 +188,19 @@ TEST(SequenceWalk, EachSequenceIsGoneIntoOnce) {
     EXPECT_THAT(rowsAbove(program, {"Main", 0}), IsEmpty());
 }
 
+TEST(SequenceWalk, RepeatsLeadAboveThePlaceWhereARunBegins) {
+    Program program;
+    program.sequences = {{"Main",
+                          {action::Wait{0}, action::Wait{1}, action::Wait{2}, action::Repeat{1, 2},
+                           action::Repeat{0, 3}, action::Wait{5}}}};
+    EXPECT_THAT(rowsFrom(program, {"Main", 2}),
+                ElementsAre(RowPlace{"Main", 2}, RowPlace{"Main", 3}, RowPlace{"Main", 1},
+                            RowPlace{"Main", 4}, RowPlace{"Main", 0}, RowPlace{"Main", 5}));
+    program.sequences[0].rows[4] = action::Repeat{0, 1};
+    EXPECT_THAT(rowsFrom(program, {"Main", 4}), ElementsAre(RowPlace{"Main", 4}, RowPlace{"Main", 5}))
+        << "once in all is not again";
+}
+
 TEST(Contradiction, NamesItsRow) {
     EXPECT_FALSE(contradiction(twoPoints()));
     Program program = twoPoints();
@@ -304,6 +317,16 @@ TEST(WhyNotRun, ASequenceMayFindTheHomeThatItsPointsCountFrom) {
     recipe.velocity = recipe.acceleration = recipe.travelLimit = recipe.timeLimit = 1.0;
     machine.axes[0].homing = recipe;
     EXPECT_THAT(whyNotRun("Main", 0, machine, modules), IsEmpty());
+}
+
+TEST(WhyNotRun, RowsAboveTheFirstOneCountIfARepeatGoesBackToThem) {
+    Program program = twoPoints();
+    program.sequences[0].rows = {action::Home{kX}, action::MoveTo{"Pick"}, action::Repeat{0, 2}};
+    const auto problems = whyNotRun("Main", 1, machineOf(program), chain());
+    ASSERT_EQ(kinds(problems), std::vector{SequenceFault::NoRecipe});
+    EXPECT_EQ(problems[0].row, 0U);
+    program.sequences[0].rows.pop_back();
+    EXPECT_THAT(whyNotRun("Main", 1, machineOf(program), chain()), IsEmpty());
 }
 
 TEST(WhyNotRun, PinsThatAreNotThere) {

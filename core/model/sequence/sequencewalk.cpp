@@ -26,12 +26,19 @@ private:
         const Sequence* sequence = m_program.sequence(name);
         if (sequence == nullptr || !m_seen.insert(name).second)
             return;
-        end = std::min(end, sequence->rows.size());
+        std::size_t lowest = first;
+        addRows(*sequence, first, std::min(end, sequence->rows.size()), lowest);
+    }
+    /// `lowest`: all rows from this one on are in the list, or about to be.
+    void addRows(const Sequence& sequence, std::size_t first, std::size_t end, std::size_t& lowest) {
         for (std::size_t i = first; i < end; ++i) {
             const std::size_t row = m_upward ? first + (end - 1 - i) : i;
-            m_rows.push_back({name, row});
-            if (const auto* call = std::get_if<action::Call>(&sequence->rows[row]))
+            m_rows.push_back({sequence.name, row});
+            if (const auto* call = std::get_if<action::Call>(&sequence.rows[row]))
                 add(call->sequence, 0, kToTheEnd);
+            const auto* repeat = std::get_if<action::Repeat>(&sequence.rows[row]);
+            if (!m_upward && repeat != nullptr && repeat->times != 1 && repeat->from < lowest)
+                addRows(sequence, repeat->from, std::exchange(lowest, repeat->from), lowest);
         }
     }
 

@@ -26,8 +26,8 @@ struct RowPlace {
 /// called sequences, each with its current row. The run ends past the last row of the first one.
 void goOn(const Program& program, std::vector<RowPlace>& places);
 
-/// All rows that a run from this place on may reach, in the order in which it first reaches them. Repeats are
-/// not followed, and each sequence is entered once.
+/// All rows that a run from this place on may reach, in the order in which it first reaches them: also those
+/// above it to which a repeat goes back. Each sequence is entered once.
 [[nodiscard]] std::vector<RowPlace> rowsFrom(const Program& program, const RowPlace& place);
 /// All rows that a run from the top has completed when it reaches this place, last row first. Repeats are not
 /// followed, and each sequence is entered once.
