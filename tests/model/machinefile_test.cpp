@@ -90,6 +90,23 @@ TEST(MachineFile, PointsAndSequencesAreKept) {
     EXPECT_EQ(again->machine.homeOrder, machine.homeOrder);
 }
 
+/// Nothing keeps the user from teaching a grid of 18 x 18 points, or from a long sequence. Each of the 127
+/// group addresses, 0x80 to 0xFE, can have a name.
+TEST(MachineFile, WhatCanBeEnteredIsReadAgain) {
+    Machine machine;
+    for (int i = 0; i < 18 * 18; ++i)
+        machine.program.points.push_back({std::to_string(i), {{ModuleIndex(0), i, true}}});
+    for (int i = 0; i < 100; ++i)
+        machine.program.sequences.push_back({std::to_string(i), {}});
+    machine.program.sequences[0].rows.assign(400, action::Wait{1.0});
+    machine.program.sequences[0].rows.emplace_back(action::Repeat{399, 2});
+    for (unsigned address = 0x80; address <= 0xFE; ++address)
+        machine.groups.push_back({static_cast<std::uint8_t>(address), "Group", {}, {}});
+    const auto parsed = parseMachine(writeMachine(machine));
+    ASSERT_TRUE(parsed.has_value());
+    EXPECT_EQ(parsed->machine, machine);
+}
+
 TEST(MachineFile, OneOfAnOlderProgramHasNone) {
     const auto parsed = parseMachine(kSmall);
     ASSERT_TRUE(parsed.has_value());

@@ -19,14 +19,15 @@ namespace nmc::layout {
 
 inline constexpr int kVersion = 1;
 inline constexpr std::string_view kFormat = "nmc-panel-machine";
-inline constexpr std::size_t kMaxAxes = 32;    ///< modules on a line (DS-V 4.1)
-inline constexpr std::size_t kMaxGroups = 32;  ///< each module is in one
+inline constexpr std::size_t kMaxAxes = 32;     ///< modules on a line (DS-V 4.1)
+inline constexpr std::size_t kMaxGroups = 127;  ///< addresses; one without members may still have a name
 inline constexpr std::size_t kMaxPins = 12;  ///< of a PIC-I/O, which also has 2 PWM outputs and 3 A/D inputs
 inline constexpr std::size_t kMaxPwm = 2;
 inline constexpr std::size_t kMaxAnalog = 3;
-inline constexpr std::size_t kMaxPoints = 200;
-inline constexpr std::size_t kMaxSequences = 50;
-inline constexpr std::size_t kMaxRows = 200;
+// The panel sets no limits to these, and must be able to read what it has saved: more than anybody enters.
+inline constexpr std::size_t kMaxPoints = 5'000;
+inline constexpr std::size_t kMaxSequences = 1'000;
+inline constexpr std::size_t kMaxRows = 5'000;
 
 struct Bounds {
     double min;
