@@ -416,6 +416,28 @@ TEST_F(Sequences, WhatIsPutIntoAnotherGroupDoesNotGoOnUnwatched) {
     EXPECT_LT(std::abs(bench.shafts()[0]), 990) << "it was stopped on its way to 1 000";
 }
 
+TEST_F(Sequences, StopsThatFindTheQueueFullAreSentAgain) {
+    bench.start("Main");
+    bench.turns(15);
+    ASSERT_TRUE(bench.modules[0].moving());
+    const auto sent = [this] {
+        const SequenceRun::Next next = bench.run->next(bench.modules, bench.bus.now);
+        const auto* send = std::get_if<SequenceRun::Send>(&next);
+        return send != nullptr ? send->operations.size() : 0U;
+    };
+    bench.run->stop();
+    const std::size_t stops = sent();
+    ASSERT_GT(stops, 0U);
+    for (std::size_t i = 0; i < stops; ++i)
+        bench.run->onFinished(kX, bus::Outcome::QueueFull);
+    EXPECT_EQ(sent(), stops);
+    for (std::size_t i = 0; i < stops; ++i)
+        bench.run->onFinished(kX, bus::Outcome::Done);
+    EXPECT_EQ(sent(), 0U);
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Over);
+    EXPECT_EQ(bench.run->report().end, SequenceEnd::ByUser);
+}
+
 TEST_F(Sequences, AStopThatItWasNotToldOfEndsIt) {
     bench.start("Main");
     bench.turns(15);

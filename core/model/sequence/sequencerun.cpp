@@ -75,6 +75,8 @@ void SequenceRun::endBy(SequenceEnd end, std::optional<ModuleIndex> module, std:
 
 void SequenceRun::onFinished(ModuleIndex module, bus::Outcome outcome) {
     m_inFlight -= m_inFlight > 0 ? 1U : 0U;
+    if (outcome == bus::Outcome::QueueFull)
+        m_stopsSent = false;  // if it was one of the stops, they still have to go out
     if (outcome == bus::Outcome::Done)
         return;
     if (outcome == bus::Outcome::Cancelled)
