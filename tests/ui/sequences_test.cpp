@@ -76,6 +76,26 @@ TEST_F(SequencePage, RowsHaveThePresentNamesOfTheModules) {
     texts::setModuleNames({});
 }
 
+/// From 400, a move to 100 from below with 50 counts of play turns round at 50.
+TEST_F(SequencePage, ALimitIsNamedAsForAMove) {
+    machine.axes.resize(1);
+    machine.axes[0].travel.lowest = 60;
+    machine.axes[0].backlash = {50, false};
+    Program program;
+    program.points = {{"A", {{ModuleIndex(0), 100, true}}}};
+    program.sequences = {{"Main", {action::MoveTo{"A"}}}};
+    load(program);
+    ModuleState module = Servo{.position = 400, .millisecond = 10}.state();
+    module.home.found(0, module.latestTime);
+    module.travel = machine.axes[0].travel;
+    module.backlash = machine.axes[0].backlash;
+    window->showLink(connectedTo({module}));
+    const QString reason = whyNot(u"runSequenceButton"_s);
+    EXPECT_TRUE(reason.startsWith(u"Main, row 1: "_s)) << reason.toStdString();
+    EXPECT_TRUE(reason.contains(u"would reverse at 50 counts, below the lowest position 60 counts"_s))
+        << reason.toStdString();
+}
+
 TEST_F(SequencePage, ADryRunIsNotShownForOtherRows) {
     Program program = twoPoints();
     load(program);

@@ -6,6 +6,7 @@
 
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
+#include "widgets/common/travelwords.h"
 #include "widgets/common/unitwords.h"
 
 namespace nmc::texts {
@@ -40,9 +41,12 @@ QString wrong(const SequenceProblem& problem) {
             return Texts::tr("Point \"%1\" has no axes. Teach it again.").arg(name);
         case Kind::NoSuchModule:
             return Texts::tr("%1 is not in the chain.").arg(module);
-        case Kind::Refused:
-            return problem.module ? Common::tr("%1: %2").arg(module, refusal(*problem.refusal))
-                                  : refusal(*problem.refusal);
+        case Kind::Refused: {
+            const auto& travel = problem.travel;
+            const QString reason = travel ? travelProblem(travel->problem, travel->zero, travel->scale)
+                                          : refusal(*problem.refusal);
+            return problem.module ? Common::tr("%1: %2").arg(module, reason) : reason;
+        }
         case Kind::TaughtElsewhere:
             return Texts::
                 tr("Point \"%2\" was taught before home of %1 was known, so it may have shifted. Teach it again.")

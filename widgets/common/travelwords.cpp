@@ -5,7 +5,6 @@
 
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
-#include "widgets/common/workwords.h"
 
 namespace nmc::texts {
 
@@ -35,11 +34,10 @@ TravelPlace fromOtherSide(TravelPlace place) {
 
 }  // namespace
 
-QString travelProblem(const TravelProblem& problem, const ModuleState& module, const AxisScale& scale) {
+QString travelProblem(const TravelProblem& problem, const Zero& zero, const AxisScale& scale) {
     if (problem.refusal == Refusal::TooFast)
         return TravelTexts::tr("That is %1; the highest velocity of this axis is %2 (Axis page).")
             .arg(velocity(scale, problem.velocity, 6), velocity(scale, problem.fastest, 6));
-    const Zero zero = module.home.workZero();
     const QString limit = place(zero, scale, problem.limit);
     const bool lowest = problem.lowest != scale.reversed();
     if (problem.turn) {
@@ -60,6 +58,10 @@ QString travelProblem(const TravelProblem& problem, const ModuleState& module, c
                      .arg(limit)
                : TravelTexts::tr("That is beyond the travel limits: the highest position is %1 (Axis page).")
                      .arg(limit);
+}
+
+QString travelProblem(const TravelProblem& problem, const ModuleState& module, const AxisScale& scale) {
+    return travelProblem(problem, module.home.workZero(), scale);
 }
 
 QString fastestReason(const TravelSettings& travel) {

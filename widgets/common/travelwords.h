@@ -5,11 +5,13 @@
 
 #include "model/intent/travel.h"
 #include "model/settings/axisscale.h"
+#include "widgets/common/workwords.h"
 
 /// Travel and speed limits (model/intent/travel.h), in words.
 namespace nmc::texts {
 
 /// Why a motion is refused, with the limit or the speed that prevents it.
+[[nodiscard]] QString travelProblem(const TravelProblem& problem, const Zero& zero, const AxisScale& scale);
 [[nodiscard]] QString travelProblem(const TravelProblem& problem, const ModuleState& module,
                                     const AxisScale& scale);
 /// Why the range of a velocity ends where it does; empty if the module determines it.

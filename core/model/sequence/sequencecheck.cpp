@@ -8,6 +8,7 @@
 #include "model/intent/backlash.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/pace.h"
+#include "model/module/modulescale.h"
 
 namespace nmc {
 
@@ -172,8 +173,10 @@ private:
         problem.name = name;
         return problem;
     }
-    void refuse(ModuleIndex module, Refusal refusal) {
-        report(SequenceProblem::Kind::Refused, module).refusal = refusal;
+    SequenceProblem& refuse(ModuleIndex module, Refusal refusal) {
+        SequenceProblem& problem = report(SequenceProblem::Kind::Refused, module);
+        problem.refusal = refusal;
+        return problem;
     }
     /// Reports an empty sequence only once, even if it is called more than once.
     void checkHasRows(const std::string& name) {
@@ -203,9 +206,16 @@ private:
         PointAxis place = axis;
         if (homed && !module.home.place())
             place.fromHome = false;  // where home will be is unknown yet; 0 is assumed
-        const auto planned = planMove(place, move.percent, module, m_machine.axis(axis.module));
-        if (!planned && (first || !mayChange(planned.error())))
-            refuse(axis.module, planned.error());
+        const AxisSettings& settings = m_machine.axis(axis.module);
+        const auto planned = planMove(place, move.percent, module, settings);
+        if (!planned && (first || !mayChange(planned.error()))) {
+            SequenceProblem& problem = refuse(axis.module, planned.error());
+            const auto wanted = moveIntent(place, move.percent, module, settings);
+            const auto travel = wanted ? travelProblem(*wanted, module) : std::nullopt;
+            if (travel && travel->refusal == planned.error())
+                problem.travel =
+                    SequenceProblem::Travel{*travel, module.home.workZero(), scaleOf(module, settings)};
+        }
         if (planned)
             arrive(axis.module, planned->goal, planned->orders);
         if (planned && planned->then)

@@ -13,8 +13,10 @@
 #include <tl/expected.hpp>
 
 #include "model/intent/intent.h"
+#include "model/intent/travel.h"
 #include "model/module/modulestate.h"
 #include "model/sequence/sequencewalk.h"
+#include "model/settings/axisscale.h"
 #include "model/settings/machine.h"
 
 /// Finds what is wrong with points and sequences before anything moves. Pure.
@@ -55,6 +57,14 @@ struct SequenceProblem {
     std::optional<ModuleIndex> module{};
     std::string name{};
     std::optional<Refusal> refusal{};
+    /// The limit that is the reason for `refusal`, and how the user reads positions of the axis.
+    struct Travel {
+        TravelProblem problem;
+        std::optional<WorkZero> zero;
+        AxisScale scale;
+        bool operator==(const Travel&) const = default;
+    };
+    std::optional<Travel> travel{};
     unsigned output = 0;
 
     bool operator==(const SequenceProblem&) const = default;
