@@ -18,10 +18,17 @@ using Words = std::span<const std::string_view>;
     return {name, input, chips, "0 or 1", 0, 1, true, {}, meaning};
 }
 
+/// A number, or one of `count` numbers of this name.
+[[nodiscard]] constexpr InputRow numeric(std::string_view name, Input input, Chips chips,
+                                         std::string_view allowed, double min, double max, bool whole,
+                                         std::string_view meaning, unsigned count = 0) {
+    return {name, input, chips, allowed, min, max, whole, {}, meaning, count};
+}
+
 /// A parameter of a PIC-SERVO's motor, amplifier or encoder.
 [[nodiscard]] constexpr InputRow ofMotor(std::string_view name, Input input, std::string_view allowed,
                                          double min, double max, bool whole, std::string_view meaning) {
-    return {name, input, Chips::Servo, allowed, min, max, whole, {}, meaning};
+    return numeric(name, input, Chips::Servo, allowed, min, max, whole, meaning);
 }
 
 /// A shaft position.
@@ -58,15 +65,8 @@ constexpr std::array kInputs{
              true,
              {Word{"auto", {}}},
              "what the A/D converter reads; auto: the motor's current"},
-    InputRow{"analog",
-             Input::Analog,
-             Chips::Stepper,
-             "0 to 255",
-             0,
-             255,
-             true,
-             {},
-             "what the A/D converter reads; below the thermal limit the motor is off"},
+    numeric("analog", Input::Analog, Chips::Stepper, "0 to 255", 0, 255, true,
+            "what the A/D converter reads; below the thermal limit the motor is off"),
     ofMotor("load", Input::Load, "-100 to 100 N·m", -100, 100, false,
             "torque on the shaft; positive turns it in reverse"),
     ofMotor("inertia", Input::Inertia, "1e-6 to 100 kg·m²", 1e-6, 100, false, "of the rotor with its load"),
@@ -90,59 +90,23 @@ constexpr std::array kInputs{
     limits(Chips::Servo,
            "auto: limit1 is 1 at travel_min and limit2 at travel_max, of an SC the other way round"),
     limits(Chips::Stepper, "auto: limit1 is 1 at travel_max and limit2 at travel_min"),
-    InputRow{"servo_overrun",
-             Input::ServoOverrun,
-             Chips::Servo,
-             "1",
-             1,
-             1,
-             true,
-             {},
-             "makes one servo tick take too long"},
+    numeric("servo_overrun", Input::ServoOverrun, Chips::Servo, "1", 1, 1, true,
+            "makes one servo tick take too long"),
     pin("estop", Input::Estop, Chips::Stepper, "E-stop, 1 is high: stops"),
     pin("in1", Input::In1, Chips::Stepper, "pin IN1, 1 is high"),
     pin("in2", Input::In2, Chips::Stepper, "pin IN2, 1 is high"),
     pin("home_switch", Input::HomeSwitch, Chips::Stepper, "home switch, 1 is high"),
     place("home_switch_at", Input::HomeSwitchAt, Chips::Both,
           "the home switch (of a servo, at LIMIT1) is 1 from this load position on forward; none: as set"),
-    InputRow{"load_play",
-             Input::LoadPlay,
-             Chips::Both,
-             "0 to 10000 counts",
-             0,
-             10'000,
-             true,
-             {},
-             "that the encoder (a stepper's shaft) turns before the load with the home switch turns"},
-    InputRow{"steps",
-             Input::Pulses,
-             Chips::Sc,
-             "-32768 to 32767",
-             -32768,
-             32767,
-             true,
-             {},
-             "number of pulses at the step input; negative: reverse"},
-    InputRow{"vsense",
-             Input::VoltSense,
-             Chips::Sc,
-             "0 to 5 V",
-             0,
-             5,
-             false,
-             {},
-             "what it senses of the supply: power is on from 0.9 to 4.5 V"},
-    InputRow{"in", Input::Pin, Chips::Io, "0 or 1", 0, 1, true, {}, "pin K of 1 to 12, 1 is high", 12},
-    InputRow{"analog",
-             Input::Analog,
-             Chips::Io,
-             "0 to 255",
-             0,
-             255,
-             true,
-             {},
-             "what A/D input K of 1 to 3 reads",
-             3},
+    numeric("load_play", Input::LoadPlay, Chips::Both, "0 to 10000 counts", 0, 10'000, true,
+            "that the encoder (a stepper's shaft) turns before the load with the home switch turns"),
+    numeric("steps", Input::Pulses, Chips::Sc, "-32768 to 32767", -32768, 32767, true,
+            "number of pulses at the step input; negative: reverse"),
+    numeric("vsense", Input::VoltSense, Chips::Sc, "0 to 5 V", 0, 5, false,
+            "what it senses of the supply: power is on from 0.9 to 4.5 V"),
+    numeric("in", Input::Pin, Chips::Io, "0 or 1", 0, 1, true, "pin K of 1 to 12, 1 is high", 12),
+    numeric("analog", Input::Analog, Chips::Io, "0 to 255", 0, 255, true, "what A/D input K of 1 to 3 reads",
+            3),
 };
 
 /// Parses a word of the line; returns nothing when the row does not allow it.
