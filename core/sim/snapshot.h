@@ -86,10 +86,19 @@ struct StepperPins {
     std::uint8_t analog = 255;  ///< TEMP_SENS: a cold motor
 };
 
+/// The shaft of a stepper, and what it operates.
+struct StepperSurroundings {
+    std::int64_t shaft = 0;                 ///< in steps since the simulation began
+    bool limitsAutomatic = false;           ///< the limit pins follow the travel
+    std::optional<std::int64_t> travelMin;  ///< hard stops, in steps of the shaft
+    std::optional<std::int64_t> travelMax;
+    std::optional<std::int64_t> homeSwitchAt;  ///< load position of the home switch
+    std::int64_t loadPlay = 0;                 ///< steps that the shaft turns before the load follows
+};
+
 /// Ground truth about a stepper module at its last tick.
-struct StepperSnapshot {
+struct StepperSnapshot : StepperSurroundings {
     std::int32_t position = 0;  ///< the chip's counter
-    std::int64_t shaft = 0;     ///< the shaft itself, in steps since the simulation began
     double stepRate = 0;        ///< steps per second, negative in reverse
     unsigned speed = 0;         ///< the profile's integer speed; the nearest one in the unprofiled modes
     std::uint16_t timerCount = 0;
@@ -101,13 +110,8 @@ struct StepperSnapshot {
     std::int32_t home = 0;
     std::optional<StepperParameters> parameters;  ///< parameters in force; nothing before Set Parameters
     StepperPins inputs;
-    bool limitsAutomatic = false;           ///< the limit pins follow the travel
-    std::optional<std::int64_t> travelMin;  ///< hard stops, in steps of the shaft
-    std::optional<std::int64_t> travelMax;
-    std::optional<std::int64_t> homeSwitchAt;  ///< load position of the home switch
-    std::int64_t loadPlay = 0;                 ///< steps that the shaft turns before the load follows
-    std::uint8_t outputs = 0;                  ///< bits 0 to 4: OUT1 to OUT5
-    std::uint8_t currentLimit = 0;             ///< CUR_LIM, 255 is full current
+    std::uint8_t outputs = 0;       ///< bits 0 to 4: OUT1 to OUT5
+    std::uint8_t currentLimit = 0;  ///< CUR_LIM, 255 is full current
 };
 
 /// Levels of a PIC-I/O's twelve pins and its A/D inputs, and the state of the chip. In pin masks, bit 0 is

@@ -187,8 +187,8 @@ std::uint8_t StepperControl::inputsByte() const {
 
 StepperSnapshot StepperControl::snapshot() const {
     StepperSnapshot s;
+    static_cast<StepperSurroundings&>(s) = m_machine.surroundings();
     s.position = m_motion.position();
-    s.shaft = m_machine.shaft();
     s.stepRate = m_motion.stepRate();
     s.speed = m_motion.speed();
     s.timerCount = m_motion.timerCount();
@@ -201,11 +201,6 @@ StepperSnapshot StepperControl::snapshot() const {
     if (m_hasParameters)
         s.parameters = m_parameters;
     s.inputs = m_pins;
-    s.limitsAutomatic = m_machine.limitsAutomatic();
-    s.travelMin = m_machine.travelMin();
-    s.travelMax = m_machine.travelMax();
-    s.homeSwitchAt = m_machine.homeSwitchAt();
-    s.loadPlay = m_machine.loadPlay();
     s.outputs = m_outputs;
     s.currentLimit = m_current.limit();
     return s;

@@ -2,12 +2,14 @@
 #include "sim/steppermachine.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace nmc::sim {
 
 void StepperMachine::set(Input input, std::optional<double> value) {
     const bool level = value.value_or(0.0) != 0.0;
     const auto steps = static_cast<std::int64_t>(value.value_or(0.0));
+    const auto place = value ? std::optional(steps) : std::nullopt;
     switch (input) {
         case Input::Limit1:
             m_set.limit1 = level;
@@ -34,21 +36,19 @@ void StepperMachine::set(Input input, std::optional<double> value) {
             m_set.analog = static_cast<std::uint8_t>(steps);
             return;
         case Input::TravelMin:
-            m_travelMin = value ? steps : kNoMin;
+            m_around.travelMin = place;
             return;
         case Input::TravelMax:
-            m_travelMax = value ? steps : kNoMax;
+            m_around.travelMax = place;
             return;
         case Input::Limits:
-            m_limitsAutomatic = level;
+            m_around.limitsAutomatic = level;
             return;
         case Input::HomeSwitchAt:
-            m_homeSwitchAt.reset();
-            if (value)
-                m_homeSwitchAt = steps;
+            m_around.homeSwitchAt = place;
             return;
         case Input::LoadPlay:
-            m_loadPlay = steps;
+            m_around.loadPlay = steps;
             return turn(0);
         case Input::Index:
         case Input::Load:
@@ -70,31 +70,25 @@ void StepperMachine::set(Input input, std::optional<double> value) {
 }
 
 void StepperMachine::turn(std::int64_t steps) {
-    m_shaft = std::clamp(m_shaft + steps, m_travelMin, m_travelMax);
-    m_load = std::clamp(m_load, m_shaft - m_loadPlay, m_shaft);
+    using Steps = std::numeric_limits<std::int64_t>;
+    m_around.shaft = std::clamp(m_around.shaft + steps, m_around.travelMin.value_or(Steps::min()),
+                                m_around.travelMax.value_or(Steps::max()));
+    m_load = std::clamp(m_load, m_around.shaft - m_around.loadPlay, m_around.shaft);
 }
 
 StepperPins StepperMachine::pins() const {
     StepperPins pins = m_set;
-    if (m_limitsAutomatic) {
-        pins.limit1 = m_shaft >= m_travelMax;
-        pins.limit2 = m_shaft <= m_travelMin;
+    if (m_around.limitsAutomatic) {
+        pins.limit1 = m_around.travelMax && m_around.shaft >= *m_around.travelMax;
+        pins.limit2 = m_around.travelMin && m_around.shaft <= *m_around.travelMin;
     }
-    if (m_homeSwitchAt)
-        pins.homeSwitch = m_load >= *m_homeSwitchAt;
+    if (m_around.homeSwitchAt)
+        pins.homeSwitch = m_load >= *m_around.homeSwitchAt;
     return pins;
 }
 
-std::optional<std::int64_t> StepperMachine::travelMin() const {
-    return m_travelMin == kNoMin ? std::nullopt : std::optional(m_travelMin);
-}
-
-std::optional<std::int64_t> StepperMachine::travelMax() const {
-    return m_travelMax == kNoMax ? std::nullopt : std::optional(m_travelMax);
-}
-
 bool StepperMachine::shaftMovesPins() const {
-    return (m_limitsAutomatic && (travelMin() || travelMax())) || m_homeSwitchAt;
+    return (m_around.limitsAutomatic && (m_around.travelMin || m_around.travelMax)) || m_around.homeSwitchAt;
 }
 
 }  // namespace nmc::sim
