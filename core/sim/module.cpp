@@ -33,18 +33,8 @@ void Module::powerUp(TimePoint now) {
 }
 
 void Module::reset(TimePoint now, Restart restart) {
-    m_receiver.reset();
+    m_state = {};
     m_deafUntil = now + m_options.resetDeadTime;
-    m_awake = false;
-    m_addressOutputLow = false;
-    m_address = 0;
-    m_group = 0xFF;
-    m_leader = false;
-    m_brd = kPowerUpBrd;
-    m_items = 0;
-    m_ownAddress.reset();
-    m_addressIsFaults = false;
-    m_itemsAreFaults = false;
     resetChip(restart);
 }
 
@@ -59,39 +49,37 @@ bool Module::isAwake(TimePoint now) {
     if (now < m_deafUntil)
         return false;
     if (m_addressInputLow)
-        m_awake = true;
+        m_state.awake = true;
     else if (m_options.deafWhenAddressInputRises)
-        m_awake = false;
-    return m_awake;
+        m_state.awake = false;
+    return m_state.awake;
 }
 
 void Module::setAddress(const Packet& packet) {
-    m_address = packet.data[0];
-    m_group = packet.data[1] | kGroupBit;
-    m_leader = (packet.data[1] & kGroupBit) == 0;
-    m_addressOutputLow = true;
-    m_addressIsFaults = m_commandStruck;
-    m_ownAddress.reset();
+    m_state.place.address = packet.data[0];
+    m_state.place.group = packet.data[1] | kGroupBit;
+    m_state.place.leader = (packet.data[1] & kGroupBit) == 0;
+    m_state.addressOutputLow = true;
+    m_state.addressIsFaults = m_commandStruck;
+    m_state.ownAddress.reset();
     addressed();
 }
 
 void Module::restorePlace(const Place& place) {
-    m_address = place.address;
-    m_group = place.group;
-    m_leader = place.leader;
-    m_addressOutputLow = true;
+    m_state.place = place;
+    m_state.addressOutputLow = true;
 }
 
 // ---- Commands ----
 
 void Module::hears(std::uint8_t byte, bool framingError, bool struck, bool late, TimePoint now) {
-    if (m_receiver.hears(byte, framingError, struck))
-        accept(m_receiver.packet(), late, now);
+    if (m_state.receiver.hears(byte, framingError, struck))
+        accept(m_state.receiver.packet(), late, now);
 }
 
 void Module::accept(const Packet& packet, bool late, TimePoint now) {
-    const bool own = packet.address == m_address;
-    const bool member = packet.address == m_group;
+    const bool own = packet.address == m_state.place.address;
+    const bool member = packet.address == m_state.place.group;
     const bool good = !packet.framingError && packet.sumIsRight();
     const bool resetsAll =
         good && obeysResetOfAll() && packet.address == kEveryone && packet.code() == CommandCode::HardReset;
@@ -101,7 +89,7 @@ void Module::accept(const Packet& packet, bool late, TimePoint now) {
     if (m_pending && good && !mayBeEarly && !packet.struck && !m_pending->packet.struck)
         m_violations.add({now, m_index, ViolationKind::CommandOverwritten, packet.bytes()});
     const std::uint64_t tick = ticksAt(now) + 1;
-    m_pending = Pending{packet, tickEnd(tick), tick, own, own || (member && m_leader)};
+    m_pending = Pending{packet, tickEnd(tick), tick, own, own || (member && m_state.place.leader)};
 }
 
 void Module::execute() {
@@ -112,12 +100,12 @@ void Module::execute() {
     m_commandStruck = command.packet.struck;
 
     const bool damaged = command.packet.framingError || !command.packet.sumIsRight();
-    std::uint8_t items = m_items;
+    std::uint8_t items = m_state.items;
     if (damaged) {
         ++m_statistics.checksumErrors;
     } else {
         executeGood(command);
-        items = command.packet.code() == CommandCode::ReadStatus ? command.packet.data[0] : m_items;
+        items = command.packet.code() == CommandCode::ReadStatus ? command.packet.data[0] : m_state.items;
     }
     const bool isReset = !damaged && command.packet.code() == CommandCode::HardReset;
     if (command.answers && !isReset)
@@ -133,8 +121,8 @@ void Module::executeGood(const Pending& command) {
             setAddress(packet);
             return;
         case CommandCode::DefineStatus:
-            m_items = packet.data[0];
-            m_itemsAreFaults = m_commandStruck;
+            m_state.items = packet.data[0];
+            m_state.itemsAreFaults = m_commandStruck;
             return;
         case CommandCode::SetBaud:
             setBaud(command);
@@ -174,8 +162,8 @@ void Module::checkForm(const Packet& packet) {
 void Module::setBaud(const Pending& command) {
     if (command.toOwnAddress)
         violates(ViolationKind::SetBaudSingle);
-    m_brd = command.packet.data[0];
-    if (!keepsUpWith(m_brd))
+    m_state.brd = command.packet.data[0];
+    if (!keepsUpWith(m_state.brd))
         violates(ViolationKind::OutOfRange);
 }
 
@@ -206,7 +194,7 @@ void Module::reply(TimePoint now, std::uint8_t items, bool communicationError) {
     m_sent = 0;
     m_collided = false;
     const bool ownItems = answeredCode() != CommandCode::ReadStatus;
-    m_replyStruck = m_commandStruck || (ownItems && m_itemsAreFaults);
+    m_replyStruck = m_commandStruck || (ownItems && m_state.itemsAreFaults);
     m_replyStart = now;
     m_byteTime = m_options.unpaced ? Duration{} : fromSeconds(10.0 / baud());
 }
@@ -242,24 +230,24 @@ void Module::dropReply() {
 // ---- Faults ----
 
 void Module::takeAddress(std::uint8_t address) {
-    if (address == m_address)
+    if (address == m_state.place.address)
         return;
-    m_ownAddress = m_ownAddress.value_or(m_address);
-    m_address = address;
-    m_addressIsFaults = true;
+    m_state.ownAddress = m_state.ownAddress.value_or(m_state.place.address);
+    m_state.place.address = address;
+    m_state.addressIsFaults = true;
 }
 
 void Module::giveAddressBack() {
-    if (!m_ownAddress)
+    if (!m_state.ownAddress)
         return;
-    m_address = *m_ownAddress;
-    m_addressIsFaults = false;
-    m_ownAddress.reset();
+    m_state.place.address = *m_state.ownAddress;
+    m_state.addressIsFaults = false;
+    m_state.ownAddress.reset();
 }
 
 void Module::defineItems(std::uint8_t mask) {
-    m_items = mask;
-    m_itemsAreFaults = true;
+    m_state.items = mask;
+    m_state.itemsAreFaults = true;
 }
 
 // ---- Time ----
@@ -293,16 +281,16 @@ void Module::advanceTo(TimePoint now) {
 ModuleSnapshot Module::snapshot(TimePoint now) const {
     ModuleSnapshot s;
     s.identity = m_identity;
-    s.address = m_address;
-    s.group = m_group;
-    s.leader = m_leader;
-    s.brd = m_brd;
+    s.address = m_state.place.address;
+    s.group = m_state.place.group;
+    s.leader = m_state.place.leader;
+    s.brd = m_state.brd;
     s.baud = baud();
-    s.listening = m_awake;
+    s.listening = m_state.awake;
     s.time = now;
     s.tick = m_ticks;
     s.status = statusByte();
-    s.items = m_items;
+    s.items = m_state.items;
     return s;
 }
 

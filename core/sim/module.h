@@ -67,7 +67,9 @@ public:
     /// Puts the module into the state after switching its supply off and on.
     void powerUp(TimePoint now);
     void setAddressInput(bool low, TimePoint now);
-    [[nodiscard]] bool addressOutputIsLow() const { return m_addressOutputLow && !raisesAddressOutput(); }
+    [[nodiscard]] bool addressOutputIsLow() const {
+        return m_state.addressOutputLow && !raisesAddressOutput();
+    }
     /// True when the module's UART takes part in the traffic on the line.
     [[nodiscard]] bool isAwake(TimePoint now);
 
@@ -75,7 +77,7 @@ public:
     /// Receives a byte of the host while awake. `framingError`: the byte is not what the host sent. `struck`:
     /// as in Packet. `late`: it is unknown whether the host waited for its answer before it sent this byte.
     void hears(std::uint8_t byte, bool framingError, bool struck, bool late, TimePoint now);
-    [[nodiscard]] bool inPacket() const { return m_receiver.inPacket(); }
+    [[nodiscard]] bool inPacket() const { return m_state.receiver.inPacket(); }
     /// The time at which it next executes a command or has sent a byte; kNever while it only moves its motor.
     [[nodiscard]] TimePoint nextEvent() const;
     /// True when it has a command to execute or a reply to send, and neither was caused by a fault.
@@ -86,7 +88,7 @@ public:
     /// Runs up to the end of the tick and executes the pending command.
     void execute();
     /// The rate of its UART in bits per second.
-    [[nodiscard]] double baud() const { return uartRate(m_identity, m_brd); }
+    [[nodiscard]] double baud() const { return uartRate(m_identity, m_state.brd); }
 
     // The reply being sent; valid only while isReplying().
     [[nodiscard]] bool isReplying() const { return m_sent < m_reply.size(); }
@@ -96,7 +98,7 @@ public:
     /// Returns true when that was the last byte.
     bool replyByteSent();
     /// True when a fault or another host has changed the contents, the time or the address of the reply.
-    [[nodiscard]] bool replyIsStruck() const { return m_replyStruck || m_addressIsFaults; }
+    [[nodiscard]] bool replyIsStruck() const { return m_replyStruck || m_state.addressIsFaults; }
     void replyCollided(TimePoint now);
     /// Called when a byte of the host arrives: the rest of the reply is not sent.
     void dropReply();
@@ -107,14 +109,14 @@ public:
     void damagePending() { m_pending->packet.framingError = true; }
     void forgetPending() { m_pending.reset(); }
     [[nodiscard]] bool isAddressedBy(std::uint8_t address) const {
-        return address == m_address || address == m_group;
+        return address == m_state.place.address || address == m_state.place.group;
     }
     /// True for a Stop Motor with a bit that stops this chip's motor.
     [[nodiscard]] bool isStop(const Packet& packet) const {
         return packet.code() == CommandCode::StopMotor && packet.length() > 0 &&
                (packet.data[0] & stopBits()) != 0;
     }
-    [[nodiscard]] std::uint8_t address() const { return m_address; }
+    [[nodiscard]] std::uint8_t address() const { return m_state.place.address; }
     void takeAddress(std::uint8_t address);
     /// Restores the own address, unless the host has set another one since.
     void giveAddressBack();
@@ -154,7 +156,7 @@ protected:
         std::uint8_t group = 0xFF;
         bool leader = false;
     };
-    [[nodiscard]] Place place() const { return {m_address, m_group, m_leader}; }
+    [[nodiscard]] Place place() const { return m_state.place; }
     /// Restores the state after the Set Address that assigned this place.
     void restorePlace(const Place& place);
 
@@ -170,6 +172,18 @@ private:
         std::uint64_t tick = 0;
         bool toOwnAddress = false;
         bool answers = false;
+    };
+    /// What a restart clears.
+    struct State {
+        Receiver receiver;
+        bool awake = false;
+        bool addressOutputLow = false;
+        Place place;
+        std::uint8_t brd = kPowerUpBrd;
+        std::uint8_t items = 0;
+        std::optional<std::uint8_t> ownAddress;  ///< set while a fault has assigned another one
+        bool addressIsFaults = false;
+        bool itemsAreFaults = false;
     };
 
     /// True when the chip obeys a Hard Reset to address FF whatever its group (DS-S 5.1).
@@ -212,21 +226,11 @@ private:
     ViolationLog& m_violations;
     ModuleStatistics m_statistics;
 
-    Receiver m_receiver;
+    State m_state;
     std::optional<Pending> m_pending;
     std::uint64_t m_ticks = 0;  ///< ticks run so far
     TimePoint m_deafUntil;
     bool m_addressInputLow = false;
-    bool m_awake = false;
-    bool m_addressOutputLow = false;
-    std::uint8_t m_address = 0;
-    std::uint8_t m_group = 0xFF;
-    bool m_leader = false;
-    std::uint8_t m_brd = kPowerUpBrd;
-    std::uint8_t m_items = 0;
-    std::optional<std::uint8_t> m_ownAddress;  ///< set while a fault has assigned another one
-    bool m_addressIsFaults = false;
-    bool m_itemsAreFaults = false;
 
     ReplyBytes m_reply;
     std::uint8_t m_sent = 0;

@@ -38,8 +38,6 @@ public:
     [[nodiscard]] const Packet& packet() const { return m_packet; }
     /// True from a header until its packet is complete.
     [[nodiscard]] bool inPacket() const { return m_expected != Expected::Header; }
-    /// Discards everything received so far.
-    void reset() { *this = Receiver{}; }
 
 private:
     enum class Expected : std::uint8_t { Header, Address, Command, Data, Sum };
