@@ -542,11 +542,11 @@ void Chain::Private::clearFaults() {
 
 bool Chain::Private::faultsLetExecute(Module& module) {
     const CommandCode code = module.pendingPacket().code();
-    if (faults.ignores(module.index(), code, now)) {
+    if (faults.strikesCommand(FaultKind::Ignore, module.index(), code, now)) {
         module.forgetPending();
         return false;
     }
-    if (faults.refuses(module.index(), code, now))
+    if (faults.strikesCommand(FaultKind::Cksum, module.index(), code, now))
         module.damagePending();
     return true;
 }

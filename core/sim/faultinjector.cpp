@@ -112,14 +112,6 @@ bool FaultInjector::strikesCommand(FaultKind kind, std::uint8_t module, CommandC
     return false;
 }
 
-bool FaultInjector::refuses(std::uint8_t module, CommandCode code, TimePoint now) {
-    return strikesCommand(FaultKind::Cksum, module, code, now);
-}
-
-bool FaultInjector::ignores(std::uint8_t module, CommandCode code, TimePoint now) {
-    return strikesCommand(FaultKind::Ignore, module, code, now);
-}
-
 FaultInjector::ReplyFate FaultInjector::strikeReply(std::uint8_t module, CommandCode code,
                                                     std::vector<std::uint8_t>& bytes, TimePoint now) {
     ReplyFate fate;

@@ -62,9 +62,8 @@ public:
     /// Damage to a packet for all modules, or for `module` alone when it is set.
     std::optional<FrameEdit> strikePacket(std::optional<std::uint8_t> module, CommandCode code,
                                           const FrameInSight& packet, TimePoint now);
-    /// True when the module refuses, or misses, a good packet.
-    bool refuses(std::uint8_t module, CommandCode code, TimePoint now);
-    bool ignores(std::uint8_t module, CommandCode code, TimePoint now);
+    /// True when the module refuses a good packet (Cksum), or misses it (Ignore).
+    bool strikesCommand(FaultKind kind, std::uint8_t module, CommandCode code, TimePoint now);
 
     struct ReplyFate {
         bool sent = true;
@@ -106,7 +105,6 @@ private:
         [[nodiscard]] Duration between();
     };
 
-    bool strikesCommand(FaultKind kind, std::uint8_t module, CommandCode code, TimePoint now);
     void act(Fault& fault, std::vector<Act>& acts);
 
     std::uint64_t m_seed;
