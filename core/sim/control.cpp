@@ -154,16 +154,10 @@ Json powerCycle(const Asked& asked) {
     return ok();
 }
 
-Json breakLine(const Asked& asked) {
+template <void (Chain::*Change)(ModuleIndex, TimePoint)>
+Json changeLine(const Asked& asked) {
     return withModule(asked, [&asked](ModuleIndex module) {
-        asked.chain.breakAddressLine(module, asked.now);
-        return ok();
-    });
-}
-
-Json mendLine(const Asked& asked) {
-    return withModule(asked, [&asked](ModuleIndex module) {
-        asked.chain.mendAddressLine(module, asked.now);
+        (asked.chain.*Change)(module, asked.now);
         return ok();
     });
 }
@@ -231,8 +225,9 @@ constexpr std::array kVerbs{
     Verb{"state", 2, 2, state, "state N", "the true state of module N"},
     Verb{"set", 4, 5, set, "set N NAME VALUE", "sets a pin, the load or the environment of module N"},
     Verb{"power-cycle", 2, 2, powerCycle, "power-cycle N|all", "switches the chip's supply off and on"},
-    Verb{"break", 2, 2, breakLine, "break N", "breaks the ADDR line from module N towards the host"},
-    Verb{"mend", 2, 2, mendLine, "mend N", "restores that line"},
+    Verb{"break", 2, 2, changeLine<&Chain::breakAddressLine>, "break N",
+         "breaks the ADDR line from module N towards the host"},
+    Verb{"mend", 2, 2, changeLine<&Chain::mendAddressLine>, "mend N", "restores that line"},
     Verb{"fault", 1, kMany, inject, "fault ..., fault clear", "injects a fault, or clears all faults"},
     Verb{"faults", 1, 1, faults, "faults", "the faults injected, and how often each occurred"},
     Verb{"foreign", 1, kMany, foreign, "foreign BYTES",
