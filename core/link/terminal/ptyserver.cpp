@@ -43,20 +43,21 @@ bool makeRaw(int fd, std::uint32_t baud) {
 
 tl::expected<PtyServer, std::string> PtyServer::create(const std::string& link, std::uint32_t baud) {
     PtyServer server;
-    server.m_master = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    server.m_master = Descriptor(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+    const int master = server.fd();
     std::array<char, 128> name{};
-    if (server.m_master < 0 || ::grantpt(server.m_master) != 0 || ::unlockpt(server.m_master) != 0 ||
-        ::ptsname_r(server.m_master, name.data(), name.size()) != 0)
+    if (!server.m_master.valid() || ::grantpt(master) != 0 || ::unlockpt(master) != 0 ||
+        ::ptsname_r(master, name.data(), name.size()) != 0)
         return tl::unexpected(systemError("no pseudo-terminal can be made"));
     server.m_path = name.data();
-    server.m_slave = ::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    if (server.m_slave < 0 || !makeRaw(server.m_slave, baud) ||
-        ::fchmod(server.m_slave, S_IRUSR | S_IWUSR) != 0)
+    server.m_slave = Descriptor(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+    if (!server.m_slave.valid() || !makeRaw(server.m_slave.get(), baud) ||
+        ::fchmod(server.m_slave.get(), S_IRUSR | S_IWUSR) != 0)
         return tl::unexpected(systemError("the pseudo-terminal " + server.m_path + " cannot be set up"));
     const int on = 1;
-    if (::ioctl(server.m_master, TIOCPKT, &on) != 0)
+    if (::ioctl(master, TIOCPKT, &on) != 0)
         return tl::unexpected(systemError("the pseudo-terminal " + server.m_path + " has no packet mode"));
-    server.m_firstAct = FirstActWatch(server.m_master, server.m_path);
+    server.m_firstAct = FirstActWatch(master, server.m_path);
     if (!link.empty()) {
         // A link left by an earlier run may be replaced; anything else is somebody's file.
         struct stat info {};
@@ -69,26 +70,13 @@ tl::expected<PtyServer, std::string> PtyServer::create(const std::string& link, 
     return server;
 }
 
-PtyServer::PtyServer(PtyServer&& other) noexcept
-    : m_master(std::exchange(other.m_master, -1)),
-      m_slave(std::exchange(other.m_slave, -1)),
-      m_path(std::move(other.m_path)),
-      m_link(std::exchange(other.m_link, {})),
-      m_firstAct(std::move(other.m_firstAct)),
-      m_tellsSettings(other.m_tellsSettings),
-      m_ownNews(other.m_ownNews) {}
-
 PtyServer::~PtyServer() {
-    if (!m_link.empty()) {
-        std::array<char, 128> target{};
-        const auto length = ::readlink(m_link.c_str(), target.data(), target.size());
-        if (length > 0 && std::string(target.data(), static_cast<std::size_t>(length)) == m_path)
-            ::unlink(m_link.c_str());
-    }
-    if (m_slave >= 0)
-        ::close(m_slave);
-    if (m_master >= 0)
-        ::close(m_master);
+    if (!m_master.valid() || m_link.empty())  // it has been moved from, or has no link
+        return;
+    std::array<char, 128> target{};
+    const auto length = ::readlink(m_link.c_str(), target.data(), target.size());
+    if (length > 0 && std::string(target.data(), static_cast<std::size_t>(length)) == m_path)
+        ::unlink(m_link.c_str());
 }
 
 HostActs PtyServer::takeActs() {
@@ -97,7 +85,7 @@ HostActs PtyServer::takeActs() {
     Packets packets = readAll();
     acts.bytes = std::move(packets.bytes);
     termios2 settings{};
-    if (::ioctl(m_master, TCGETS2, &settings) == 0 && settings.c_ospeed != 0)
+    if (::ioctl(fd(), TCGETS2, &settings) == 0 && settings.c_ospeed != 0)
         acts.baud = settings.c_ospeed;
     // A host that builds its settings from scratch has removed EXTPROC, which is reported only that once. And
     // a flush that came first says nothing about a rate that came as well.
@@ -106,7 +94,7 @@ HostActs PtyServer::takeActs() {
     if (!std::exchange(m_tellsSettings, (settings.c_lflag & EXTPROC) != 0) || flushed)
         acts.first = FirstAct::Unknown;
     acts.hungUp = m_firstAct.tookLeave();
-    if (acts.hungUp && ::ioctl(m_slave, TCFLSH, TCIFLUSH) == 0) {
+    if (acts.hungUp && ::ioctl(m_slave.get(), TCFLSH, TCIFLUSH) == 0) {
         m_ownNews = TIOCPKT_FLUSHREAD;
         static_cast<void>(m_firstAct.take());
     }
@@ -120,7 +108,7 @@ PtyServer::Packets PtyServer::readAll() const {
     Packets all;
     std::array<std::uint8_t, 4096> buffer{};
     while (all.bytes.size() < kEnough) {
-        const auto got = ::read(m_master, buffer.data(), buffer.size());
+        const auto got = ::read(fd(), buffer.data(), buffer.size());
         if (got <= 0)
             break;
         all.news |= buffer[0];
@@ -130,12 +118,12 @@ PtyServer::Packets PtyServer::readAll() const {
 }
 
 void PtyServer::write(ByteSpan bytes) const {
-    [[maybe_unused]] const auto written = ::write(m_master, bytes.data(), bytes.size());
+    [[maybe_unused]] const auto written = ::write(fd(), bytes.data(), bytes.size());
 }
 
 std::optional<std::uint32_t> PtyServer::hostBaud() const {
     termios2 settings{};
-    if (::ioctl(m_master, TCGETS2, &settings) != 0 || settings.c_ospeed == 0)
+    if (::ioctl(fd(), TCGETS2, &settings) != 0 || settings.c_ospeed == 0)
         return std::nullopt;
     return settings.c_ospeed;
 }

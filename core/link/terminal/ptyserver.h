@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "base/bytes.h"
+#include "link/guardian/descriptor.h"
 #include "link/terminal/firstact.h"
 #include "protocol/baud.h"
 
@@ -32,14 +33,14 @@ public:
     /// a non-empty `link`, a symbolic link to it. The error is a sentence.
     [[nodiscard]] static tl::expected<PtyServer, std::string> create(const std::string& link,
                                                                      std::uint32_t baud = kPowerUpBaud);
-    PtyServer(PtyServer&& other) noexcept;
+    PtyServer(PtyServer&&) noexcept = default;
     PtyServer& operator=(PtyServer&&) = delete;
     /// Removes the link if it still points here.
     ~PtyServer();
 
     [[nodiscard]] const std::string& path() const { return m_path; }
     /// Descriptors for poll(2), readable when there are bytes, or any actions; the latter may be -1.
-    [[nodiscard]] int fd() const { return m_master; }
+    [[nodiscard]] int fd() const { return m_master.get(); }
     [[nodiscard]] int actsFd() const { return m_firstAct.fd(); }
     /// Readable when a host has closed its side; the loop of a server that polls regularly needs none.
     [[nodiscard]] int leavesFd() const { return m_firstAct.leavesFd(); }
@@ -63,8 +64,8 @@ private:
     /// Reads everything that the host has written, up to far more than a line can carry in any short time.
     [[nodiscard]] Packets readAll() const;
 
-    int m_master = -1;
-    int m_slave = -1;
+    Descriptor m_master;
+    Descriptor m_slave;
     std::string m_path;
     std::string m_link;
     FirstActWatch m_firstAct;
