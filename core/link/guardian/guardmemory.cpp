@@ -70,18 +70,8 @@ GuardMemory::Layout* GuardMemory::map(int fd) {
     return address == MAP_FAILED ? nullptr : static_cast<Layout*>(address);
 }
 
-GuardMemory::GuardMemory(GuardMemory&& other) noexcept
-    : m_layout(std::exchange(other.m_layout, nullptr)), m_fd(std::move(other.m_fd)) {}
-
-GuardMemory& GuardMemory::operator=(GuardMemory&& other) noexcept {
-    std::swap(m_layout, other.m_layout);
-    std::swap(m_fd, other.m_fd);
-    return *this;
-}
-
-GuardMemory::~GuardMemory() {
-    if (m_layout != nullptr)
-        ::munmap(m_layout, sizeof(Layout));
+void GuardMemory::Unmap::operator()(Layout* layout) const {
+    ::munmap(layout, sizeof(Layout));
 }
 
 // ---- the burst ----

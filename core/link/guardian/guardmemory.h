@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "link/guardian/beatmonitor.h"
 #include "link/guardian/descriptor.h"
@@ -26,9 +28,6 @@ public:
     /// Attaches to a memory created by another process. Returns nothing when its size, seals, magic number or
     /// version differ from what this version of the program creates.
     [[nodiscard]] static std::optional<GuardMemory> attach(int fd);
-    GuardMemory(GuardMemory&& other) noexcept;
-    GuardMemory& operator=(GuardMemory&& other) noexcept;
-    ~GuardMemory();
 
     // ---- the panel's side ----
     [[nodiscard]] int fd() const { return m_fd.get(); }
@@ -52,11 +51,14 @@ public:
 
 private:
     struct Layout;
+    struct Unmap {
+        void operator()(Layout* layout) const;
+    };
 
     explicit GuardMemory(Layout* layout, Descriptor fd) : m_layout(layout), m_fd(std::move(fd)) {}
     static Layout* map(int fd);
 
-    Layout* m_layout;
+    std::unique_ptr<Layout, Unmap> m_layout;
     Descriptor m_fd;
 };
 
