@@ -46,9 +46,6 @@ struct GuardianPlace {
 /// Bus thread only. arm() and beat() neither lock nor allocate.
 class Guardian {
 public:
-    /// While anything moves, beat() must be called at least this often.
-    static constexpr Duration kBeatEvery = std::chrono::milliseconds(50);
-
     /// Starts the guardian for an open terminal and waits until it is ready. It inherits only the terminal
     /// from this process: no other descriptor, no signal mask, no process group.
     [[nodiscard]] static tl::expected<Guardian, GuardianProblem> start(int port, const GuardianPlace& place);
@@ -61,10 +58,11 @@ public:
     /// Called after each change of the three, before the command that causes the change is sent. A burst that
     /// does not fit as a whole is refused, and nothing is armed.
     bool arm(ByteSpan burst, std::uint32_t baud, bool moving);
-    /// Reports that the loop is running and about to use the port. If the guardian is sending at that moment,
-    /// because this process stood still, waits until it has finished. Returns true once after the guardian
-    /// has stopped the motors: their assumed state and the port's rate are no longer certain. The guardian's
-    /// report file is removed, because its content is returned here.
+    /// Reports that the loop is running and about to use the port; called at least every
+    /// LoopGuard::kBeatEvery while anything moves. If the guardian is sending at that moment, because this
+    /// process stood still, waits until it has finished. Returns true once after the guardian has stopped the
+    /// motors: their assumed state and the port's rate are no longer certain. The guardian's report file is
+    /// removed, because its content is returned here.
     [[nodiscard]] bool beat(TimePoint now);
     /// Checks the guardian with one system call.
     [[nodiscard]] bool alive() const;
