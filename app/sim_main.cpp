@@ -4,13 +4,12 @@
 #include <sys/signalfd.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 
+#include "base/numbertext.h"
 #include "link/terminal/ptyserver.h"
 #include "link/terminal/simserver.h"
 #include "link/threadpriority.h"
@@ -88,12 +87,10 @@ void printHelp() {
 
 template <typename T>
 T number(const char* option, const char* text, T min, T max, const char* range) {
-    T value{};
-    const char* end = text + std::strlen(text);
-    const auto [stopped, error] = std::from_chars(text, end, value);
-    if (error != std::errc{} || stopped != end || !(value >= min && value <= max))
+    const auto value = nmc::numberIn<T>(text);
+    if (!value || !(*value >= min && *value <= max))
         refuse(std::string(option) + " takes a number " + range + ", not \"" + text + "\".");
-    return value;
+    return *value;
 }
 
 Options readOptions(int argc, char** argv) {

@@ -37,7 +37,7 @@ tl::expected<ModuleIdentity, std::string> parseItem(std::string_view item) {
     if (at == std::string_view::npos)
         return module;
     const std::string_view version = item.substr(at + 1);
-    module.version = number<std::uint8_t>(version).value_or(0);
+    module.version = numberIn<std::uint8_t>(version).value_or(0);
     if (std::to_string(module.version) != version || !isKnown(module))
         return tl::unexpected("Unknown version in item " + quoted(item) + "; " + std::string(kAllowed) + ".");
     return module;

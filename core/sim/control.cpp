@@ -52,7 +52,7 @@ WordList split(std::string_view line) {
 }
 
 tl::expected<ModuleIndex, std::string> moduleNumber(const Chain& chain, std::string_view word) {
-    const auto value = number<unsigned>(word);
+    const auto value = numberIn<unsigned>(word);
     if (!value || *value < 1 || *value > chain.moduleCount())
         return tl::unexpected("no module " + quoted(word) + "; allowed is 1 to " +
                               std::to_string(chain.moduleCount()));

@@ -114,7 +114,7 @@ std::optional<Word> valueOf(const InputRow& row, std::string_view text) {
     for (const Word& word : row.words)
         if (!text.empty() && word.text == text)
             return word;
-    const auto value = number<double>(text);
+    const auto value = numberIn<double>(text);
     // This form of the comparison also refuses NaN.
     if (!value || !(*value >= row.min && *value <= row.max) || (row.whole && *value != std::floor(*value)))
         return std::nullopt;
@@ -172,7 +172,7 @@ Done setInput(Chain& chain, ModuleIndex module, const InputRow& row, Words words
     if (words.size() != (row.count == 0 ? 1U : 2U))
         return tl::unexpected("wrong number of words for set; allowed is set N " +
                               (row.count == 0 ? "NAME VALUE" : name + " K VALUE"));
-    const unsigned which = row.count == 0 ? 0 : number<unsigned>(words[0]).value_or(0);
+    const unsigned which = row.count == 0 ? 0 : numberIn<unsigned>(words[0]).value_or(0);
     if (which > row.count || (row.count > 0 && which == 0))
         return tl::unexpected("no " + name + ' ' + quoted(words[0]) + "; allowed is 1 to " +
                               std::to_string(row.count));

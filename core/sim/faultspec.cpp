@@ -76,7 +76,7 @@ std::optional<Duration> duration(std::string_view word) {
             unit = seconds;
             break;
         }
-    const auto value = number<double>(word);
+    const auto value = numberIn<double>(word);
     if (!value || !(*value >= 0.0 && *value * unit <= kDay))
         return std::nullopt;
     return fromSeconds(*value * unit);
@@ -121,7 +121,7 @@ private:
         std::set<std::uint8_t> seen;
         while (true) {
             const std::string_view item = list.substr(0, list.find(','));
-            const auto value = number<unsigned>(item);
+            const auto value = numberIn<unsigned>(item);
             if (!value || *value < 1 || *value > m_chain.size())
                 return Refusal("no module " + quoted(item) + "; allowed is 1 to " +
                                std::to_string(m_chain.size()) + ", several with commas");
@@ -240,14 +240,14 @@ private:
     }
 
     Done probability(std::string_view word) {
-        const auto value = number<double>(word);
+        const auto value = numberIn<double>(word);
         if (!value || !(*value >= 0.0 && *value <= 1.0))
             return Refusal("p cannot be " + quoted(word) + "; allowed is 0 to 1");
         m_spec.probability = *value;
         return {};
     }
     Done count(std::string_view word) {
-        m_spec.count = number<std::uint64_t>(word);
+        m_spec.count = numberIn<std::uint64_t>(word);
         if (!m_spec.count || *m_spec.count == 0)
             return Refusal("n cannot be " + quoted(word) + "; allowed is a whole number from 1 on");
         return {};
@@ -276,7 +276,7 @@ private:
     }
     Done bit(std::string_view word) {
         constexpr unsigned kLast = 8 * kMaxPacket - 1;
-        m_spec.bit = number<unsigned>(word);
+        m_spec.bit = numberIn<unsigned>(word);
         if (!m_spec.bit || *m_spec.bit > kLast)
             return Refusal("bit cannot be " + quoted(word) + "; allowed is 0 to " + std::to_string(kLast) +
                            ", from bit 0 of the frame's first byte");

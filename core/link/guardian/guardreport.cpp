@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <sstream>
 
+#include "base/numbertext.h"
 #include "link/guardian/descriptor.h"
 #include "protocol/frame.h"
 
@@ -43,10 +43,7 @@ std::optional<long> processIn(std::string_view name) {
         return std::nullopt;
     name.remove_prefix(kNameBegins.size());
     name.remove_suffix(std::min(name.size(), kNameEnds.size()));
-    long process = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
-    const bool whole = error == std::errc{} && end == name.data() + name.size();
-    return whole ? std::optional(process) : std::nullopt;
+    return numberIn<long>(name);
 }
 
 std::optional<GuardReport> read(const std::string& file, long process) {

@@ -2,7 +2,8 @@
 #include "link/ports/networkline.h"
 
 #include <algorithm>
-#include <charconv>
+
+#include "base/numbertext.h"
 
 namespace nmc {
 
@@ -41,10 +42,8 @@ std::optional<NetworkLine> parseNetworkLine(std::string_view name) {
         bracketed != (host.find(':') != std::string_view::npos))
         return std::nullopt;
     line.host = host;
-    const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), line.port);
-    if (error != std::errc{} || end != port.data() + port.size() || line.port == 0)
-        return std::nullopt;
-    return line;
+    line.port = numberIn<std::uint16_t>(port).value_or(0);
+    return line.port != 0 ? std::optional(line) : std::nullopt;
 }
 
 }  // namespace nmc

@@ -11,9 +11,9 @@
 #include <optional>
 #include <string>
 
+#include "base/numbertext.h"
 #include "model/machinefile/jsontree.h"
 #include "model/machinefile/machinelayout.h"
-#include "model/recording/numbertext.h"
 
 namespace nmc::layout {
 

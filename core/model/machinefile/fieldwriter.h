@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/numbertext.h"
 #include "model/machinefile/machinelayout.h"
-#include "model/recording/numbertext.h"
 
 namespace nmc::layout {
 

@@ -2,12 +2,11 @@
 #include "model/path/pathfile.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
+#include "base/numbertext.h"
 #include "base/text.h"
 
 namespace nmc {
@@ -27,14 +26,8 @@ constexpr std::string_view kBlank = " \t\r";
     }
 }
 
-template <typename Number>
-[[nodiscard]] std::optional<Number> numberIn(std::string_view text) {
-    if (text.starts_with('+') && !text.starts_with("+-"))
-        text.remove_prefix(1);
-    Number number{};
-    const char* const end = text.data() + text.size();
-    const auto [next, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc{} && next == end ? std::optional(number) : std::nullopt;
+[[nodiscard]] std::string_view withoutPlus(std::string_view number) {
+    return number.substr(number.starts_with('+') && !number.starts_with("+-") ? 1 : 0);
 }
 
 class PathReader {
@@ -85,7 +78,7 @@ private:
         if (!comment.starts_with(kRate) || m_header)
             return;
         const std::string_view said = trimmed(comment.substr(kRate.size()), kBlank);
-        const auto hertz = numberIn<int>(said);
+        const auto hertz = numberIn<int>(withoutPlus(said));
         if (hertz == 30)
             m_table.rate = servo::PathRate::Hz30;
         else if (hertz == 60)
@@ -150,7 +143,7 @@ private:
         };
         if (cell.empty())
             return of(PathProblem::Kind::Gap);
-        const auto position = numberIn<double>(cell);
+        const auto position = numberIn<double>(withoutPlus(cell));
         if (!position || !std::isfinite(*position))
             return of(PathProblem::Kind::NotANumber);
         const double counts = std::round(axis.scale.counts(*position));
@@ -196,13 +189,6 @@ private:
     bool m_tooMany = false;
 };
 
-/// Appends the shortest decimal number that reads back as the same value.
-void append(std::string& text, double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    text.append(digits.data(), end);
-}
-
 }  // namespace
 
 std::string pathName(ModuleIndex module, const std::string& name) {
@@ -238,7 +224,7 @@ std::string pathText(const PathTable& table, std::span<const PathColumn> axes) {
     for (std::size_t point = 0; point < table.columns.front().points.size(); ++point) {
         for (std::size_t i = 0; i < columns.size(); ++i) {
             text += i == 0 ? "" : ", ";
-            append(text, columns[i].scale.position(table.columns[i].points[point]));
+            appendNumber(text, columns[i].scale.position(table.columns[i].points[point]));
         }
         text += '\n';
     }

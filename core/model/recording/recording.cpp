@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbertext.h"
 #include "base/text.h"
-#include "model/recording/numbertext.h"
 #include "model/recording/recordingwords.h"
 #include "model/recording/timetext.h"
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/numbertext.h"
 #include "base/time.h"
-#include "model/recording/numbertext.h"
 
 namespace nmc {
 

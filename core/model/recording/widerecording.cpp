@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "model/recording/numbertext.h"
+#include "base/numbertext.h"
 #include "model/recording/timetext.h"
 #include "model/scope/derivedsignals.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/numbertext.h"
 #include "model/frequency/frequencyresponse.h"
-#include "model/recording/numbertext.h"
 
 namespace nmc {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/response/responsefile.h"
 
-#include "model/recording/numbertext.h"
+#include "base/numbertext.h"
 #include "model/recording/recording.h"
 
 namespace nmc {

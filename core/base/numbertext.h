@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace nmc {
+
+// Numbers in files and commands: they use the C locale's decimal point regardless of the user's locale.
+
+/// With just enough digits to read back the same number.
+template <typename Number>
+void appendNumber(std::string& out, Number number) {
+    std::array<char, 32> digits;
+    out.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+}
+
+template <typename Number>
+[[nodiscard]] std::string textOf(Number number) {
+    std::string text;
+    appendNumber(text, number);
+    return text;
+}
+
+/// Reads the whole text as a number; returns nothing if it is anything else. `how`: the last argument of
+/// std::from_chars(), such as the base.
+template <typename Number>
+[[nodiscard]] std::optional<Number> numberIn(std::string_view text, auto... how) {
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto [next, error] = std::from_chars(text.data(), end, number, how...);
+    return error == std::errc{} && next == end ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace nmc
