@@ -86,21 +86,15 @@ public:
     TreeBuilder(std::string_view text, const Progress& progress) : m_text(text), m_progress(progress) {}
 
     // Required by nlohmann's SAX interface; returning false ends the parsing.
-    bool null() { return add({JsonValue::Kind::Null, line()}); }
-    bool boolean(bool flag) {
-        JsonValue value(JsonValue::Kind::Flag, line());
-        value.flag = flag;
-        return add(std::move(value));
-    }
+    bool null() { return add({.line = line()}); }
+    bool boolean(bool flag) { return add({.kind = JsonValue::Kind::Flag, .line = line(), .flag = flag}); }
     bool number_integer(Json::number_integer_t number) { return addNumber(static_cast<double>(number)); }
     bool number_unsigned(Json::number_unsigned_t number) { return addNumber(static_cast<double>(number)); }
     bool number_float(Json::number_float_t number, const std::string& /*digits*/) {
         return addNumber(number);
     }
     bool string(std::string& text) {
-        JsonValue value(JsonValue::Kind::Text, line());
-        value.text = std::move(text);
-        return add(std::move(value));
+        return add({.kind = JsonValue::Kind::Text, .line = line(), .text = std::move(text)});
     }
     static bool binary(Json::binary_t& /*bytes*/) { return false; }
     bool start_object(std::size_t /*elements*/) { return open(JsonValue::Kind::Object); }
@@ -134,36 +128,26 @@ private:
         return false;
     }
     bool addNumber(double number) {
-        JsonValue value(JsonValue::Kind::Number, line());
-        value.number = number;
-        return add(std::move(value));
+        return add({.kind = JsonValue::Kind::Number, .line = line(), .number = number});
     }
     bool add(JsonValue value) {
         if (++m_values > kMaxJsonValues)
             return refuse({.kind = Kind::TooManyValues, .max = kMaxJsonValues});
-        place() = std::move(value);
+        (m_open.empty() ? m_root : m_open.back()->items.emplace_back()) = std::move(value);
         return true;
     }
     bool open(JsonValue::Kind kind) {
         if (m_open.size() >= kMaxJsonDepth)
             return refuse({.kind = Kind::TooDeep, .max = kMaxJsonDepth});
-        if (++m_values > kMaxJsonValues)
-            return refuse({.kind = Kind::TooManyValues, .max = kMaxJsonValues});
-        JsonValue& value = place();
-        value = JsonValue(kind, line());
-        m_open.push_back(&value);
+        if (!add({.kind = kind, .line = line()}))
+            return false;
+        // It stays in place until it is closed.
+        m_open.push_back(m_open.empty() ? &m_root : &m_open.back()->items.back());
         return true;
     }
     bool close() {
         m_open.pop_back();
         return true;
-    }
-    /// The position for the next value. An open list or object stays in place until it is closed.
-    JsonValue& place() {
-        if (m_open.empty())
-            return m_root;
-        JsonValue& parent = *m_open.back();
-        return parent.items.emplace_back();
     }
 
     std::string_view m_text;

@@ -19,12 +19,10 @@ struct JsonValue {
     int line = 1;  ///< line of the value; for a list or object, its first line
     bool flag = false;
     double number = 0.0;
-    std::string text;
-    std::vector<std::string> keys;  ///< for an object: the keys of `items`
-    std::vector<JsonValue> items;
+    std::string text{};
+    std::vector<std::string> keys{};  ///< for an object: the keys of `items`
+    std::vector<JsonValue> items{};
 
-    JsonValue() = default;
-    JsonValue(Kind ofKind, int atLine) : kind(ofKind), line(atLine) {}
     /// For an object; returns null if it has no such key.
     [[nodiscard]] const JsonValue* find(std::string_view key) const;
 };
