@@ -460,34 +460,34 @@ void ServoLoop::clearStickyBits() {
 }
 
 void ServoLoop::set(Input input, std::optional<double> value) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const bool level = value.value_or(0.0) != 0.0;
+    MotorParameters p = m_plant.parameters();
     m_quiet = false;
     switch (input) {
         case Input::Limit1:
+            m_limitInput[0] = level;
+            return;
         case Input::Limit2:
-        case Input::Index:
-        case Input::Power:
+            m_limitInput[1] = level;
+            return;
         case Input::Limits:
-            setSwitch(input, value.value_or(0.0) != 0.0);
+            m_limitsAutomatic = level;
+            return;
+        case Input::Index:
+            m_indexInput = level;
+            m_indexInputAt = m_plant.shaft();
+            return;
+        case Input::Power:
+            m_volts = level ? kGoodVolts : 0.0;
+            return;
+        case Input::VoltSense:
+            m_volts = value.value_or(kGoodVolts);
             return;
         case Input::Analog:
             m_analogInput.reset();
             if (value)
                 m_analogInput = static_cast<std::uint8_t>(*value);
-            return;
-        case Input::Load:
-        case Input::Inertia:
-        case Input::Friction:
-        case Input::Play:
-        case Input::LoadPlay:
-        case Input::CountsPerTurn:
-        case Input::Deadband:
-        case Input::Gain:
-        case Input::EncoderNoise:
-        case Input::ElasticInertia:
-        case Input::Resonance:
-        case Input::TravelMin:
-        case Input::TravelMax:
-            setLoad(input, value);
             return;
         case Input::HomeSwitchAt:
             m_homeSwitchAt.reset();
@@ -500,9 +500,45 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::Pulses:
             m_pulses += static_cast<std::int64_t>(value.value_or(0.0));
             return;
-        case Input::VoltSense:
-            m_volts = value.value_or(kGoodVolts);
-            return;
+        case Input::Load:
+            p.loadNm = value.value_or(0.0);
+            break;
+        case Input::Inertia:
+            p.inertiaKgM2 = value.value_or(p.inertiaKgM2);
+            break;
+        case Input::Friction:
+            p.coulombNm = value.value_or(p.coulombNm);
+            break;
+        case Input::Play:
+            p.playCounts = static_cast<std::int64_t>(value.value_or(0.0));
+            break;
+        case Input::LoadPlay:
+            p.loadPlayCounts = static_cast<std::int64_t>(value.value_or(0.0));
+            break;
+        case Input::CountsPerTurn:
+            p.countsPerTurn = value.value_or(p.countsPerTurn);
+            break;
+        case Input::Deadband:
+            p.amplifierDeadbandPwm = static_cast<int>(value.value_or(0.0));
+            break;
+        case Input::Gain:
+            p.setGain(value.value_or(p.gain()));
+            break;
+        case Input::EncoderNoise:
+            p.encoderNoiseCounts = value.value_or(0.0);
+            break;
+        case Input::ElasticInertia:
+            p.elasticInertiaKgM2 = value.value_or(0.0);
+            break;
+        case Input::Resonance:
+            p.resonanceHz = value.value_or(p.resonanceHz);
+            break;
+        case Input::TravelMin:
+            p.travelMinCounts = value.value_or(-kInfinity);
+            break;
+        case Input::TravelMax:
+            p.travelMaxCounts = value.value_or(kInfinity);
+            break;
         case Input::Pin:  // PIC-I/O only
         case Input::Estop:
         case Input::In1:
@@ -510,6 +546,7 @@ void ServoLoop::set(Input input, std::optional<double> value) {
         case Input::HomeSwitch:
             return;  // PIC-STEP only
     }
+    m_plant.setParameters(p);
 }
 
 void ServoLoop::holdShaft(bool held) {
@@ -520,53 +557,6 @@ void ServoLoop::holdShaft(bool held) {
 void ServoLoop::reverseEncoder(bool reversed) {
     m_encoder.setReversed(reversed);
     m_quiet = false;
-}
-
-void ServoLoop::setSwitch(Input input, bool level) {
-    if (input == Input::Limit1)
-        m_limitInput[0] = level;
-    if (input == Input::Limit2)
-        m_limitInput[1] = level;
-    if (input == Input::Power)
-        m_volts = level ? kGoodVolts : 0.0;
-    if (input == Input::Limits)
-        m_limitsAutomatic = level;
-    if (input == Input::Index) {
-        m_indexInput = level;
-        m_indexInputAt = m_plant.shaft();
-    }
-}
-
-void ServoLoop::setLoad(Input input, std::optional<double> value) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    MotorParameters p = m_plant.parameters();
-    if (input == Input::Load)
-        p.loadNm = value.value_or(0.0);
-    if (input == Input::Inertia)
-        p.inertiaKgM2 = value.value_or(p.inertiaKgM2);
-    if (input == Input::Friction)
-        p.coulombNm = value.value_or(p.coulombNm);
-    if (input == Input::Play)
-        p.playCounts = static_cast<std::int64_t>(value.value_or(0.0));
-    if (input == Input::LoadPlay)
-        p.loadPlayCounts = static_cast<std::int64_t>(value.value_or(0.0));
-    if (input == Input::CountsPerTurn)
-        p.countsPerTurn = value.value_or(p.countsPerTurn);
-    if (input == Input::Deadband)
-        p.amplifierDeadbandPwm = static_cast<int>(value.value_or(0.0));
-    if (input == Input::Gain)
-        p.setGain(value.value_or(p.gain()));
-    if (input == Input::EncoderNoise)
-        p.encoderNoiseCounts = value.value_or(0.0);
-    if (input == Input::ElasticInertia)
-        p.elasticInertiaKgM2 = value.value_or(0.0);
-    if (input == Input::Resonance)
-        p.resonanceHz = value.value_or(p.resonanceHz);
-    if (input == Input::TravelMin)
-        p.travelMinCounts = value.value_or(-kInfinity);
-    if (input == Input::TravelMax)
-        p.travelMaxCounts = value.value_or(kInfinity);
-    m_plant.setParameters(p);
 }
 
 }  // namespace nmc::sim

@@ -158,8 +158,6 @@ private:
     void disableServo();
     void forgetVelocity();
     void setOutput(std::int64_t magnitude, bool reverse);
-    void setSwitch(Input input, bool level);
-    void setLoad(Input input, std::optional<double> value);
     [[nodiscard]] int ticksPerServoTick() const { return m_gains.sr == 0 ? 256 : m_gains.sr; }
     [[nodiscard]] bool currentIsOver() const;
     [[nodiscard]] bool limitPin(unsigned number) const;
