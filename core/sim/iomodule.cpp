@@ -25,21 +25,22 @@ void IoModule::executeOwn(const Packet& packet) {
         case CommandCode::ResetPosition:  // Set Direction
             return watchingCounterPin([&] { m_chip.directions = pinsOf(reader); });
         case CommandCode::LoadTrajectory:  // Set PWM
-            m_chip.outputs.pwm = {packet.data[0], packet.data[1]};
+            m_chip.pwm = {packet.data[0], packet.data[1]};
             return;
         case CommandCode::StartMotion:  // Synch Output
-            m_chip.outputs.pwm = m_chip.stored.pwm;
-            return setPins(m_chip.stored.pins);
+            m_chip.pwm = m_chip.storedPwm;
+            return setPins(m_chip.storedOutputs);
         case CommandCode::SetGain:  // Set Output
             return setPins(pinsOf(reader));
         case CommandCode::StopMotor:  // Set Synch Output
-            m_chip.stored = {pinsOf(reader), {packet.data[2], packet.data[3]}};
+            m_chip.storedOutputs = pinsOf(reader);
+            m_chip.storedPwm = {packet.data[2], packet.data[3]};
             return;
         case CommandCode::IoControl:  // Set Timer Mode
             return setTimerMode(packet.data[0]);
         case CommandCode::SaveAsHome:  // Synch Input
             m_chip.latchedPins = levels();
-            m_chip.latchedCount = m_chip.timer.count();
+            m_chip.latchedCount = count();
             return;
         case CommandCode::SetHoming:  // this chip has neither this command nor the next two
         case CommandCode::ClearStickyBits:
@@ -56,34 +57,35 @@ void IoModule::executeOwn(const Packet& packet) {
 
 /// Sets the timer mode and restarts the count.
 void IoModule::setTimerMode(std::uint8_t mode) {
-    m_chip.timer = {(mode & 0x01U) != 0, (mode & 0x02U) != 0, 1U << (mode >> 4U & 0x03U), 0};
+    m_chip.counting = (mode & 0x01U) != 0;
+    m_chip.countsPin = (mode & 0x02U) != 0;
+    m_chip.prescaler = 1U << (mode >> 4U & 0x03U);
+    m_events = 0;
 }
 
 void IoModule::setPins(std::uint16_t pins) {
     watchingCounterPin([&] {
         const unsigned inputs = m_chip.directions;
-        m_chip.outputs.pins = static_cast<std::uint16_t>((m_chip.outputs.pins & inputs) | (pins & ~inputs));
+        m_chip.outputs = static_cast<std::uint16_t>((m_chip.outputs & inputs) | (pins & ~inputs));
     });
 }
 
 std::uint16_t IoModule::levels() const {
     const unsigned inputs = m_chip.directions;
-    return static_cast<std::uint16_t>(((m_pinsOutside & inputs) | (m_chip.outputs.pins & ~inputs)) &
-                                      kAllPins);
+    return static_cast<std::uint16_t>(((m_pinsOutside & inputs) | (m_chip.outputs & ~inputs)) & kAllPins);
 }
 
 template <typename Change>
 void IoModule::watchingCounterPin(Change change) {
     const unsigned before = levels() & kCounterPin;
     change();
-    Timer& timer = m_chip.timer;
-    if (timer.enabled && timer.countsPin && before == 0 && (levels() & kCounterPin) != 0)
-        ++timer.events;
+    if (m_chip.counting && m_chip.countsPin && before == 0 && (levels() & kCounterPin) != 0)
+        ++m_events;
 }
 
 void IoModule::runTicks(std::uint64_t ticks) {
-    if (m_chip.timer.enabled && !m_chip.timer.countsPin)
-        m_chip.timer.events += kTimerClocksPerTick * ticks;
+    if (m_chip.counting && !m_chip.countsPin)
+        m_events += kTimerClocksPerTick * ticks;
 }
 
 void IoModule::set(Input input, std::optional<double> value, unsigned number) {
@@ -100,17 +102,13 @@ void IoModule::set(Input input, std::optional<double> value, unsigned number) {
 
 void IoModule::writeItems(ItemWriter writer) const {
     writer.item(levels()).item(m_analog[0]).item(m_analog[1]).item(m_analog[2]);
-    writer.item(m_chip.timer.count()).item(identityItem());
+    writer.item(count()).item(identityItem());
     writer.item(m_chip.latchedPins).item(m_chip.latchedCount);
 }
 
 ModuleSnapshot IoModule::snapshot(TimePoint now) const {
     ModuleSnapshot s = Module::snapshot(now);
-    const Timer& timer = m_chip.timer;
-    s.io = IoSnapshot{m_chip.directions,  levels(),           m_chip.outputs.pins, m_analog,
-                      m_chip.outputs.pwm, m_chip.stored.pins, m_chip.stored.pwm,   timer.enabled,
-                      timer.countsPin,    timer.prescaler,    timer.count(),       m_chip.latchedPins,
-                      m_chip.latchedCount};
+    s.io = IoSnapshot{m_chip, levels(), m_analog, count()};
     return s;
 }
 

@@ -15,30 +15,10 @@ public:
     [[nodiscard]] ModuleSnapshot snapshot(TimePoint now) const override;
 
 private:
-    using Pwm = std::array<std::uint8_t, 2>;
-    /// Output values, either in effect or stored until Synch Output.
-    struct Outputs {
-        std::uint16_t pins = 0;
-        Pwm pwm{};
-    };
-    struct Timer {
-        bool enabled = false;
-        bool countsPin = false;
-        unsigned prescaler = 1;
-        std::uint64_t events = 0;  ///< timer clock ticks, or edges
-        [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(events / prescaler); }
-    };
-    /// The state that the chip loses when it restarts.
-    struct Chip {
-        std::uint16_t directions = 0x0FFF;  ///< a set bit means input
-        Outputs outputs;
-        Outputs stored;
-        Timer timer;
-        std::uint16_t latchedPins = 0;
-        std::uint32_t latchedCount = 0;
-    };
-
-    void resetChip(Restart) override { m_chip = {}; }
+    void resetChip(Restart) override {
+        m_chip = {};
+        m_events = 0;
+    }
     void runTicks(std::uint64_t ticks) override;
     void executeOwn(const Packet& packet) override;
     [[nodiscard]] std::uint8_t statusByte() const override { return 0; }
@@ -52,11 +32,15 @@ private:
     void setPins(std::uint16_t pins);
     /// The levels of all pins, whether driven by the module or from outside.
     [[nodiscard]] std::uint16_t levels() const;
+    [[nodiscard]] std::uint32_t count() const {
+        return static_cast<std::uint32_t>(m_events / m_chip.prescaler);
+    }
     /// Counts the edge that `change` may cause at the counter's pin.
     template <typename Change>
     void watchingCounterPin(Change change);
 
-    Chip m_chip;
+    IoChip m_chip;
+    std::uint64_t m_events = 0;  ///< timer clock ticks, or edges
     // The world outside the module.
     std::uint16_t m_pinsOutside = 0;
     std::array<std::uint8_t, 3> m_analog{};

@@ -114,22 +114,25 @@ struct StepperSnapshot : StepperSurroundings {
     std::uint8_t currentLimit = 0;  ///< CUR_LIM, 255 is full current
 };
 
-/// Levels of a PIC-I/O's twelve pins and its A/D inputs, and the state of the chip. In pin masks, bit 0 is
-/// IO1 and bit 11 is IO12.
-struct IoSnapshot {
+/// What a PIC-I/O loses when it restarts. In pin masks, bit 0 is IO1 and bit 11 is IO12.
+struct IoChip {
     std::uint16_t directions = 0x0FFF;  ///< a set bit means input
-    std::uint16_t levels = 0;           ///< all pins, driven by the module or from outside
     std::uint16_t outputs = 0;          ///< set by Set Output
-    std::array<std::uint8_t, 3> analog{};
     std::array<std::uint8_t, 2> pwm{};
     std::uint16_t storedOutputs = 0;  ///< stored by Set Synch Output, like the next
     std::array<std::uint8_t, 2> storedPwm{};
     bool counting = false;   ///< timer or counter is enabled
     bool countsPin = false;  ///< counts edges of IO10 instead of time
     unsigned prescaler = 1;
-    std::uint32_t count = 0;
     std::uint16_t latchedPins = 0;
     std::uint32_t latchedCount = 0;
+};
+
+/// The state of a PIC-I/O, its count, and the levels of its twelve pins and its A/D inputs.
+struct IoSnapshot : IoChip {
+    std::uint16_t levels = 0;  ///< all pins, driven by the module or from outside
+    std::array<std::uint8_t, 3> analog{};
+    std::uint32_t count = 0;
 };
 
 /// Ground truth about a module.
