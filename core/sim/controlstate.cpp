@@ -26,6 +26,11 @@ Json orNull(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
+/// A hard stop, or null when there is none.
+Json stopJson(double counts) {
+    return std::isfinite(counts) ? Json(counts) : Json(nullptr);
+}
+
 /// The bits that Clear Sticky Bits clears, as the next status will show them (DS-V 5.3).
 Json stickyJson(const ModuleSnapshot& s) {
     return {{"overcurrent", (s.status & 0x04U) != 0},
@@ -102,8 +107,8 @@ Json servoJson(const ModuleSnapshot& s) {
             {"encoder_noise", servo.motor.encoderNoiseCounts},
             {"elastic_inertia", servo.motor.elasticInertiaKgM2},
             {"resonance", servo.motor.resonanceHz},
-            {"travel_min", orNull(servo.travelMin)},
-            {"travel_max", orNull(servo.travelMax)},
+            {"travel_min", stopJson(servo.motor.travelMinCounts)},
+            {"travel_max", stopJson(servo.motor.travelMaxCounts)},
             {"limits", servo.limitsAutomatic ? "auto" : "manual"},
             {"home_switch_at", orNull(servo.homeSwitchAt)},
             {"gains", gainsJson(servo.gains)}};

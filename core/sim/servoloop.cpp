@@ -193,10 +193,6 @@ ServoSnapshot ServoLoop::snapshot() const {
     s.limitsAutomatic = m_limitsAutomatic;
     s.homeSwitchAt = m_homeSwitchAt;
     s.motor = motor();
-    if (std::isfinite(s.motor.travelMinCounts))
-        s.travelMin = s.motor.travelMinCounts;
-    if (std::isfinite(s.motor.travelMaxCounts))
-        s.travelMax = s.motor.travelMaxCounts;
     s.gains = m_gains;
     if (isLater())
         s.later = laterSnapshot();
@@ -210,7 +206,6 @@ LaterServoSnapshot ServoLoop::laterSnapshot() const {
     s.pathMode = m_path.running();
     s.fastPath = controls(ScControl::kFastPath);
     s.voltSense = m_volts;
-    s.ioControl = m_control;
     s.limitStopsOff = protectsLimits() && controls(ScControl::kLimitOff);
     s.limitStopsAbruptly = protectsLimits() && !s.limitStopsOff;
     s.threePhase = controls(ScControl::kThreePhase);

@@ -29,7 +29,6 @@ struct LaterServoSnapshot {
     bool advancedFeatures = false;  ///< CMC only; an SC always has them
     // SC only.
     double voltSense = 0;  ///< volts at VOLT_SENSE
-    std::uint8_t ioControl = 0;
     bool limitStopsOff = false;  ///< action at a limit: motor off, or an abrupt stop
     bool limitStopsAbruptly = false;
     bool threePhase = false;
@@ -61,8 +60,6 @@ struct ServoSnapshot {
     bool index = false;
     bool limitsAutomatic = false;  ///< the limit pins follow the travel
     MotorParameters motor;
-    std::optional<double> travelMin;  ///< hard stops, in shaft counts
-    std::optional<double> travelMax;
     std::optional<std::int64_t> homeSwitchAt;  ///< load position of the home switch at LIMIT1
     Gains gains;
     std::optional<LaterServoSnapshot> later;  ///< CMC and SC only
