@@ -28,8 +28,7 @@ tl::expected<ModuleIdentity, std::string> parseItem(std::string_view item) {
     const std::string_view name = item.substr(0, at);
     if (item.empty())
         return tl::unexpected("An item of the chain is empty; " + std::string(kAllowed) + ".");
-    const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
-                                   [name](const ModuleWord& word) { return word.name == name; });
+    const auto* const kind = std::ranges::find(kKinds, name, &ModuleWord::name);
     if (kind == kKinds.end())
         return tl::unexpected("Unknown item " + quoted(item) + " in the chain; " + std::string(kAllowed) +
                               ".");

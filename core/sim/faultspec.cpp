@@ -137,8 +137,7 @@ private:
     Done kind() {
         const std::string_view word = next();
         const std::string_view name = word.substr(0, word.find('='));
-        const auto* const row =
-            std::find_if(kRows.begin(), kRows.end(), [name](const Row& r) { return r.name == name; });
+        const auto* const row = std::ranges::find(kRows, name, &Row::name);
         if (row == kRows.end() || (name.size() != word.size() && row->kind != FaultKind::Ignore))
             return Refusal("no kind of fault " + quoted(word) + "; allowed are " + kindNames());
         m_row = row;

@@ -12,8 +12,7 @@ bool sameAdapter(const PortEntry& a, const PortEntry& b) {
 }
 
 const PortEntry* find(const QString& port, const QList<PortEntry>& ports) {
-    const auto found =
-        std::ranges::find_if(ports, [&port](const PortEntry& entry) { return entry.name == port; });
+    const auto found = std::ranges::find(ports, port, &PortEntry::name);
     return found != ports.end() && found->vendor != 0 ? &*found : nullptr;
 }
 

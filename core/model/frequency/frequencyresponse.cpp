@@ -91,11 +91,9 @@ constexpr double kReadingTime = secondsPerTick(1);
         for (const bus::SinePoint& point : *points)
             told.push_back(
                 {toSeconds(point.time - record.commands.front().time), static_cast<double>(point.counts)});
-    std::sort(told.begin(), told.end(),
-              [](const SineReading& a, const SineReading& b) { return a.seconds < b.seconds; });
-    told.erase(std::unique(told.begin(), told.end(),
-                           [](const SineReading& a, const SineReading& b) { return a.seconds == b.seconds; }),
-               told.end());
+    std::ranges::sort(told, {}, &SineReading::seconds);
+    const auto again = std::ranges::unique(told, {}, &SineReading::seconds);
+    told.erase(again.begin(), again.end());
     return told;
 }
 

@@ -75,9 +75,8 @@ LoopChange changeOf(const servo::SetGain& from, const servo::SetGain& to) {
 
 std::vector<FrequencyPoint> withOtherGains(std::span<const FrequencyPoint> measured,
                                            const servo::SetGain& from, const servo::SetGain& to) {
-    const auto first =
-        std::find_if(measured.begin(), measured.end(), [](const auto& p) { return !p.limited; });
-    const auto last = std::find_if(first, measured.end(), [](const auto& p) { return p.limited; });
+    const auto first = std::ranges::find(measured, false, &FrequencyPoint::limited);
+    const auto last = std::ranges::find(first, measured.end(), true, &FrequencyPoint::limited);
     std::vector<FrequencyPoint> points;
     for (const FrequencyPoint& point : std::span(first, last)) {
         // T' = r T / (1 - T + r T), whose derivative by T is r / (1 - T + r T)^2.

@@ -185,8 +185,7 @@ void addGroup(Fields& fields, const Json& group) {
 }
 
 void addFields(Fields& fields, MachinePart part, const std::string& key, const Json& value) {
-    const auto* naming = std::find_if(std::begin(kItemKeys), std::end(kItemKeys),
-                                      [&key](const ItemKey& item) { return item.list == key; });
+    const auto* naming = std::ranges::find(kItemKeys, key, &ItemKey::list);
     if (value.is_object())
         for (const auto& [name, member] : value.items())
             addFields(fields, part, name, member);
@@ -218,8 +217,7 @@ Fields fieldsOf(const PartMembers<Whole>& members, const Json& whole) {
 
 Fields differing(Fields fields, const Fields& now) {
     for (const FieldDifference& other : now) {
-        auto same = std::ranges::find_if(
-            fields, [&other](const FieldDifference& field) { return field.key == other.key; });
+        auto same = std::ranges::find(fields, other.key, &FieldDifference::key);
         if (same == fields.end())
             same = fields.insert(same, {other.key, other.quantity});
         same->now = other.file;

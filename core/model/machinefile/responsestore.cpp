@@ -175,8 +175,7 @@ std::vector<KeptResponse> together(std::vector<KeptResponse> ours, const std::ve
         if (!numbers.insert(run.number).second)
             ours.back().number = *numbers.insert(*numbers.rbegin() + 1).first;
     }
-    std::ranges::stable_sort(
-        ours, [](const KeptResponse& a, const KeptResponse& b) { return a.number < b.number; });
+    std::ranges::stable_sort(ours, {}, &KeptResponse::number);
     dropOldest(ours);
     return ours;
 }

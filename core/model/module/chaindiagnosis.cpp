@@ -34,8 +34,7 @@ ChainPlace placeOf(std::size_t index, const Machine& machine, const LinkState& l
 }
 
 std::optional<ModuleIndex> firstWith(const std::vector<ChainPlace>& places, ChainPlace::State state) {
-    const auto place =
-        std::ranges::find_if(places, [state](const ChainPlace& p) { return p.state == state; });
+    const auto place = std::ranges::find(places, state, &ChainPlace::state);
     return place == places.end() ? std::nullopt : std::optional(place->module);
 }
 

@@ -69,8 +69,7 @@ namespace {
     if (table.columns.empty() || table.columns.front().points.empty())
         return false;
     for (const PathTable::Column& column : table.columns) {
-        const auto same = std::ranges::count_if(
-            table.columns, [&](const PathTable::Column& other) { return other.module == column.module; });
+        const auto same = std::ranges::count(table.columns, column.module, &PathTable::Column::module);
         if (same != 1 || moduleAt(column.module, modules) == nullptr ||
             column.points.size() != table.columns.front().points.size())
             return false;

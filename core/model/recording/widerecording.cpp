@@ -240,8 +240,7 @@ std::string wideRecordingOf(const RecordingHeader& header, const History& histor
         const ModuleIndex index(static_cast<std::uint8_t>(i));
         if (seen.module(index)->empty())
             continue;
-        const auto told = std::ranges::find_if(
-            header.modules, [&](const RecordingModule& module) { return module.index == index; });
+        const auto told = std::ranges::find(header.modules, index, &RecordingModule::index);
         shown.push_back(told != header.modules.end() ? *told : RecordingModule{index, {}, {}, {}, {}});
     }
     const DerivedSignals derived = derivedOf(shown, history);

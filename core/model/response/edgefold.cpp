@@ -57,8 +57,7 @@ constexpr double kSamplesInPlace = 3.0;
             all.push_back({point.seconds, point.position - edge->taken.from});
     if (all.empty())
         return {};
-    std::ranges::sort(all,
-                      [](const ResponsePoint& a, const ResponsePoint& b) { return a.seconds < b.seconds; });
+    std::ranges::sort(all, {}, &ResponsePoint::seconds);
     const double span = edges.front()->taken.record + toSeconds(kBeforeStep);
     const double width =
         std::max(toSeconds(kServoTick), kSamplesInPlace * span / static_cast<double>(all.size()));

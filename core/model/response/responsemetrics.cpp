@@ -76,8 +76,7 @@ void markGaps(std::vector<StepReading>& readings) {
         if (readings[i].gapBefore && onTheWay)
             return tl::unexpected(Unmeasured::SamplesMissing);
     }
-    const auto highest = std::ranges::max_element(
-        readings, [](const StepReading& a, const StepReading& b) { return a.beyond < b.beyond; });
+    const auto highest = std::ranges::max_element(readings, {}, &StepReading::beyond);
     double added = 0.0;
     if (highest != readings.begin() && highest + 1 != readings.end())
         added = aboveMiddle(*(highest - 1), *highest, *(highest + 1));

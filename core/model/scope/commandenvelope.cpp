@@ -140,8 +140,8 @@ CommandEnvelope::Curve CommandEnvelope::changedTrapezoid(Side side, double veloc
         return sign * curve.profile.position(curve.seconds(time));
     };
     const auto furthest = [&](TimePoint time) {
-        return *std::ranges::max_element(
-            curves, [&](const Curve& a, const Curve& b) { return position(a, time) < position(b, time); });
+        return *std::ranges::max_element(curves, {},
+                                         [&](const Curve& curve) { return position(curve, time); });
     };
     Curve chosen = furthest(reached);
     const double missing = position(furthest(when.latest), when.latest) - position(chosen, when.latest);

@@ -129,8 +129,7 @@ std::optional<StretchFigures> figuresOf(const std::vector<SignalPoint>& points, 
         return std::nullopt;
     StretchFigures figures;
     takeMeans(points, figures);
-    const auto [low, high] = std::ranges::minmax_element(
-        points, [](const SignalPoint& a, const SignalPoint& b) { return a.value < b.value; });
+    const auto [low, high] = std::ranges::minmax_element(points, {}, &SignalPoint::value);
     figures.peakToPeak = high->value - low->value;
     if (const auto line = lineThrough(points)) {
         figures.slope = line->slope;

@@ -379,8 +379,7 @@ struct Found {
             }
             starts.push_back(best);
         }
-    std::sort(starts.begin(), starts.end(),
-              [](const Solution& a, const Solution& b) { return a.cost < b.cost; });
+    std::ranges::sort(starts, {}, &Solution::cost);
     Solution best;
     for (std::size_t i = 0; i < std::min(kTried, starts.size()); ++i) {
         const Solution found = descend(fit, starts[i].x, 12);
