@@ -19,21 +19,15 @@ using Stop = HomingRecipe::Stop;
 }
 
 [[nodiscard]] servo::SetHoming servoHoming(const HomeConditions& c) {
-    servo::SetHoming homing;
-    homing.onLimit1Change = c.limit1;
-    homing.onLimit2Change = c.limit2;
-    homing.onIndexChange = c.index;
-    homing.onPositionError = c.positionError;
-    homing.onCurrentLimit = c.currentLimit;
-    return homing;
+    return {.onLimit1Change = c.limit1,
+            .onLimit2Change = c.limit2,
+            .onIndexChange = c.index,
+            .onPositionError = c.positionError,
+            .onCurrentLimit = c.currentLimit};
 }
 
 [[nodiscard]] stepper::SetHoming stepperHoming(const HomeConditions& c) {
-    stepper::SetHoming homing;
-    homing.onLimit1Change = c.limit1;
-    homing.onLimit2Change = c.limit2;
-    homing.onHomeSwitchChange = c.homeSwitch;
-    return homing;
+    return {.onLimit1Change = c.limit1, .onLimit2Change = c.limit2, .onHomeSwitchChange = c.homeSwitch};
 }
 
 }  // namespace
@@ -82,10 +76,6 @@ std::optional<HomingLook> HomingChip::look(const ModuleState& module) const {
     return seen;
 }
 
-bool HomingChip::stopsByItself() const {
-    return m_identity.type == ModuleType::Stepper || m_identity.version >= servo::kAutoStopVersion;
-}
-
 HomingChip::Orders HomingChip::clearStickyBits() const {
     return orders(servo::ClearStickyBits{});
 }
@@ -103,8 +93,9 @@ HomingChip::Orders HomingChip::run(const Motion& motion, std::optional<std::int3
 HomingChip::Orders HomingChip::watch(const HomeConditions& conditions, Stop stop) const {
     if (m_identity.type == ModuleType::Stepper)
         return orders(stoppingBy(stop, stepperHoming(conditions)));
-    return stopsByItself() ? orders(stoppingBy(stop, servoHoming(conditions)))
-                           : orders(servoHoming(conditions));
+    // An older servo does not stop by itself when home is found: the host must stop it.
+    return m_identity.version >= servo::kAutoStopVersion ? orders(stoppingBy(stop, servoHoming(conditions)))
+                                                         : orders(servoHoming(conditions));
 }
 
 HomingChip::Orders HomingChip::search(const HomeConditions& conditions, Stop stop,

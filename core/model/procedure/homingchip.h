@@ -20,9 +20,6 @@ struct HomeConditions {
     bool currentLimit = false;
     bool homeSwitch = false;
 
-    [[nodiscard]] bool any() const {
-        return limit1 || limit2 || index || positionError || currentLimit || homeSwitch;
-    }
     bool operator==(const HomeConditions&) const = default;
 };
 
@@ -51,8 +48,6 @@ public:
 
     /// Returns nothing before the first complete status.
     [[nodiscard]] std::optional<HomingLook> look(const ModuleState& module) const;
-    /// True when the chip stops by itself when home is found; otherwise the host must stop it.
-    [[nodiscard]] bool stopsByItself() const;
     /// True when a limit input ends a motion, as on a PIC-STEP; a servo's motion in velocity mode does not
     /// end.
     [[nodiscard]] bool stopsMotionItself() const { return m_identity.type == ModuleType::Stepper; }

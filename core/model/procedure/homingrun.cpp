@@ -131,9 +131,7 @@ HomingRun::Next HomingRun::beginSearch(const HomingLook& seen, TimePoint now) {
 /// Starting takes current too, and that is not home, so the chip is told to watch the current only at full
 /// speed. A switch could change before that and would then be missed, so switches are watched from the start.
 bool HomingRun::startsUnwatched() const {
-    HomeConditions currentAlone;
-    currentAlone.currentLimit = true;
-    return conditions() == currentAlone;
+    return conditions() == HomeConditions{.currentLimit = true};
 }
 
 HomingRun::Next HomingRun::getUpToSpeed(const HomingLook& seen, TimePoint now) {
@@ -185,7 +183,7 @@ HomingRun::Next HomingRun::search(const HomingLook& seen, TimePoint now) {
     if (!seen.on) {
         if (!m_offSince)
             m_offSince = now;
-        if (!mayGoOff() || now - *m_offSince > kToldLater)
+        if (!m_goesOff || now - *m_offSince > kToldLater)
             return fail(ProcedureFailure::WentOff);
         return Wait{};
     }
@@ -201,7 +199,7 @@ HomingRun::Next HomingRun::search(const HomingLook& seen, TimePoint now) {
 }
 
 HomingRun::Next HomingRun::settle(const HomingLook& seen, TimePoint now) {
-    if (!seen.on && !mayGoOff())
+    if (!seen.on && !m_goesOff)
         return fail(ProcedureFailure::WentOff);
     if (!stands(seen))
         return tooLong(now) ? fail(ProcedureFailure::TimeLimit) : Next(Wait{});
@@ -302,18 +300,14 @@ HomingRun::Next HomingRun::enter(ProcedureStage stage, TimePoint now, HomingChip
 }
 
 HomeConditions HomingRun::conditions() const {
-    HomeConditions wanted;
-    if (inIndexSearch()) {
-        wanted.index = true;
-        return wanted;
-    }
-    wanted.limit1 = m_recipe.onLimit1;
-    wanted.limit2 = m_recipe.onLimit2;
-    wanted.index = m_recipe.onIndex;
-    wanted.positionError = m_recipe.onPositionError;
-    wanted.currentLimit = m_recipe.onCurrentLimit;
-    wanted.homeSwitch = m_recipe.onHomeSwitch;
-    return wanted;
+    if (inIndexSearch())
+        return {.index = true};
+    return {.limit1 = m_recipe.onLimit1,
+            .limit2 = m_recipe.onLimit2,
+            .index = m_recipe.onIndex,
+            .positionError = m_recipe.onPositionError,
+            .currentLimit = m_recipe.onCurrentLimit,
+            .homeSwitch = m_recipe.onHomeSwitch};
 }
 
 HomingChip::Motion HomingRun::motion() const {

@@ -67,7 +67,6 @@ private:
     [[nodiscard]] HomeConditions conditions() const;
     [[nodiscard]] HomingChip::Motion motion() const;
     [[nodiscard]] bool startsUnwatched() const;
-    [[nodiscard]] bool mayGoOff() const { return m_goesOff; }
     [[nodiscard]] bool tooFar(const HomingLook& seen) const;
     [[nodiscard]] bool beyondTravel(const HomingLook& seen) const;
     [[nodiscard]] bool tooLong(TimePoint now) const;
