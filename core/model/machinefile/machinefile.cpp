@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 #include "model/machinefile/fieldreader.h"
 #include "model/machinefile/fieldwriter.h"
@@ -42,7 +43,7 @@ std::optional<FileProblem> offsetProblem(const Machine& machine, const JsonValue
 }
 
 /// Finds contradictions between groups.
-std::optional<FileProblem> contradiction(const Machine& machine, const JsonValue& file) {
+std::optional<FileProblem> groupProblem(const Machine& machine, const JsonValue& file) {
     std::array<bool, layout::kMaxAxes> taken{};
     for (std::size_t i = 0; i < machine.groups.size(); ++i) {
         const GroupSettings& group = machine.groups[i];
@@ -65,46 +66,24 @@ std::optional<FileProblem> contradiction(const Machine& machine, const JsonValue
     return std::nullopt;
 }
 
-Kind fileKind(SequenceProblem::Kind kind) {
-    using From = SequenceProblem::Kind;
-    switch (kind) {
-        case From::NameTwice:
-            return Kind::NameTwice;
-        case From::AxisTwice:
-            return Kind::AxisTwice;
-        case From::NoSuchPoint:
-            return Kind::NoSuchPoint;
-        case From::NoSuchSequence:
-            return Kind::NoSuchSequence;
-        case From::CallsItself:
-            return Kind::CallsItself;
-        case From::RepeatsBelow:
-            return Kind::RepeatsBelow;
-        case From::NoName:
-        case From::NoRows:
-        case From::NoAxes:
-        case From::NoSuchModule:
-        case From::Refused:
-        case From::TaughtElsewhere:
-        case From::NoRecipe:
-        case From::NoSuchPin:
-        case From::NotAnInput:
-        case From::NotAnOutput:
-        case From::OutputsUnknown:
-        case From::Unreachable:
-        case From::NotThere:
-        case From::NotSet:
-            break;
-    }
-    return Kind::NameMissing;
-}
+using From = SequenceProblem::Kind;
+
+/// The contradictions that a program can have by itself.
+constexpr std::array kOfProgram{std::pair{From::NoName, Kind::NameMissing},
+                                std::pair{From::NameTwice, Kind::NameTwice},
+                                std::pair{From::AxisTwice, Kind::AxisTwice},
+                                std::pair{From::NoSuchPoint, Kind::NoSuchPoint},
+                                std::pair{From::NoSuchSequence, Kind::NoSuchSequence},
+                                std::pair{From::CallsItself, Kind::CallsItself},
+                                std::pair{From::RepeatsBelow, Kind::RepeatsBelow}};
 
 /// Finds contradictions between points and sequences, with the line of the point, the sequence or its row.
-std::optional<FileProblem> programProblem(const Program& program, const JsonValue& file) {
+std::optional<FileProblem> programProblem(const Machine& machine, const JsonValue& file) {
+    const Program& program = machine.program;
     const auto problem = contradiction(program);
     if (!problem)
         return std::nullopt;
-    using From = SequenceProblem::Kind;
+    const auto* const row = std::ranges::find(kOfProgram, problem->kind, &std::pair<From, Kind>::first);
     const bool ofName = problem->kind == From::NoName || problem->kind == From::NameTwice;
     const std::string field = problem->ofPoint ? "points" : "sequences";
     const std::vector<JsonValue>& items = file.find(field)->items;
@@ -114,7 +93,7 @@ std::optional<FileProblem> programProblem(const Program& program, const JsonValu
         const auto sequence = program.sequence(problem->sequence) - program.sequences.data();
         return items[static_cast<std::size_t>(sequence)].find("rows")->items[problem->row].line;
     };
-    return FileProblem{.kind = fileKind(problem->kind),
+    return FileProblem{.kind = row != kOfProgram.end() ? row->second : Kind::NameMissing,
                        .line = lineOf(),
                        .field = field,
                        .found = problem->module ? std::to_string(problem->module->value() + 1)
@@ -148,16 +127,9 @@ tl::expected<ParsedMachine, FileProblem> parseMachine(std::string_view text) {
     std::optional<FileProblem> problem;
     layout::FieldReader reader(*file, problem);
     layout::fields(reader, machine);
-    if (!problem)
-        problem = contradiction(machine, *file);
-    if (!problem)
-        problem = programProblem(machine.program, *file);
-    if (!problem)
-        problem = orderProblem(machine, *file);
-    if (!problem)
-        problem = crossedLimits(machine, *file);
-    if (!problem)
-        problem = offsetProblem(machine, *file);
+    for (const auto& check : {groupProblem, programProblem, orderProblem, crossedLimits, offsetProblem})
+        if (!problem)
+            problem = check(machine, *file);
     if (problem)
         return tl::unexpected(*problem);
     return ParsedMachine{std::move(machine), {std::string(text)}};
