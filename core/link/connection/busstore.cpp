@@ -156,7 +156,8 @@ void BusStore::executed(const bus::CommandExecuted& command) {
     m_link.modules[command.module.value()].apply(command);
     m_records[command.module.value()].feed.apply(command);
     m_records[command.module.value()].open = false;
-    noteGains(command);
+    if (const auto* gains = getIf<servo::SetGain>(command.command))
+        m_history.noteGains({command.module, command.time, *gains});
 }
 
 template <typename Function>
@@ -266,10 +267,7 @@ void BusStore::dropHome(ModuleIndex module) {
 
 void BusStore::useWorkOffset(ModuleIndex module, const std::optional<WorkOffset>& offset,
                              const std::optional<std::int32_t>& home) {
-    if (!known(module))
-        return;
-    m_link.modules[module.value()].home.useWork(offset, home);
-    emit linkChanged();
+    change(module, [&](ModuleState& state) { state.home.useWork(offset, home); });
 }
 
 void BusStore::setRights(const std::optional<OperatorRights>& rights) {
@@ -348,11 +346,6 @@ void BusStore::note(const bus::StopFinished& stopped) {
     doubtMotions(stopped.noStopKnown);
     for (Record& record : m_records)
         record.open = true;
-}
-
-void BusStore::noteGains(const bus::CommandExecuted& executed) {
-    if (const auto* gains = getIf<servo::SetGain>(executed.command))
-        m_history.noteGains({executed.module, executed.time, *gains});
 }
 
 void BusStore::doubtGains(ModuleIndex module) {

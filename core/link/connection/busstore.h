@@ -87,7 +87,6 @@ private:
     void take(const WorkerEvent& event);
     void take(const bus::Event& event);
     void take(const bus::Sample& sample);
-    void noteGains(const bus::CommandExecuted& executed);
     /// Marks the gains as unknown: the module may have other gains than those it confirmed.
     void doubtGains(ModuleIndex module);
     void executed(const bus::CommandExecuted& command);
