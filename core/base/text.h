@@ -23,6 +23,11 @@ namespace nmc {
     return key;
 }
 
+/// True for a control character of ASCII.
+[[nodiscard]] inline bool isControl(char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == '\x7F';
+}
+
 /// Returns the first `most` bytes of `text` as a single line of a file: line ends and other control
 /// characters, which the name of a port or a module may contain, become '?'.
 [[nodiscard]] inline std::string oneLine(std::string_view text, std::size_t most) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/numbertext.h"
+#include "base/text.h"
 
 namespace nmc {
 
@@ -13,8 +14,7 @@ constexpr std::string_view kRaw = "tcp://";
 constexpr std::string_view kRfc2217 = "rfc2217://";
 
 [[nodiscard]] bool belongsToHost(char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte > 0x20 && byte != 0x7F && std::string_view("/@?#[]").find(c) == std::string_view::npos;
+    return !isControl(c) && std::string_view(" /@?#[]").find(c) == std::string_view::npos;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "base/numbertext.h"
+#include "base/text.h"
 #include "model/machinefile/jsontree.h"
 #include "model/machinefile/machinelayout.h"
 
@@ -27,13 +28,6 @@ inline constexpr std::size_t kMaxQuoted = 40;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
         --end;
     return text.substr(0, end) + "…";
-}
-
-[[nodiscard]] inline bool printable(const std::string& text) {
-    return std::ranges::none_of(text, [](char c) {
-        const auto byte = static_cast<unsigned char>(c);
-        return byte < 0x20 || byte == 0x7F;
-    });
 }
 
 /// Reads the members of a struct from an object of the file. The first problem ends it.
@@ -272,7 +266,7 @@ private:
         return false;
     }
     void take(std::string_view key, const JsonValue& value, std::string& text) {
-        if (printable(value.text))
+        if (std::ranges::none_of(value.text, isControl))
             text = value.text;
         else
             refuse(key, value, {.kind = Kind::UnprintableText});

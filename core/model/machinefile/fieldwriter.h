@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/numbertext.h"
+#include "base/text.h"
 #include "model/machinefile/machinelayout.h"
 
 namespace nmc::layout {
@@ -17,13 +18,7 @@ inline constexpr int kIndent = 2;
 
 /// Replaces characters that the reader does not accept; they can only come from pasted text.
 [[nodiscard]] inline std::string withoutControls(std::string text) {
-    std::ranges::replace_if(
-        text,
-        [](char c) {
-            const auto byte = static_cast<unsigned char>(c);
-            return byte < 0x20 || byte == 0x7F;
-        },
-        ' ');
+    std::ranges::replace_if(text, isControl, ' ');
     return text;
 }
 

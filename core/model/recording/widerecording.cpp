@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/numbertext.h"
+#include "base/text.h"
 #include "model/recording/timetext.h"
 #include "model/scope/derivedsignals.h"
 
@@ -46,9 +47,7 @@ namespace {
     std::ranges::replace_if(
         word,
         [](char c) {
-            const auto byte = static_cast<unsigned char>(c);
-            return byte <= 0x20 || byte == 0x7F ||
-                   std::string_view(",;\"'/\\").find(c) != std::string_view::npos;
+            return isControl(c) || std::string_view(" ,;\"'/\\").find(c) != std::string_view::npos;
         },
         '_');
     return word;
