@@ -44,13 +44,11 @@ static_assert(sizeof(ScopeSample) == 32);
 /// A value computed from samples, in the form of a calculated error, because that has bounds.
 [[nodiscard]] inline ScopeSample derivedValue(TimePoint time, double likely, double low, double high,
                                               bool gapBefore) {
-    ScopeSample value;
-    value.time = time;
-    value.error = static_cast<float>(likely);
-    value.errorLow = static_cast<float>(low);
-    value.errorHigh = static_cast<float>(high);
-    value.gapBefore = gapBefore;
-    return value;
+    return {.time = time,
+            .error = static_cast<float>(likely),
+            .errorLow = static_cast<float>(low),
+            .errorHigh = static_cast<float>(high),
+            .gapBefore = gapBefore};
 }
 
 }  // namespace nmc
