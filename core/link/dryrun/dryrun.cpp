@@ -124,8 +124,7 @@ private:
     /// friction makes of it.
     [[nodiscard]] std::int32_t origin(ModuleIndex index) const {
         const ModuleState& module = m_start.modules[index.value()];
-        const auto position = module.latest ? module.latest->position : std::nullopt;
-        return module.goal().value_or(position.value_or(0));
+        return module.goal().value_or(module.position().value_or(0));
     }
     [[nodiscard]] Machine machineOfCopy() {
         Machine machine = m_start.machine;
@@ -290,7 +289,7 @@ private:
     }
     void told(const bus::Sample& sample) {
         ModuleState& module = m_modules.at(sample.module.value());
-        const auto before = module.latest ? module.latest->position : std::nullopt;
+        const auto before = module.position();
         module.apply(sample);
         if (!m_run || !before || !sample.report.position)
             return;

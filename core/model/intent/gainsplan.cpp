@@ -18,7 +18,7 @@ std::optional<Refusal> whyNot(const intent::TryGains& /*wanted*/, const ModuleSt
     if (const auto refusal = whyNot(IntentKind::ApplyGains, module))
         return refusal;
     return firstUnmet({{module.gains.has_value(), Refusal::GainsUnknown},
-                       {module.latest && module.latest->position, Refusal::PositionUnknown},
+                       {module.position().has_value(), Refusal::PositionUnknown},
                        {module.servoOn(), Refusal::ServoOff},
                        {!module.moving(), Refusal::Moving}});
 }

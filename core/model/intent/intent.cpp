@@ -28,11 +28,11 @@ bool gainsAct(const ModuleState& module) {
 int directionOf(const servo::LoadTrajectory& load, const ModuleState& module) {
     if (!load.isTrapezoidal())
         return load.reverse ? -1 : 1;
-    if (!load.position || !module.latest || !module.latest->position)
+    const auto from = module.position();
+    if (!load.position || !from)
         return 0;
-    const std::int32_t distance = load.relative
-                                      ? load.position->value()
-                                      : countsBetween(*module.latest->position, load.position->value());
+    const std::int32_t distance =
+        load.relative ? load.position->value() : countsBetween(*from, load.position->value());
     return distance > 0 ? 1 : distance < 0 ? -1 : 0;
 }
 
@@ -87,7 +87,7 @@ struct ServoPlanner : MotorPlanner {
     }
 
     Plan operator()(const intent::StopHere&) const {
-        const std::int32_t here = module.latest ? module.latest->position.value_or(0) : 0;
+        const std::int32_t here = module.position().value_or(0);
         return as(IntentKind::StopHere,
                   servo::StopMotor{module.amplifierKept(), servo::StopManner::Here, Counts(here)});
     }
@@ -230,7 +230,7 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
 
     const ModuleIdentity& chip = module.info.identity;
     const bool powered = module.latest && module.latest->servoStatus().powerOn();
-    const bool placed = module.latest && module.latest->position;
+    const bool placed = module.position().has_value();
     const Need on{module.servoOn(), Refusal::ServoOff};
     const Need off{!module.servoOn(), Refusal::ServoOn};
     const Need still{!module.moving(), Refusal::Moving};
@@ -304,7 +304,7 @@ std::optional<MotionSpec> motionOf(const intent::GoHome& goHome, const ModuleSta
 }
 
 std::optional<Refusal> whyNotDeclare(const ModuleState& module) {
-    return firstUnmet({{module.latest && module.latest->position, Refusal::PositionUnknown},
+    return firstUnmet({{module.position().has_value(), Refusal::PositionUnknown},
                        {!module.moving(), Refusal::Moving}});
 }
 

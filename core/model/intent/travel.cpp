@@ -25,10 +25,6 @@ constexpr double kVelocityGrain = 1.0 / kFixedPointOne;
         std::clamp<std::int64_t>(place, servo::kPositionRange.min, servo::kPositionRange.max));
 }
 
-[[nodiscard]] std::optional<std::int32_t> positionOf(const ModuleState& module) {
-    return module.latest ? module.latest->position : std::nullopt;
-}
-
 /// The effect of an intent on its axis.
 struct Course {
     std::optional<std::int64_t> goal{};
@@ -84,7 +80,7 @@ struct CourseOf {
     }
     /// The course extends to the last of the moves, from where the first one starts.
     std::optional<Course> operator()(const intent::MoveBy& by) const {
-        const auto position = positionOf(module);
+        const auto position = module.position();
         if (!position)
             return std::nullopt;
         const std::int32_t from = module.goal().value_or(*position);
@@ -125,7 +121,7 @@ private:
     }
     [[nodiscard]] Course of(const MotionSpec& motion, bool turns = false) const {
         Course course = std::visit([this](const auto& chip) { return courseOf(chip, module); }, motion);
-        course.goal = goalOf(motion, positionOf(module).value_or(0));
+        course.goal = goalOf(motion, module.position().value_or(0));
         course.turns = turns && course.goal;
         return course;
     }
@@ -140,7 +136,7 @@ private:
 
 [[nodiscard]] std::optional<TravelProblem> atTheEnd(bool reverse, const ModuleState& module) {
     const auto end = travelEnd(module, reverse);
-    const auto position = positionOf(module);
+    const auto position = module.position();
     if (!end || !position)
         return std::nullopt;
     const std::int64_t ahead = std::int64_t{*end} - *position;
@@ -155,7 +151,7 @@ private:
     if (course.reverse)
         return atTheEnd(*course.reverse, module);
     const auto range = travelRange(module);
-    const auto position = course.from ? course.from : positionOf(module);
+    const auto position = course.from ? course.from : module.position();
     if (!course.goal || !range || !position)
         return std::nullopt;
     const auto turn = course.turns ? turningPoint(*course.goal, module) : std::nullopt;
@@ -194,7 +190,7 @@ private:
         course.reverse = load.reverse;
     else if (load.position && load.relative)
         course.goal =
-            std::int64_t{module.goal().value_or(positionOf(module).value_or(0))} + load.position->value();
+            std::int64_t{module.goal().value_or(module.position().value_or(0))} + load.position->value();
     else if (load.position)
         course.goal = load.position->value();
     // A velocity that is not loaded is the one loaded before.
@@ -238,7 +234,7 @@ struct DirectProblem {
 /// A push may go in either direction.
 [[nodiscard]] std::optional<TravelProblem> problemOf(const intent::CheckDirection& check,
                                                      const ModuleState& module) {
-    const auto position = positionOf(module);
+    const auto position = module.position();
     if (!position)
         return std::nullopt;
     for (const std::int64_t offset : {std::int64_t{check.reach}, -std::int64_t{check.reach}})
@@ -271,7 +267,7 @@ std::optional<std::int32_t> travelEnd(const ModuleState& module, bool reverse) {
 
 TravelPlace travelPlace(const ModuleState& module) {
     const auto range = travelRange(module);
-    const auto position = positionOf(module);
+    const auto position = module.position();
     if (!range || !position)
         return TravelPlace::Within;
     if (range->highest && samePlace(*position, *range->highest))

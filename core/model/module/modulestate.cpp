@@ -343,17 +343,17 @@ void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
 /// DS-V 5.2, Stop Motor: a servo switched on by a stop holds its present position. A servo already at rest
 /// continues to hold its goal, which may differ from its present position.
 std::optional<ModuleState::Held> ModuleState::heldThroughStop() const {
-    if (!latest || !latest->position)
+    const auto stood = position();
+    if (!stood)
         return std::nullopt;
-    const std::int32_t stood = *latest->position;
     if (!servoOn())
-        return Held{stood, stood, 0};
+        return Held{*stood, *stood, 0};
     // A move may have begun since the last status; a stop leaves nothing that could begin.
     const bool rests = !moving() && !m_motionUnknown &&
                        (motion == MotionMode::Velocity || latestTime - motionCommandedAt > SwingWatch::kCalm);
     if (!rests || !m_goal)
         return m_held;
-    return Held{*m_goal, stood, kStillCounts};
+    return Held{*m_goal, *stood, kStillCounts};
 }
 
 bool ModuleState::servoOn() const {

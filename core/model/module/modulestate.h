@@ -106,6 +106,10 @@ struct ModuleState : ServoRegisters {
     [[nodiscard]] bool isStepper() const { return info.identity.type == ModuleType::Stepper && isKnown(); }
     [[nodiscard]] bool isIo() const { return info.identity.type == ModuleType::Io && isKnown(); }
     [[nodiscard]] bool isKnown() const { return nmc::isKnown(info.identity); }
+    /// As last reported.
+    [[nodiscard]] std::optional<std::int32_t> position() const {
+        return latest ? latest->position : std::nullopt;
+    }
     [[nodiscard]] bool servoOn() const;
     /// PIC-SERVO: after power-up, a limit pin is an input (DS-V 5.2), and on an SC, it always is. In a chain
     /// that was found running, another host may have set it.

@@ -18,7 +18,7 @@ std::vector<PositionMemory::Offer> PositionMemory::look(const LinkState& link, s
         // A jump has withdrawn the axis's home, so what is remembered is dropped as well.
         if (module.positionDoubtful() && !module.home.place() && !module.home.offered())
             m_remembered.erase(index);
-        if (!isLive(link, module) || !module.latest || !module.latest->position)
+        if (!isLive(link, module) || !module.position())
             continue;
         const auto justFound = m_new.find(index);
         if (justFound == m_new.end()) {

@@ -234,9 +234,10 @@ private:
     }
     [[nodiscard]] bool isAt(const EntryState::Place& place, const ModuleState& module) const {
         const auto goal = goalOf(place.axis, module);
-        if (!goal || module.moving() || !module.latest || !module.latest->position)
+        const auto position = module.position();
+        if (!goal || module.moving() || !position)
             return false;
-        const std::int64_t off = std::abs(std::int64_t{countsBetween(*goal, *module.latest->position)});
+        const std::int64_t off = std::abs(std::int64_t{countsBetween(*goal, *position)});
         return module.goal() == *goal ||
                off <= std::max(kStillCounts, homeTolerance(m_machine.axis(place.axis.module).unit));
     }
@@ -448,11 +449,12 @@ std::vector<PointAxis> teach(const std::vector<ModuleIndex>& axes, const std::ve
     std::vector<PointAxis> taught;
     for (const ModuleIndex index : axes) {
         const ModuleState* module = moduleAt(index, modules);
-        if (module == nullptr || module->silent || !module->latest || !module->latest->position)
+        const auto position = module != nullptr ? module->position() : std::nullopt;
+        if (!position || module->silent)
             continue;
-        const std::int32_t position = *module->latest->position;
         const auto& home = module->home.place();
-        taught.push_back({index, home ? countsBetween(home->counts, position) : position, home.has_value()});
+        taught.push_back(
+            {index, home ? countsBetween(home->counts, *position) : *position, home.has_value()});
     }
     return taught;
 }
