@@ -33,10 +33,10 @@ constexpr std::string_view kMeaning =
     "# Divide by counts per unit to get the unit of the module.\n"
     "#\n";
 
-template <typename Real>
-void appendReal(std::string& out, Real number) {
-    if (std::isfinite(number))
-        appendNumber(out, number);
+/// Appends a cell for each number; that of an unknown one is empty.
+template <typename... Reals>
+void appendReals(std::string& out, Reals... numbers) {
+    ((out += ',', std::isfinite(numbers) ? appendNumber(out, numbers) : void()), ...);
 }
 
 void appendEntry(std::string& out, std::string_view key, std::string_view value) {
@@ -105,10 +105,7 @@ void appendPins(std::string& out, const ScopeSample& sample) {
     appendNumber(out, static_cast<std::int32_t>(sample.counter()));
     out += ",,,,,";
     appendBytes(out, sample);
-    out += ',';
-    appendReal(out, sample.error);
-    out += ',';
-    appendReal(out, sample.velocity);
+    appendReals(out, sample.error, sample.velocity);
     out += sample.counted ? ",1\n" : ",0\n";
 }
 
@@ -145,16 +142,7 @@ void appendRow(std::string& out, ModuleIndex module, const ScopeSample& sample, 
     if (sample.io)
         return appendPins(out, sample);
     appendNumber(out, sample.position);
-    out += ',';
-    appendReal(out, sample.velocity);
-    out += ',';
-    appendReal(out, sample.command());
-    out += ',';
-    appendReal(out, sample.error);
-    out += ',';
-    appendReal(out, sample.errorLow);
-    out += ',';
-    appendReal(out, sample.errorHigh);
+    appendReals(out, sample.velocity, sample.command(), sample.error, sample.errorLow, sample.errorHigh);
     appendBytes(out, sample);
     out += ",,,\n";
 }
