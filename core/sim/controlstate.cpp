@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "base/enumname.h"
+#include "base/text.h"
 #include "sim/familystate.h"
 
 namespace nmc::sim {
@@ -58,20 +61,9 @@ Json homingConditions(const ModuleSnapshot& s) {
 
 /// What the home search will do to the motor. Versions 1 and 2 of the PIC-SERVO leave that to the host (DS-V
 /// 5.2).
-const char* homingStop(const ModuleSnapshot& s) {
-    if (!s.homing.inProgress() || (!s.stepper && s.identity.version < 3))
-        return "none";
-    switch (s.homing.stop()) {
-        case Homing::Stop::None:
-            return "none";
-        case Homing::Stop::Off:
-            return "off";
-        case Homing::Stop::Abrupt:
-            return "abrupt";
-        case Homing::Stop::Smooth:
-            return "smooth";
-    }
-    return "none";
+std::string homingStop(const ModuleSnapshot& s) {
+    const bool stops = s.homing.inProgress() && (s.stepper || s.identity.version >= 3);
+    return lowered(enumName<Homing::Stop::Smooth>(stops ? s.homing.stop() : Homing::Stop::None));
 }
 
 Json servoJson(const ModuleSnapshot& s) {
