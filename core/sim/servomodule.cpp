@@ -125,10 +125,7 @@ void ServoModule::resetChip(Restart restart) {
     if (restart == Restart::HardReset)
         return;
     m_loop.setGains(m_saved->gains);
-    Trajectory loaded;
-    loaded.velocity = m_saved->velocity;
-    loaded.acceleration = m_saved->acceleration;
-    m_loop.load(loaded);
+    m_loop.load({.velocity = m_saved->velocity, .acceleration = m_saved->acceleration});
     m_switchesOnWhenAddressed = !m_saved->has(Saved::kAddresses);
     if (m_switchesOnWhenAddressed)
         return;
