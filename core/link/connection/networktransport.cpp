@@ -181,7 +181,7 @@ void NetworkTransport::discardInput() {
     (void)write(m_telnet->takeOutput());
 }
 
-tl::expected<std::vector<std::uint8_t>, PortError> NetworkTransport::read() {
+Transport::Received NetworkTransport::read() {
     std::vector<std::uint8_t> bytes(4'096);
     const auto count = ::recv(m_socket.get(), bytes.data(), bytes.size(), 0);
     if (count < 0 && (errno == EAGAIN || errno == EINTR))
@@ -200,8 +200,7 @@ tl::expected<std::vector<std::uint8_t>, PortError> NetworkTransport::read() {
     return bytes;
 }
 
-tl::expected<std::vector<std::uint8_t>, PortError> NetworkTransport::receive(std::optional<TimePoint> until,
-                                                                             int wakeFd) {
+Transport::Received NetworkTransport::receive(std::optional<TimePoint> until, int wakeFd) {
     if (!m_early.empty())
         return std::exchange(m_early, {});
     std::array<pollfd, 2> fds{{{m_socket.get(), POLLIN, 0}, {wakeFd, POLLIN, 0}}};

@@ -27,8 +27,7 @@ public:
     [[nodiscard]] bool hasFixedRate() const override { return !m_telnet; }
     tl::expected<void, PortError> send(ByteSpan bytes) override;
     void discardInput() override;
-    tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
-                                                               int wakeFd) override;
+    Received receive(std::optional<TimePoint> until, int wakeFd) override;
     [[nodiscard]] int fd() const override { return m_socket.get(); }
     [[nodiscard]] std::vector<std::uint8_t> onWire(ByteSpan bytes, std::uint32_t baud) const override;
     [[nodiscard]] Duration latency() const override { return m_latency; }
@@ -40,7 +39,7 @@ private:
     template <typename Condition>
     tl::expected<bool, PortError> await(const Condition& condition);
     /// What has arrived so far; empty: nothing. An error if the connection has ended.
-    tl::expected<std::vector<std::uint8_t>, PortError> read();
+    Received read();
     [[nodiscard]] PortError problem(PortProblem what, int error = 0) const;
 
     NetworkLine m_line;

@@ -83,8 +83,7 @@ void SerialTransport::discardInput() {
     m_port.clear(QSerialPort::Input);
 }
 
-tl::expected<std::vector<std::uint8_t>, PortError> SerialTransport::receive(std::optional<TimePoint> until,
-                                                                            int wakeFd) {
+Transport::Received SerialTransport::receive(std::optional<TimePoint> until, int wakeFd) {
     std::array<pollfd, 2> fds{{{m_port.handle(), POLLIN, 0}, {wakeFd, POLLIN, 0}}};
     if (pollUntil(fds, until) <= 0)
         return std::vector<std::uint8_t>{};

@@ -29,8 +29,7 @@ public:
     tl::expected<void, PortError> setBaud(std::uint32_t baud) override;
     tl::expected<void, PortError> send(ByteSpan bytes) override;
     void discardInput() override;
-    tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
-                                                               int wakeFd) override;
+    Received receive(std::optional<TimePoint> until, int wakeFd) override;
     [[nodiscard]] int fd() const override { return m_port.handle(); }
 
 private:

@@ -32,8 +32,7 @@ void SimulatorTransport::discardInput() {
     (void)arrived();
 }
 
-tl::expected<std::vector<std::uint8_t>, PortError> SimulatorTransport::receive(std::optional<TimePoint> until,
-                                                                               int wakeFd) {
+Transport::Received SimulatorTransport::receive(std::optional<TimePoint> until, int wakeFd) {
     std::array<pollfd, 1> fds{{{wakeFd, POLLIN, 0}}};
     while (true) {
         std::optional<TimePoint> next = until;

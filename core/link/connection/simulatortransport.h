@@ -17,8 +17,7 @@ public:
     tl::expected<void, PortError> setBaud(std::uint32_t baud) override;
     tl::expected<void, PortError> send(ByteSpan bytes) override;
     void discardInput() override;
-    tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
-                                                               int wakeFd) override;
+    Received receive(std::optional<TimePoint> until, int wakeFd) override;
     std::optional<std::string> control(std::string_view line) override;
 
 private:

@@ -20,6 +20,8 @@ namespace nmc {
 /// final; the transport is then discarded.
 class Transport {
 public:
+    using Received = tl::expected<std::vector<std::uint8_t>, PortError>;
+
     Transport() = default;
     virtual ~Transport() = default;
     Transport(const Transport&) = delete;
@@ -33,8 +35,7 @@ public:
 
     /// Waits for bytes, for `until`, or for `wakeFd` to become readable (it is not read), whichever comes
     /// first. Returns an empty vector when nothing arrived.
-    virtual tl::expected<std::vector<std::uint8_t>, PortError> receive(std::optional<TimePoint> until,
-                                                                       int wakeFd) = 0;
+    virtual Received receive(std::optional<TimePoint> until, int wakeFd) = 0;
 
     /// The descriptor that a signal handler may write to when the process crashes; -1 where there is none.
     [[nodiscard]] virtual int fd() const { return -1; }
