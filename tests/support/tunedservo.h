@@ -10,6 +10,7 @@
 
 #include "model/response/responserecord.h"
 #include "model/tuning/loopmodel.h"
+#include "model/tuning/motormodel.h"
 #include "sim/encoder.h"
 #include "sim/motorplant.h"
 #include "sim/pid.h"
@@ -32,6 +33,20 @@ namespace nmc::testing_support {
             p.inductanceHenry / p.resistanceOhm,
             1.0 * p.amplifierDeadbandPwm,
             1.0 * static_cast<double>(p.playCounts)};
+}
+
+/// The model of a motor that is known without a doubt.
+[[nodiscard]] inline MotorModel exactly(const MotorConstants& motor) {
+    MotorModel model;
+    model.gain.value = motor.gain;
+    model.timeConstant.value = motor.timeConstant;
+    model.friction.value = motor.friction;
+    model.load.value = motor.load;
+    model.delay.value = motor.delay;
+    model.deadband.value = motor.deadband;
+    model.play.value = motor.play;
+    model.noise = motor.noise;
+    return model;
 }
 
 class TunedServo {

@@ -16,6 +16,8 @@
 namespace nmc {
 namespace {
 
+using testing_support::exactly;
+
 [[nodiscard]] servo::SetGain gainsOf(std::uint16_t kp, std::uint16_t kd) {
     return {kp, kd, 0, 0, 255, 0, 4'000, 1, std::uint8_t{0}};
 }
@@ -94,7 +96,7 @@ TEST(LoopMargins, CountASecondMassOnASpring) {
 TEST(Predict, LeavesWhatFrictionHoldsAtRest) {
     // Without an integral, friction of 4 PWM counts and one that is cut off hold Kp e / 256 up to 5, which
     // is 12.8 counts with Kp 100.
-    const MotorModel motor = MotorModel::exactly({788, 0.013, 4, 0, 0.5e-3});
+    const MotorModel motor = exactly({788, 0.013, 4, 0, 0.5e-3});
     const Prediction prediction = predict(motor, gainsOf(100, 1'000), 1'000, 1'200, 1, 2);
     EXPECT_EQ(prediction.run.taken.from, 1'000);
     EXPECT_EQ(prediction.run.points.front().position, 1'000);
@@ -110,7 +112,7 @@ TEST(Predict, SeesTheSimulatorsMotorOvershootAndSettle) {
     sim::MotorParameters motor;
     for (const auto& gains : {gainsOf(200, 2'000), gainsOf(200, 500), gainsOf(600, 3'000)}) {
         const Prediction prediction =
-            predict(MotorModel::exactly(testing_support::physics(motor)), gains, 0, 300, 0.4, 2);
+            predict(exactly(testing_support::physics(motor)), gains, 0, 300, 0.4, 2);
         testing_support::TunedServo servo(motor, gains, 3);
         servo.wait(0.1);
         const ResponseRecord run = servo.step(300, 0.4);
@@ -125,7 +127,7 @@ TEST(Predict, SeesTheSimulatorsMotorOvershootAndSettle) {
 /// The motor of LoopMargins at 10 rad/s, where a delay of 1 ms +- 0.25 ms turns the phase by 0.573 +- 0.143
 /// degrees. The spread of sixty draws is off by a fifth in 1 of 40 cases.
 TEST(PredictDoubt, OfThePhaseIsThatOfTheDelay) {
-    MotorModel motor = MotorModel::exactly({256 * 11.180'34 / 100, 0.05, 3, 1, 1e-3});
+    MotorModel motor = exactly({256 * 11.180'34 / 100, 0.05, 3, 1, 1e-3});
     motor.delay.doubt = 0.25e-3;
     const Prediction prediction = predict(motor, gainsOf(100, 0), 0, 300, 0.5, 2);
     EXPECT_NEAR(prediction.phaseMargin.value, 63.43 - 0.15 - 0.57, 0.1);
@@ -137,7 +139,7 @@ TEST(PredictDoubt, OfThePhaseIsThatOfTheDelay) {
 /// 0.572 degrees; 10 % more of tau moves w tau, and so the phase, by as much. That is 0.81 degrees if they
 /// vary independently, and 1.14 if they vary together.
 TEST(PredictDoubt, KnowsThatGainAndTimeConstantGoTogether) {
-    MotorModel motor = MotorModel::exactly({788, 0.5, 1, 0, 0});
+    MotorModel motor = exactly({788, 0.5, 1, 0, 0});
     motor.gain.doubt = 78.8;
     motor.timeConstant.doubt = 0.05;
     EXPECT_NEAR(predict(motor, gainsOf(16, 0), 0, 300, 0.5, 2).phaseMargin.doubt, 0.81, 0.16);
@@ -147,7 +149,7 @@ TEST(PredictDoubt, KnowsThatGainAndTimeConstantGoTogether) {
 
 /// A possible resonance makes the margins and the step doubtful, the more so the lower it may be.
 TEST(PredictDoubt, CountsWhatMayResonate) {
-    MotorModel motor = MotorModel::exactly({788, 0.013, 2, 0, 0.55e-3});
+    MotorModel motor = exactly({788, 0.013, 2, 0, 0.55e-3});
     const auto upTo = [&](std::optional<double> hertz) {
         motor.rigidUpTo = hertz;
         return predict(motor, gainsOf(200, 2'000), 0, 300, 0.3, 2);
@@ -180,7 +182,7 @@ TEST(PredictDoubt, OfTheStepCoversASpring) {
         motor.elasticInertiaKgM2 = i % 3 == 0 ? 0.5 * random.unit() * motor.inertiaKgM2 : 0.0;
         motor.resonanceHz = 60 + 60 * random.unit();
         const servo::SetGain gains = threeTimesAsFastAs(physics(motor));
-        MotorModel known = MotorModel::exactly(physics(motor));
+        MotorModel known = exactly(physics(motor));
         known.rigidUpTo = 60;
         const Prediction predicted = predict(known, gains, 0, 300, 0.3, kFirstBand);
         TunedServo servo(motor, gains, 3);
@@ -196,7 +198,7 @@ TEST(PredictDoubt, OfTheStepCoversASpring) {
 /// Without an integral, a shaft stops where friction holds it: 4 +- 4 PWM counts at Kp 100 are up to 10
 /// counts off, and the band has 4. Where the shaft may stay outside, settling may take as long as the record.
 TEST(PredictDoubt, OfSettlingCountsWhatMayNotSettle) {
-    MotorModel motor = MotorModel::exactly({788, 0.013, 0.5, 0, 0.55e-3});
+    MotorModel motor = exactly({788, 0.013, 0.5, 0, 0.55e-3});
     const Prediction sure = predict(motor, gainsOf(100, 1'000), 0, 200, 0.5, 2);
     EXPECT_LT(sure.unsettled, kSeldom);
     EXPECT_LT(sure.settling.doubt, 0.05);
@@ -209,7 +211,7 @@ TEST(PredictDoubt, OfSettlingCountsWhatMayNotSettle) {
 /// The friction is found to be 11 +- 9, but is really 15.4: without an integral, up to (15.4 + 1) x 256 / Kp
 /// = 5.2 counts remain.
 TEST(PredictDoubt, SaysThatAStickyMotorMayStayOffItsGoal) {
-    MotorModel motor = MotorModel::exactly({788, 0.013, 11, 0, 0.55e-3});
+    MotorModel motor = exactly({788, 0.013, 11, 0, 0.55e-3});
     motor.friction.doubt = 9;
     const Prediction prediction = predict(motor, gainsOf(800, 8'000), 0, 100, 0.4, 2);
     EXPECT_GE(std::abs(prediction.errorAtRest.value) + 2 * prediction.errorAtRest.doubt, 3.9);

@@ -31,7 +31,7 @@ TEST(Suggest, TakesTheNoiseFromTheFormula) {
 }
 
 TEST(Suggest, KeepsWhatProtectsTheMotorAndTheMargins) {
-    const auto gains = suggest(MotorModel::exactly(kSmallMotor), {}, kNow, 200);
+    const auto gains = suggest(exactly(kSmallMotor), {}, kNow, 200);
     ASSERT_TRUE(gains);
     EXPECT_EQ(gains->ol, kNow.ol);
     EXPECT_EQ(gains->cl, kNow.cl);
@@ -49,7 +49,7 @@ TEST(Suggest, HasThePhaseMarginThatWasWished) {
     for (const double wished : {30.0, 45.0, 60.0, 70.0}) {
         LoopWish wish;
         wish.phaseMargin = wished;
-        const auto gains = suggest(MotorModel::exactly(kSmallMotor), wish, kNow, 200);
+        const auto gains = suggest(exactly(kSmallMotor), wish, kNow, 200);
         ASSERT_TRUE(gains);
         const LoopMargins margins = marginsOf(kSmallMotor, *gains);
         EXPECT_GE(margins.phaseDegrees, wished);
@@ -62,7 +62,7 @@ TEST(Suggest, IsNoLouderThanWished) {
     for (const double noise : {0.1, 0.4, 1.0}) {
         LoopWish wish;
         wish.noise = noise;
-        const auto gains = suggest(MotorModel::exactly(kSmallMotor), wish, kNow, 200);
+        const auto gains = suggest(exactly(kSmallMotor), wish, kNow, 200);
         ASSERT_TRUE(gains);
         EXPECT_LE(noiseOf(kSmallMotor, *gains), noise * kMaxNoise * 1.01);
     }
@@ -71,7 +71,7 @@ TEST(Suggest, IsNoLouderThanWished) {
 TEST(Suggest, IsStifferTheMoreItIsWished) {
     double before = 0;
     for (const double stiffness : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        const auto gains = suggest(MotorModel::exactly(kSmallMotor), {stiffness, 0.5, 1.0}, kNow, 200);
+        const auto gains = suggest(exactly(kSmallMotor), {stiffness, 0.5, 1.0}, kNow, 200);
         ASSERT_TRUE(gains);
         const double now = std::sqrt(1.0 * gains->kp);  // the natural frequency goes with it
         EXPECT_GT(now, before * 1.3) << stiffness;
@@ -83,26 +83,26 @@ TEST(Suggest, HasAnIntegralOnlyForAnErrorThatItRemovesAndNoMoreThanCarriesIt) {
     // Kp is some hundreds: half a PWM count without friction leaves less than a count.
     MotorConstants motor = kSmallMotor;
     motor.friction = 0;
-    auto gains = suggest(MotorModel::exactly(motor), {}, kNow, 200);
+    auto gains = suggest(exactly(motor), {}, kNow, 200);
     ASSERT_TRUE(gains);
     EXPECT_EQ(gains->ki, 0);
     EXPECT_EQ(gains->il, 0);
     // Friction 6 and load 8 are 14 PWM counts, which is an error of more than ten counts.
     motor.friction = 6;
     motor.load = -8;
-    gains = suggest(MotorModel::exactly(motor), {}, kNow, 200);
+    gains = suggest(exactly(motor), {}, kNow, 200);
     ASSERT_TRUE(gains);
     const double carries = gains->ki * gains->il / 256.0;
     EXPECT_GE(carries, 14);
     EXPECT_LE(carries, 14 * 1.4);
-    EXPECT_LE(std::abs(predict(MotorModel::exactly(motor), *gains, 0, 200, 3, 2).errorAtRest.value), 1);
+    EXPECT_LE(std::abs(predict(exactly(motor), *gains, 0, 200, 3, 2).errorAtRest.value), 1);
 }
 
 TEST(Suggest, LowersTheServoRateForALargeInertiaAndACoarseEncoder) {
-    EXPECT_EQ(suggest(MotorModel::exactly(kSmallMotor), {}, kNow, 200)->sr, 1);
+    EXPECT_EQ(suggest(exactly(kSmallMotor), {}, kNow, 200)->sr, 1);
     // Kd would not fit at SR 1: 2 zeta wn = 150 /s needs (150 x 0.5 - 1) x 256 / (160 x 0.512 ms) = 231 000.
     const MotorConstants heavy{160, 0.5, 1.2, 0, 0.55e-3};
-    const auto gains = suggest(MotorModel::exactly(heavy), {}, kNow, 40);
+    const auto gains = suggest(exactly(heavy), {}, kNow, 40);
     ASSERT_TRUE(gains);
     EXPECT_GT(gains->sr, 1);
     EXPECT_LE(noiseOf(heavy, *gains), kMaxNoise * 1.01);
@@ -110,7 +110,7 @@ TEST(Suggest, LowersTheServoRateForALargeInertiaAndACoarseEncoder) {
 
 TEST(Suggest, HasNothingForAMotorThatNoGainIsSmallEnoughFor) {
     // Even Kp 1 is 1e9 / 256 / 0.01 = 3.9e8: wn = 20 000 rad/s, ten times the servo rate.
-    EXPECT_FALSE(suggest(MotorModel::exactly({1e9, 0.01, 1, 0, 0.5e-3}), {}, kNow, 200));
+    EXPECT_FALSE(suggest(exactly({1e9, 0.01, 1, 0, 0.5e-3}), {}, kNow, 200));
 }
 
 /// The simulator's motor with these constants: the inverse of physics().
@@ -141,7 +141,7 @@ TEST(Suggest, HasNothingForAMotorThatNoGainIsSmallEnoughFor) {
 TEST(SuggestOnTheMotor, SettlesWhicheverWayFrictionHeldTheLoad) {
     for (const double load : {-4.8, 4.8}) {
         const MotorConstants motor{1'025, 0.0135, 3.0, load, 0.55e-3};
-        const auto gains = suggest(MotorModel::exactly(motor), {}, kAtFullOutput, 260);
+        const auto gains = suggest(exactly(motor), {}, kAtFullOutput, 260);
         ASSERT_TRUE(gains);
         for (const int step : {260, -260})
             EXPECT_LT(settlingOf(motor, *gains, step), twiceTheTextbook(motor)) << load << ' ' << step;
@@ -150,7 +150,7 @@ TEST(SuggestOnTheMotor, SettlesWhicheverWayFrictionHeldTheLoad) {
 
 TEST(SuggestOnTheMotor, IsNoSlowerForALoadThatIsNotKnown) {
     const MotorConstants motor{583, 0.0088, 0.8, 0, 0.55e-3};
-    MotorModel model = MotorModel::exactly(motor);
+    MotorModel model = exactly(motor);
     model.load = {-4.4, 10.4};
     const auto gains = suggest(model, {}, kAtFullOutput, 147);
     ASSERT_TRUE(gains);
@@ -160,7 +160,7 @@ TEST(SuggestOnTheMotor, IsNoSlowerForALoadThatIsNotKnown) {
 /// It may still come nearer, but does not move away again.
 TEST(SuggestOnTheMotor, DoesNotHuntAroundItsGoal) {
     const MotorConstants motor{2'658, 0.0079, 0.9, 6.9, 0.55e-3};
-    const auto gains = suggest(MotorModel::exactly(motor), {}, kAtFullOutput, 674);
+    const auto gains = suggest(exactly(motor), {}, kAtFullOutput, 674);
     ASSERT_TRUE(gains);
     TunedServo servo(plantOf(motor), *gains, 5);
     servo.wait(0.3);
@@ -178,7 +178,7 @@ TEST(SuggestOnTheMotor, DoesNotHuntAroundItsGoal) {
 TEST(Suggest, PushesByOneStepOfTheIntegralNoMoreThanByOneCount) {
     for (const double friction : {0.5, 4.0, 12.0})
         for (const double tau : {0.008, 0.05, 0.5}) {
-            const auto gains = suggest(MotorModel::exactly({800, tau, friction, 5, 0.55e-3}), {}, kNow, 200);
+            const auto gains = suggest(exactly({800, tau, friction, 5, 0.55e-3}), {}, kNow, 200);
             ASSERT_TRUE(gains);
             EXPECT_LE(gains->ki, gains->kp) << friction << ' ' << tau;
         }
@@ -186,8 +186,7 @@ TEST(Suggest, PushesByOneStepOfTheIntegralNoMoreThanByOneCount) {
 
 TEST(Suggest, HasGainsForEveryStiffnessWhereFrictionIsLarge) {
     for (const double stiffness : {0.0, 0.3, 1.0})
-        EXPECT_TRUE(
-            suggest(MotorModel::exactly({800, 0.012, 8, 3, 0.55e-3}), {stiffness, 0.5, 1.0}, kNow, 200))
+        EXPECT_TRUE(suggest(exactly({800, 0.012, 8, 3, 0.55e-3}), {stiffness, 0.5, 1.0}, kNow, 200))
             << stiffness;
 }
 

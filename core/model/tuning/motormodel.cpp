@@ -18,19 +18,6 @@ bool MotorModel::isSure() const {
     return gain.doubt <= kPart * gain.value && friction.doubt <= std::max(1.0, kPart * friction.value);
 }
 
-MotorModel MotorModel::exactly(const MotorConstants& motor) {
-    MotorModel model;
-    model.gain.value = motor.gain;
-    model.timeConstant.value = motor.timeConstant;
-    model.friction.value = motor.friction;
-    model.load.value = motor.load;
-    model.delay.value = motor.delay;
-    model.deadband.value = motor.deadband;
-    model.play.value = motor.play;
-    model.noise = motor.noise;
-    return model;
-}
-
 std::vector<MotorConstants> MotorModel::drawn(std::size_t count) const {
     using Square = Eigen::Matrix<double, kConstants, kConstants, Eigen::RowMajor>;
     using Column = Eigen::Matrix<double, kConstants, 1>;

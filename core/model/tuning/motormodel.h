@@ -44,8 +44,6 @@ struct MotorModel {
     /// Pure.
     [[nodiscard]] std::vector<MotorConstants> drawn(std::size_t count) const;
 
-    [[nodiscard]] static MotorModel exactly(const MotorConstants& motor);
-
 private:
     [[nodiscard]] static constexpr Matrix independent() {
         Matrix one{};
