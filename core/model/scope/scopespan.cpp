@@ -5,8 +5,7 @@ namespace nmc {
 
 namespace {
 
-/// The place of a pair of extremes; a PIC-I/O's values use the places of a motor's values (ScopeSample).
-enum class Place : std::uint8_t { Position, Command, Error, Velocity, Analog };
+using Place = SignalInfo::Place;
 
 constexpr std::uint8_t bitOf(Place place) {
     return static_cast<std::uint8_t>(1U << static_cast<unsigned>(place));
@@ -75,19 +74,19 @@ ScopeSpan::Extremes ScopeSpan::extremes(ScopeSignal signal) const {
                 (lowFirst & bitOf(place)) != 0};
     };
     switch (infoOf(signal).place) {
-        case SignalInfo::Place::Position:
+        case Place::Position:
             return made(Place::Position, positionLow, positionHigh);
-        case SignalInfo::Place::Counter:
+        case Place::Counter:
             return made(Place::Position, positionLow, positionHigh, ScopeSample::kTopBit);
-        case SignalInfo::Place::Command:
+        case Place::Command:
             return made(Place::Command, commandLow, commandHigh);
-        case SignalInfo::Place::Error:
+        case Place::Error:
             return made(Place::Error, errorLow, errorHigh);
-        case SignalInfo::Place::Velocity:
+        case Place::Velocity:
             return made(Place::Velocity, velocityLow, velocityHigh);
-        case SignalInfo::Place::Analog:
+        case Place::Analog:
             return made(Place::Analog, analogLow, analogHigh);
-        case SignalInfo::Place::Derived:
+        case Place::Derived:
             break;
     }
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
