@@ -103,14 +103,12 @@ std::optional<intent::ArmLimitStop> limitStopDue(const ModuleState& module) {
 }
 
 servo::SetHoming limitStop(const intent::ArmLimitStop& arm) {
-    servo::SetHoming homing;
     if (!arm.any())
-        return homing;
-    homing.onLimit1Change = arm.limit1;
-    homing.onLimit2Change = arm.limit2;
-    homing.onPositionError = arm.onPositionError;
-    homing.onCurrentLimit = arm.onCurrentLimit;
-    return stoppingBy(arm.manner, homing);
+        return {};
+    return stoppingBy(arm.manner, servo::SetHoming{.onLimit1Change = arm.limit1,
+                                                   .onLimit2Change = arm.limit2,
+                                                   .onPositionError = arm.onPositionError,
+                                                   .onCurrentLimit = arm.onCurrentLimit});
 }
 
 HomingRecipe firstRecipe(const ModuleIdentity& identity) {
