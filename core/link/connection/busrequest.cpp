@@ -2,7 +2,6 @@
 #include "link/connection/busrequest.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "base/overloaded.h"
 #include "bus/commandlane.h"

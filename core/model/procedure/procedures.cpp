@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/procedures.h"
 
-#include <functional>
-
 #include "model/intent/backlash.h"
 #include "model/intent/stepperplan.h"
 #include "model/procedure/approach.h"

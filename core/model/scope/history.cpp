@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/scope/history.h"
 
-#include <cassert>
-
 namespace nmc {
 
 // ---- one module ----
