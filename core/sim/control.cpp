@@ -244,22 +244,6 @@ std::string usages() {
     return all;
 }
 
-std::string_view toText(Chips chips) {
-    switch (chips) {
-        case Chips::Both:
-            return "any";
-        case Chips::Servo:
-            return "servo";
-        case Chips::Stepper:
-            return "step";
-        case Chips::Sc:
-            return "servo@10";
-        case Chips::Io:
-            return "io";
-    }
-    return "";
-}
-
 Json help(const Asked&) {
     Json lines = Json::array();
     for (const Verb& verb : kVerbs)
@@ -267,7 +251,7 @@ Json help(const Asked&) {
     Json inputs = Json::array();
     for (const InputRow& row : inputTable())
         inputs.push_back({{"name", row.name},
-                          {"module", toText(row.chips)},
+                          {"module", row.chips.word},
                           {"allowed", row.allowed},
                           {"meaning", row.meaning}});
     Json violations = Json::array();
@@ -302,8 +286,8 @@ std::string controlHelp() {
         text += "  " + column(verb.usage, 23) + std::string(verb.does) + '\n';
     text += "\nWhat set can change, of which kind of module:\n";
     for (const InputRow& row : inputTable())
-        text += "  " + column(row.name, 16) + column(toText(row.chips), 10) + std::string(row.allowed) +
-                "\n" + std::string(28, ' ') + std::string(row.meaning) + '\n';
+        text += "  " + column(row.name, 16) + column(row.chips.word, 10) + std::string(row.allowed) + "\n" +
+                std::string(28, ' ') + std::string(row.meaning) + '\n';
     text +=
         "\nViolations, in stats: what a real chip would not have forgiven. Remarks, beside them, are of the\n"
         "same kinds: a data sheet advises against it, but says what comes of it.\n";

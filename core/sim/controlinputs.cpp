@@ -13,6 +13,12 @@ using Word = InputRow::Word;
 using Done = tl::expected<void, std::string>;
 using Words = std::span<const std::string_view>;
 
+constexpr Chips kAny{"any", [](const ModuleIdentity& one) { return one.type != ModuleType::Io; }};
+constexpr Chips kServo{"servo", [](const ModuleIdentity& one) { return one.type == ModuleType::Servo; }};
+constexpr Chips kStepper{"step", [](const ModuleIdentity& one) { return one.type == ModuleType::Stepper; }};
+constexpr Chips kSc{"servo@10", isSc};
+constexpr Chips kIo{"io", [](const ModuleIdentity& one) { return one.type == ModuleType::Io; }};
+
 [[nodiscard]] constexpr InputRow pin(std::string_view name, Input input, Chips chips,
                                      std::string_view meaning) {
     return {name, input, chips, "0 or 1", 0, 1, true, {}, meaning};
@@ -28,7 +34,7 @@ using Words = std::span<const std::string_view>;
 /// A parameter of a PIC-SERVO's motor, amplifier or encoder.
 [[nodiscard]] constexpr InputRow ofMotor(std::string_view name, Input input, std::string_view allowed,
                                          double min, double max, bool whole, std::string_view meaning) {
-    return numeric(name, input, Chips::Servo, allowed, min, max, whole, meaning);
+    return numeric(name, input, kServo, allowed, min, max, whole, meaning);
 }
 
 /// A shaft position.
@@ -48,24 +54,24 @@ using Words = std::span<const std::string_view>;
 
 // These bounds keep the plant's arithmetic sound; a motor of this class is far inside them.
 constexpr std::array kInputs{
-    pin("limit1", Input::Limit1, Chips::Servo, "pin LIMIT1, 1 is high, as in status bit 5"),
-    pin("limit1", Input::Limit1, Chips::Stepper, "forward limit switch, 1 is high: no motion forward"),
-    pin("limit2", Input::Limit2, Chips::Servo, "pin LIMIT2, 1 is high, as in status bit 6"),
-    pin("limit2", Input::Limit2, Chips::Stepper, "reverse limit switch, 1 is high: no motion in reverse"),
-    pin("index", Input::Index, Chips::Servo,
+    pin("limit1", Input::Limit1, kServo, "pin LIMIT1, 1 is high, as in status bit 5"),
+    pin("limit1", Input::Limit1, kStepper, "forward limit switch, 1 is high: no motion forward"),
+    pin("limit2", Input::Limit2, kServo, "pin LIMIT2, 1 is high, as in status bit 6"),
+    pin("limit2", Input::Limit2, kStepper, "reverse limit switch, 1 is high: no motion in reverse"),
+    pin("index", Input::Index, kServo,
         "pin INDEX, 1 is high (auxiliary bit 0 is then 0), until the shaft moves on"),
-    pin("power", Input::Power, Chips::Servo, "motor power: 1 is on, 0 turns the servo off"),
-    pin("power", Input::Power, Chips::Stepper, "pin PWR_SENSE: 1 is on, 0 lowers AMP_EN and stops"),
+    pin("power", Input::Power, kServo, "motor power: 1 is on, 0 turns the servo off"),
+    pin("power", Input::Power, kStepper, "pin PWR_SENSE: 1 is on, 0 lowers AMP_EN and stops"),
     InputRow{"analog",
              Input::Analog,
-             Chips::Servo,
+             kServo,
              "0 to 255 or auto",
              0,
              255,
              true,
              {Word{"auto", {}}},
              "what the A/D converter reads; auto: the motor's current"},
-    numeric("analog", Input::Analog, Chips::Stepper, "0 to 255", 0, 255, true,
+    numeric("analog", Input::Analog, kStepper, "0 to 255", 0, 255, true,
             "what the A/D converter reads; below the thermal limit the motor is off"),
     ofMotor("load", Input::Load, "-100 to 100 N·m", -100, 100, false,
             "torque on the shaft; positive turns it in reverse"),
@@ -85,28 +91,26 @@ constexpr std::array kInputs{
             "of a second mass, on a spring; 0: none"),
     ofMotor("resonance", Input::Resonance, "1 to 400 Hz", 1, 400, false,
             "at which shaft and second mass swing against each other"),
-    place("travel_min", Input::TravelMin, Chips::Both, "hard stop, not above the shaft"),
-    place("travel_max", Input::TravelMax, Chips::Both, "hard stop, not below the shaft"),
-    limits(Chips::Servo,
-           "auto: limit1 is 1 at travel_min and limit2 at travel_max, of an SC the other way round"),
-    limits(Chips::Stepper, "auto: limit1 is 1 at travel_max and limit2 at travel_min"),
-    numeric("servo_overrun", Input::ServoOverrun, Chips::Servo, "1", 1, 1, true,
+    place("travel_min", Input::TravelMin, kAny, "hard stop, not above the shaft"),
+    place("travel_max", Input::TravelMax, kAny, "hard stop, not below the shaft"),
+    limits(kServo, "auto: limit1 is 1 at travel_min and limit2 at travel_max, of an SC the other way round"),
+    limits(kStepper, "auto: limit1 is 1 at travel_max and limit2 at travel_min"),
+    numeric("servo_overrun", Input::ServoOverrun, kServo, "1", 1, 1, true,
             "makes one servo tick take too long"),
-    pin("estop", Input::Estop, Chips::Stepper, "E-stop, 1 is high: stops"),
-    pin("in1", Input::In1, Chips::Stepper, "pin IN1, 1 is high"),
-    pin("in2", Input::In2, Chips::Stepper, "pin IN2, 1 is high"),
-    pin("home_switch", Input::HomeSwitch, Chips::Stepper, "home switch, 1 is high"),
-    place("home_switch_at", Input::HomeSwitchAt, Chips::Both,
+    pin("estop", Input::Estop, kStepper, "E-stop, 1 is high: stops"),
+    pin("in1", Input::In1, kStepper, "pin IN1, 1 is high"),
+    pin("in2", Input::In2, kStepper, "pin IN2, 1 is high"),
+    pin("home_switch", Input::HomeSwitch, kStepper, "home switch, 1 is high"),
+    place("home_switch_at", Input::HomeSwitchAt, kAny,
           "the home switch (of a servo, at LIMIT1) is 1 from this load position on forward; none: as set"),
-    numeric("load_play", Input::LoadPlay, Chips::Both, "0 to 10000 counts", 0, 10'000, true,
+    numeric("load_play", Input::LoadPlay, kAny, "0 to 10000 counts", 0, 10'000, true,
             "that the encoder (a stepper's shaft) turns before the load with the home switch turns"),
-    numeric("steps", Input::Pulses, Chips::Sc, "-32768 to 32767", -32768, 32767, true,
+    numeric("steps", Input::Pulses, kSc, "-32768 to 32767", -32768, 32767, true,
             "number of pulses at the step input; negative: reverse"),
-    numeric("vsense", Input::VoltSense, Chips::Sc, "0 to 5 V", 0, 5, false,
+    numeric("vsense", Input::VoltSense, kSc, "0 to 5 V", 0, 5, false,
             "what it senses of the supply: power is on from 0.9 to 4.5 V"),
-    numeric("in", Input::Pin, Chips::Io, "0 or 1", 0, 1, true, "pin K of 1 to 12, 1 is high", 12),
-    numeric("analog", Input::Analog, Chips::Io, "0 to 255", 0, 255, true, "what A/D input K of 1 to 3 reads",
-            3),
+    numeric("in", Input::Pin, kIo, "0 or 1", 0, 1, true, "pin K of 1 to 12, 1 is high", 12),
+    numeric("analog", Input::Analog, kIo, "0 to 255", 0, 255, true, "what A/D input K of 1 to 3 reads", 3),
 };
 
 /// Parses a word of the line; returns nothing when the row does not allow it.
@@ -150,22 +154,6 @@ std::string conflict(const Surroundings& now, Input input, std::optional<double>
     return {};
 }
 
-bool includes(Chips chips, const ModuleIdentity& module) {
-    switch (chips) {
-        case Chips::Both:
-            return module.type != ModuleType::Io;
-        case Chips::Servo:
-            return module.type == ModuleType::Servo;
-        case Chips::Stepper:
-            return module.type == ModuleType::Stepper;
-        case Chips::Sc:
-            return isSc(module);
-        case Chips::Io:
-            return module.type == ModuleType::Io;
-    }
-    return false;
-}
-
 /// `words`: the value, preceded by a number where there are several inputs of that name.
 Done setInput(Chain& chain, ModuleIndex module, const InputRow& row, Words words, TimePoint now) {
     const std::string name(row.name);
@@ -198,7 +186,7 @@ Done setInput(Chain& chain, ModuleIndex module, Words words, TimePoint now) {
     const ModuleIdentity identity = chain.identity(module);
     std::string names;
     for (const InputRow& row : kInputs) {
-        if (!includes(row.chips, identity))
+        if (!row.chips.include(identity))
             continue;
         if (row.name == words[0])
             return setInput(chain, module, row, words.subspan(1), now);

@@ -13,8 +13,11 @@
 
 namespace nmc::sim {
 
-/// Which chips have an input of that name and meaning; Both means servos and steppers.
-enum class Chips : std::uint8_t { Both, Servo, Stepper, Sc, Io };
+/// The modules that have an input of that name and meaning.
+struct Chips {
+    std::string_view word;
+    bool (*include)(const ModuleIdentity& module);
+};
 
 /// What `set N NAME VALUE` can change.
 struct InputRow {
