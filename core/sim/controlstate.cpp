@@ -18,6 +18,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// The words for the modes, by enum value.
+constexpr std::array kServoModes{"pwm", "velocity", "trapezoidal", "stop-here"};
+constexpr std::array kStepperModes{"stopped", "trapezoidal", "velocity", "unprofiled", "unprofiled"};
+static_assert(kServoModes.size() == static_cast<std::size_t>(ServoMode::StopHere) + 1 &&
+              kStepperModes.size() == static_cast<std::size_t>(StepperMode::Unprofiled) + 1);
+
 Json gainsJson(const Gains& g) {
     return {{"kp", g.kp}, {"kd", g.kd}, {"ki", g.ki}, {"il", g.il}, {"ol", g.ol},
             {"cl", g.cl}, {"el", g.el}, {"sr", g.sr}, {"db", g.db}};
@@ -82,7 +88,7 @@ Json servoJson(const ModuleSnapshot& s) {
             {"servo_on", servo.servoOn},
             {"amp_enabled", servo.ampEnabled},
             {"power", servo.power},
-            {"mode", toText(servo.mode)},
+            {"mode", kServoModes[static_cast<std::size_t>(servo.mode)]},
             {"home", servo.home},
             {"sticky", stickyJson(s)},
             {"limit1", servo.limit1},
@@ -130,7 +136,7 @@ Json stepperJson(const StepperSnapshot& stepper) {
             {"timer_count", stepper.timerCount},
             {"moving", stepper.moving},
             {"reverse", stepper.reverse},
-            {"mode", toText(stepper.mode)},
+            {"mode", kStepperModes[static_cast<std::size_t>(stepper.mode)]},
             {"amp_enabled", stepper.ampEnabled},
             {"power", stepper.inputs.power},
             {"analog", stepper.inputs.analog},

@@ -216,20 +216,6 @@ LaterServoSnapshot ServoLoop::laterSnapshot() const {
 
 // ---- what changes it from outside: commands, and the world around the motor ----
 
-std::string_view toText(ServoMode mode) {
-    switch (mode) {
-        case ServoMode::Pwm:
-            return "pwm";
-        case ServoMode::Velocity:
-            return "velocity";
-        case ServoMode::Trapezoidal:
-            return "trapezoidal";
-        case ServoMode::StopHere:
-            return "stop-here";
-    }
-    return "";
-}
-
 void ServoLoop::reset() {
     ServoLoop fresh(m_version);
     fresh.m_plant = m_plant;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 #include "base/time.h"
 #include "protocol/moduletype.h"
@@ -16,9 +15,6 @@
 namespace nmc::sim {
 
 enum class ServoMode : std::uint8_t { Pwm, Velocity, Trapezoidal, StopHere };
-
-/// "pwm", "velocity", "trapezoidal", "stop-here".
-[[nodiscard]] std::string_view toText(ServoMode mode);
 
 /// What CMC and SC have beyond the first data sheet (docs/family.md).
 struct LaterServoSnapshot {
@@ -67,9 +63,6 @@ struct ServoSnapshot {
 
 /// The starting and goal modes of the stepper's mode table (DS-S 5.1, Table 4).
 enum class StepperMode : std::uint8_t { Stopped, Trapezoidal, Velocity, UnprofiledWithStop, Unprofiled };
-
-/// "stopped", "trapezoidal", "velocity", or "unprofiled" with or without a stop.
-[[nodiscard]] std::string_view toText(StepperMode mode);
 
 /// Levels of a stepper's input pins. By default the switches are open and the driver has power.
 struct StepperPins {

@@ -6,21 +6,6 @@
 
 namespace nmc::sim {
 
-std::string_view toText(StepperMode mode) {
-    switch (mode) {
-        case StepperMode::Stopped:
-            return "stopped";
-        case StepperMode::Trapezoidal:
-            return "trapezoidal";
-        case StepperMode::Velocity:
-            return "velocity";
-        case StepperMode::UnprofiledWithStop:
-        case StepperMode::Unprofiled:
-            return "unprofiled";
-    }
-    return "";
-}
-
 void StepperControl::reset() {
     const StepperMachine machine = m_machine;
     *this = StepperControl{};
