@@ -125,24 +125,12 @@ int Profile::direction() const {
 
 void Profile::step() {
     const std::int64_t before = std::abs(m_velocity);
-    stepperMode();
+    if (m_mode == Mode::Trapezoidal && !m_done)
+        stepTrapezoid();
+    else if (m_mode == Mode::Velocity)
+        stepVelocity();
     m_accelerating = std::abs(m_velocity) > before;
     m_slewing = std::abs(m_velocity) == before;
-}
-
-void Profile::stepperMode() {
-    switch (m_mode) {
-        case Mode::Hold:
-        case Mode::Path:
-            return;
-        case Mode::Trapezoidal:
-            if (!m_done)
-                stepTrapezoid();
-            return;
-        case Mode::Velocity:
-            stepVelocity();
-            return;
-    }
 }
 
 std::int64_t Profile::approach(std::int64_t distance, std::int64_t wanted) const {

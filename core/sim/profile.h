@@ -65,7 +65,6 @@ public:
     void reset() { *this = Profile{}; }
 
 private:
-    void stepperMode();
     void stepTrapezoid();
     void stepVelocity();
     /// The velocity of the next tick towards a goal at `distance` > 0, before it is limited by the

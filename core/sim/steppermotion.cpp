@@ -19,8 +19,7 @@ constexpr std::int64_t dividedUp(std::int64_t value, std::int64_t by) {
 // ---- Starting and stopping ----
 
 bool StepperMotion::wouldReverse(StepperMode goal, const StepperTrajectory& loaded) const {
-    const bool hasGoalPosition = goal == StepperMode::Trapezoidal || goal == StepperMode::UnprofiledWithStop;
-    if (!hasGoalPosition)
+    if (!hasGoal(goal))
         return loaded.has(StepperTrajectory::kReverse);
     if (isMoving())
         return m_reverse;
@@ -35,8 +34,7 @@ void StepperMotion::start(StepperMode goal, const StepperTrajectory& loaded) {
         m_reverse = wouldReverse(goal, loaded);
         m_phase = 0;
         m_goal = static_cast<std::uint32_t>(loaded.position);
-        const bool goesNowhere = m_goal == m_position;
-        if (goesNowhere && (goal == StepperMode::Trapezoidal || goal == StepperMode::UnprofiledWithStop))
+        if (hasGoal(goal) && m_goal == m_position)  // it goes nowhere
             return;
     }
     m_mode = goal;
@@ -76,7 +74,7 @@ void StepperMotion::stopSmoothly() {
 
 void StepperMotion::resetPosition() {
     m_position = 0;
-    if (hasGoal() && m_position == m_goal)
+    if (hasGoal(m_mode) && m_position == m_goal)
         stopAbruptly();
 }
 
@@ -91,7 +89,7 @@ Duration StepperMotion::advance(Duration time) {
         const std::int64_t stretch = std::min(left, timeToNextEvent());
         makeSteps(stretch);
         left -= stretch;
-        if (hasGoal() && m_position == m_goal) {
+        if (hasGoal(m_mode) && m_position == m_goal) {
             stopAbruptly();
         } else if (isRamping()) {
             m_toNextSpeed -= stretch;
@@ -114,7 +112,7 @@ std::int64_t StepperMotion::timeToNextEvent() const {
     std::int64_t time = Duration::max().count();
     if (isRamping())
         time = m_toNextSpeed;
-    if (hasGoal()) {
+    if (hasGoal(m_mode)) {
         const std::int64_t toGoal = phaseToGoal();
         time = std::min(time, dividedUp(toGoal, m_rate.weight));
         if (m_mode == StepperMode::Trapezoidal && !m_slowingDown && m_speed > m_minimum)

@@ -51,8 +51,8 @@ private:
     [[nodiscard]] bool isProfiled() const {
         return m_mode == StepperMode::Trapezoidal || m_mode == StepperMode::Velocity;
     }
-    [[nodiscard]] bool hasGoal() const {
-        return m_mode == StepperMode::Trapezoidal || m_mode == StepperMode::UnprofiledWithStop;
+    [[nodiscard]] static bool hasGoal(StepperMode mode) {
+        return mode == StepperMode::Trapezoidal || mode == StepperMode::UnprofiledWithStop;
     }
     [[nodiscard]] bool isRamping() const;
     /// Phase from the present position to the goal.
