@@ -61,9 +61,6 @@ public:
     /// 1 forward, -1 reverse: the direction in which it moves or is about to move; 0 at rest.
     [[nodiscard]] int direction() const;
 
-    /// Restores the power-up state.
-    void reset() { *this = Profile{}; }
-
 private:
     void stepTrapezoid();
     void stepVelocity();

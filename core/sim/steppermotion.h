@@ -18,7 +18,6 @@ class StepperMotion {
 public:
     /// Takes effect at the next start from standstill.
     void setSpeedMode(SpeedMode mode) { m_speedMode = mode; }
-    [[nodiscard]] SpeedMode speedMode() const { return m_speedMode; }
     void setMinimumSpeed(std::uint8_t speed) { m_minimum = speed; }
 
     /// Enters mode `goal` with the loaded parameters. The transition must be allowed.

@@ -112,8 +112,6 @@ public:
     [[nodiscard]] double nextTick() const { return m_nextTick; }
     /// The encoder reading at a shaft position.
     [[nodiscard]] double reading(double position) const;
-    /// The last PWM value sent to the amplifier, beyond its deadband.
-    [[nodiscard]] double pwm() const { return m_sent.front(); }
     [[nodiscard]] double tick() const { return m_tick; }
 
 private:
