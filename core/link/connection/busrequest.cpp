@@ -22,8 +22,7 @@ struct Ends {
         const auto* operation = std::get_if<bus::GroupOperation>(&request);
         return operation != nullptr && operation->id == end.id;
     }
-    bool operator()(const bus::RateChanged&) const { return std::holds_alternative<ChangeRate>(request); }
-    bool operator()(const bus::RateChangeFailed&) const {
+    bool operator()(const AnyOf<bus::RateChanged, bus::RateChangeFailed> auto&) const {
         return std::holds_alternative<ChangeRate>(request);
     }
     bool operator()(const AnyOf<bus::Readdressed, bus::AddressChanged, bus::ReaddressFailed> auto&) const {
