@@ -23,7 +23,7 @@ constexpr Duration kPatience = std::chrono::seconds(20);
 class Bus {
 public:
     Bus(const std::vector<ModuleIdentity>& identities, std::uint32_t baud)
-        : m_engine(configAt(baud)), m_chain(identities) {}
+        : m_engine(bus::EngineConfig{.baud = baud}), m_chain(identities) {}
 
     [[nodiscard]] sim::Chain& simulated() { return m_chain; }
     [[nodiscard]] TimePoint now() const { return m_now; }
@@ -43,11 +43,6 @@ public:
     }
 
 private:
-    static bus::EngineConfig configAt(std::uint32_t baud) {
-        bus::EngineConfig config;
-        config.baud = baud;
-        return config;
-    }
     void step(TimePoint end) {
         TimePoint next = end;
         const auto arrival = m_arriving.empty() ? std::nullopt : std::optional(m_arriving.front().due);
@@ -266,10 +261,7 @@ private:
                  module.moving() && m_bus.now() < end && !m_cancelled;)
                 take(m_bus.runFor(kSettling));
         }
-        ProcedureReport done;
-        done.module = ask.module;
-        done.stage = ProcedureStage::Done;
-        m_run->onProcedure(done);
+        m_run->onProcedure({.module = ask.module, .stage = ProcedureStage::Done});
     }
 
     // ---- Events from the copy ----
@@ -282,10 +274,8 @@ private:
         }
     }
     void told(const bus::ChainFound& found) {
-        for (const bus::ModuleInfo& info : found.modules) {
-            m_modules.emplace_back();
-            m_modules.back().info = info;
-        }
+        for (const bus::ModuleInfo& info : found.modules)
+            m_modules.emplace_back().info = info;
     }
     void told(const bus::Sample& sample) {
         ModuleState& module = m_modules.at(sample.module.value());
