@@ -284,24 +284,32 @@ private:
     bool m_steps;
 };
 
-/// Returns nothing if the file is of `format` and its version is at most `newest`.
-[[nodiscard]] inline std::optional<FileProblem> wrongFormat(const JsonValue& file, std::string_view format,
-                                                            int newest) {
-    const JsonValue* said = file.find("format");
+/// Parses a file of at most `most` bytes that is of `format` and whose version is at most `newest`.
+[[nodiscard]] inline tl::expected<JsonValue, FileProblem> parsed(std::string_view text, std::size_t most,
+                                                                 std::string_view format, int newest) {
+    if (text.size() > most)
+        return tl::unexpected(
+            FileProblem{.kind = FileProblem::Kind::TooLarge, .max = static_cast<double>(most)});
+    auto file = parseJson(text);
+    if (!file)
+        return file;
+    const JsonValue* said = file->find("format");
     if (said == nullptr || said->text != format)
-        return FileProblem{.kind = FileProblem::Kind::OtherFormat,
-                           .line = said != nullptr ? said->line : file.line,
-                           .field = "format"};
+        return tl::unexpected(FileProblem{.kind = FileProblem::Kind::OtherFormat,
+                                          .line = said != nullptr ? said->line : file->line,
+                                          .field = "format"});
     int version = 0;
     std::optional<FileProblem> problem;
-    FieldReader(file, problem).whole("version", version, {1, std::numeric_limits<int>::max()});
+    FieldReader(*file, problem).whole("version", version, {1, std::numeric_limits<int>::max()});
     if (!problem && version > newest)
         problem = FileProblem{.kind = FileProblem::Kind::NewerVersion,
-                              .line = file.find("version")->line,
+                              .line = file->find("version")->line,
                               .field = "version",
                               .found = std::to_string(version),
                               .max = static_cast<double>(newest)};
-    return problem;
+    if (problem)
+        return tl::unexpected(*problem);
+    return file;
 }
 
 }  // namespace nmc::layout

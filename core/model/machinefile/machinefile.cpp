@@ -115,14 +115,9 @@ std::optional<FileProblem> orderProblem(const Machine& machine, const JsonValue&
 }  // namespace
 
 tl::expected<ParsedMachine, FileProblem> parseMachine(std::string_view text) {
-    if (text.size() > kMaxMachineFile)
-        return tl::unexpected(
-            FileProblem{.kind = Kind::TooLarge, .max = static_cast<double>(kMaxMachineFile)});
-    const auto file = parseJson(text);
+    const auto file = layout::parsed(text, kMaxMachineFile, layout::kFormat, layout::kVersion);
     if (!file)
         return tl::unexpected(file.error());
-    if (const auto problem = layout::wrongFormat(*file, layout::kFormat, layout::kVersion))
-        return tl::unexpected(*problem);
     Machine machine;
     std::optional<FileProblem> problem;
     layout::FieldReader reader(*file, problem);

@@ -113,16 +113,10 @@ std::string writeResponses(std::span<const KeptResponse> runs) {
 }
 
 tl::expected<std::vector<KeptResponse>, FileProblem> readResponses(std::string_view text) {
-    if (text.size() > kMaxRunFile)
-        return tl::unexpected(
-            FileProblem{.kind = FileProblem::Kind::TooLarge, .max = static_cast<double>(kMaxRunFile)});
-    const auto file = parseJson(text);
+    const auto file = layout::parsed(text, kMaxRunFile, layout::kRunsFormat, layout::kRunsVersion);
     if (!file)
         return tl::unexpected(file.error());
-    std::optional<FileProblem> problem =
-        layout::wrongFormat(*file, layout::kRunsFormat, layout::kRunsVersion);
-    if (problem)
-        return tl::unexpected(*problem);
+    std::optional<FileProblem> problem;
     layout::Runs read;
     layout::FieldReader reader(*file, problem);
     layout::fields(reader, read);
