@@ -162,6 +162,14 @@ private:
     bool m_steps;
 };
 
+template <typename Whole>
+[[nodiscard]] FieldWriter::Json written(const Whole& whole) {
+    FieldWriter::Json json;
+    FieldWriter writer(json);
+    fields(writer, whole);
+    return json;
+}
+
 /// One key per line, so that people can read it.
 [[nodiscard]] inline std::string fileText(const FieldWriter::Json& file) {
     return file.dump(kIndent, ' ', false, FieldWriter::Json::error_handler_t::replace) + '\n';

@@ -65,14 +65,6 @@ void takePart(const PartMembers<Whole> (&parts)[Size], MachinePart part, const W
             members.take(from, into);
 }
 
-template <typename Whole>
-Json written(const Whole& whole) {
-    Json json;
-    layout::FieldWriter writer(json);
-    layout::fields(writer, whole);
-    return json;
-}
-
 /// Writes an axis with a servo's keys for any chip, and with all possible pins, so that both sides of a
 /// comparison use the same names.
 Json writtenAxis(AxisSettings axis) {
@@ -81,7 +73,7 @@ Json writtenAxis(AxisSettings axis) {
     pins.pins.resize(layout::kMaxPins);
     pins.pwm.resize(layout::kMaxPwm);
     pins.analog.resize(layout::kMaxAnalog);
-    Json json = written(axis);
+    Json json = layout::written(axis);
     if (axis.fastPath)
         json["sc_fast_path"] = *axis.fastPath;  // a CMC has a "fast_path" among its limit pins
     return json;
@@ -284,7 +276,7 @@ std::optional<Refusal> whyNotSent(MachinePart part, const ModuleState& module) {
 std::optional<FieldValue> identityText(const std::optional<ModuleIdentity>& identity) {
     if (!identity)
         return std::nullopt;
-    const Json json = written(*identity);
+    const Json json = layout::written(*identity);
     return (json["type"].is_number() ? "type " : "") + inOneText(json["type"]) + " v" +
            inOneText(json["version"]);
 }
@@ -366,8 +358,8 @@ std::vector<Difference> chosenOf(std::vector<Difference> rows, const std::vector
 std::vector<Difference> compare(const Machine& file, const Machine& now,
                                 const std::vector<ModuleState>& modules) {
     std::vector<Difference> rows;
-    const Json fileJson = written(file);
-    const Json nowJson = written(now);
+    const Json fileJson = layout::written(file);
+    const Json nowJson = layout::written(now);
     for (const PartMembers<Machine>& members : kMachineParts)
         if (Fields fields = differing(fieldsOf(members, fileJson), fieldsOf(members, nowJson));
             !fields.empty()) {

@@ -57,10 +57,7 @@ std::string writeRemembered(const RememberedChain& chain) {
     layout::Positions all{chain.machine};
     for (const auto& [module, last] : chain.positions)
         all.axes.push_back({module, last});
-    layout::FieldWriter::Json file;
-    layout::FieldWriter writer(file);
-    layout::fields(writer, std::as_const(all));
-    return layout::fileText(file);
+    return layout::fileText(layout::written(all));
 }
 
 RememberedChain readRemembered(std::string_view text) {
