@@ -16,17 +16,13 @@ PacketBytes Packet::bytes() const {
 }
 
 bool Receiver::hears(std::uint8_t byte, bool framingError, bool struck) {
-    if (m_expected == Expected::Header) {
-        m_packet.framingError = framingError;
-        m_packet.struck = struck;
-        if (byte == kHeader)
-            m_expected = Expected::Address;
-        return false;
-    }
-    m_packet.framingError = m_packet.framingError || framingError;
-    m_packet.struck = m_packet.struck || struck;
+    const bool begins = m_expected == Expected::Header;
+    m_packet.framingError = framingError || (m_packet.framingError && !begins);
+    m_packet.struck = struck || (m_packet.struck && !begins);
     switch (m_expected) {
         case Expected::Header:
+            if (byte == kHeader)
+                m_expected = Expected::Address;
             break;
         case Expected::Address:
             m_packet.address = byte;
