@@ -191,11 +191,11 @@ void Composition::wireConnection() {
     connect(&m_updater, &WindowUpdater::ratesMeasured, &m_ports,
             [this](const LinkFigures& figures) { m_ports.noteRate(figures.exchangesPerSecond); });
     connect(&m_connection, &Connection::opening, this, &Composition::open);
-    connect(&m_connection, &Connection::searching, this, [this] { m_messages.end(texts::key::port()); });
+    connect(&m_connection, &Connection::searching, this, [this] { m_messages.end(texts::key::kPort); });
     connect(&m_connection, &Connection::recovered, this, [this] {
-        m_messages.end(texts::key::gone());
-        m_messages.end(texts::key::stopWaits());
-        m_messages.end(texts::key::link());
+        m_messages.end(texts::key::kGone);
+        m_messages.end(texts::key::kStopWaits);
+        m_messages.end(texts::key::kLink);
     });
     connect(&m_connection, &Connection::fewerFound, this, [this](int modules, int expected) {
         const ModuleIndex last(static_cast<std::uint8_t>(modules - 1));
@@ -205,7 +205,7 @@ void Composition::wireConnection() {
     connect(&m_connection, &Connection::accepted, this,
             [this](const std::vector<ModuleIdentity>& present, const std::vector<ModuleIndex>& missing) {
                 m_machine.acceptChain(present, missing);
-                m_messages.end(texts::key::port());
+                m_messages.end(texts::key::kPort);
                 if (missing.empty())
                     return;
                 m_positions.leaveOut(missing);
@@ -253,7 +253,7 @@ void Composition::change(const bus::GroupChange& change) {
 
 void Composition::open(const ConnectTarget& target, bool simulated) {
     const bool owns = !simulated && !target.readOnly;
-    m_messages.end(texts::key::port());
+    m_messages.end(texts::key::kPort);
     m_motions.begin(target, owns);
     m_positions.begin(target.port, owns);
     m_window.beginPackets(packetSession(target.port, simulated));

@@ -181,7 +181,7 @@ std::optional<MachineController::Pending> MachineController::read(const QString&
         m_window.showMessage(texts::machineNotOpened(path, content.error()));
         return std::nullopt;
     }
-    m_window.endMessage(texts::key::machineFile());
+    m_window.endMessage(texts::key::kMachineFile);
     return Pending{path, std::move(*content), false, {}};
 }
 
@@ -281,7 +281,7 @@ void MachineController::apply(const std::vector<PartId>& chosen) {
         return row.applying == Applying::OtherHardware;
     });
     const Pending from = *std::exchange(m_pending, std::nullopt);
-    m_window.endMessage(texts::key::notApplied());
+    m_window.endMessage(texts::key::kNotApplied);
     m_window.machineMenu().closeDifferences();
     if (from.copy) {
         m_machine = std::move(machine);
@@ -344,7 +344,7 @@ void MachineController::saved(const QString& path, const Machine& asked, const P
     if (!result)
         m_window.showMessage(texts::machineNotSaved(result.error()));
     else
-        m_window.endMessage(texts::key::machineFile());
+        m_window.endMessage(texts::key::kMachineFile);
     if (!result || !wanted)
         return showFile();
     // Edits made in the meantime are not in the file; those of axes moved the unknown keys as well.

@@ -145,7 +145,7 @@ void MessageController::take(const News& news) {
 void MessageController::on(const bus::ChainFound& /*found*/) {
     m_stopping.clear();
     endEvents(std::nullopt);
-    end(texts::key::badLink());
+    end(texts::key::kBadLink);
 }
 
 void MessageController::on(const bus::OperationFinished& finished) {
@@ -173,16 +173,16 @@ void MessageController::on(const bus::StopFinished& finished) {
 
 void MessageController::on(const bus::ModuleUnresponsive& silence) {
     if (!silence.silent)
-        end(texts::key::link());
+        end(texts::key::kLink);
 }
 
 void MessageController::on(const bus::HealthChanged& changed) {
     if (changed.health == bus::LinkHealth::Good)
-        end(texts::key::badLink());
+        end(texts::key::kBadLink);
 }
 
 void MessageController::on(const bus::Readdressed& /*readdressed*/) {
-    end(texts::key::unaddressed());
+    end(texts::key::kUnaddressed);
 }
 
 void MessageController::on(const PortClosed& /*closed*/) {

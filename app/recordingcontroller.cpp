@@ -62,7 +62,7 @@ void RecordingController::start(const QString& path) {
         m_next = path;
         return;
     }
-    m_window.endMessage(texts::key::recording());
+    m_window.endMessage(texts::key::kRecording);
     m_writer.start(path);
     m_bytes = 0;
     m_started = monotonicNow();
@@ -181,7 +181,7 @@ void RecordingController::loaded(std::shared_ptr<LoadedRecording> recording) {
     else if (recording->samples == 0)
         m_window.showMessage(texts::recordingWithoutSamples(recording->path));
     else
-        m_window.endMessage(texts::key::openedRecording());
+        m_window.endMessage(texts::key::kOpenedRecording);
     if (recording->samples == 0)
         return;
     auto record = std::make_shared<const ScopeRecord>(

@@ -93,7 +93,7 @@ void RunKeeper::loaded() {
     else if (m_reading->error)
         m_window.showMessage(texts::runsNotRead(*m_reading->error));
     else
-        m_window.endMessage(texts::key::runs());
+        m_window.endMessage(texts::key::kRuns);
     std::vector<KeptResponse> runs;
     for (KeptResponse& run : std::exchange(m_reading->runs, {})) {
         std::optional<ModuleIndex> module = moduleOf(run, m_reading->machine);
@@ -157,7 +157,7 @@ void RunKeeper::keep() {
 
 void RunKeeper::onWritten(const FileWriter::Result& result) {
     if (result)
-        m_window.endMessage(texts::key::runsNotKept());
+        m_window.endMessage(texts::key::kRunsNotKept);
     else if (!m_failed)
         m_window.showMessage(texts::runsNotKept(result.error()));
     m_failed = !result;

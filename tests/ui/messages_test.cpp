@@ -244,7 +244,7 @@ TEST_F(Messages, ButtonsAreVerbsAndSayWhichMessage) {
     window->showMessage(texts::portProblem({PortProblem::InUse, "/dev/ttyUSB0", {}, {}, {}}));
     click(u"bannerAction_retry"_s);
     ASSERT_EQ(actions.size(), 1);
-    EXPECT_EQ(actions.at(0).at(0).value<Message>().key, texts::key::port());
+    EXPECT_EQ(actions.at(0).at(0).value<Message>().key, texts::key::kPort);
     EXPECT_EQ(actions.at(0).at(1).value<MessageAction>(), MessageAction::Retry);
     QTest::mouseClick(list()->rows().at(0)->findChild<QAbstractButton*>(u"listAction_retry"_s),
                       Qt::LeftButton);

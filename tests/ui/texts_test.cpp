@@ -189,7 +189,7 @@ TEST(Texts, AStopThatIsNotConfirmedSendsToTheHardwareStop) {
         EXPECT_FALSE(texts::allStopped(finished));
         const Message message = texts::stopResult(finished, {});
         EXPECT_EQ(message.severity, Severity::Fault);
-        EXPECT_EQ(message.key, texts::key::stop());
+        EXPECT_EQ(message.key, texts::key::kStop);
         return message.headline;
     };
     EXPECT_EQ(

@@ -11,7 +11,7 @@ namespace nmc::texts {
 using namespace Qt::StringLiterals;
 
 Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
-    Message m{.key = key::port(),
+    Message m{.key = key::kPort,
               .severity = Severity::Attention,
               .actions = {scanAgain(), restartNetwork(), useSimulator()}};
     switch (failed.reason) {
@@ -73,7 +73,7 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
 }
 
 Message fewerThanExpected(int found, int expected, const QString& lastName) {
-    Message m{.key = key::port(), .severity = Severity::Attention};
+    Message m{.key = key::kPort, .severity = Severity::Attention};
     m.headline = Common::tr("%1 of %2 modules answered.").arg(found).arg(expected);
     const QString last = lastName.isEmpty() ? Texts::tr("module %1").arg(found)
                                             : Texts::tr("module %1 \"%2\"").arg(found).arg(lastName);
@@ -161,7 +161,7 @@ Message repliesInPieces(const QString& port, int gapMs) {
 
 Message unaddressed() {
     return {
-        .key = key::unaddressed(),
+        .key = key::kUnaddressed,
         .severity = Severity::Attention,
         .headline = Texts::tr("A module without an address also answered; it cannot be used yet."),
         .body = Texts::tr(
@@ -182,7 +182,7 @@ Message openAlready() {
 
 Message linkLost(const QString& port, const std::vector<ModuleIndex>& moving) {
     return {
-        .key = key::link(),
+        .key = key::kLink,
         .severity = Severity::Fault,
         .headline =
             Texts::tr("All modules on %1 stopped answering. %2").arg(portName(port), movingSentence(moving)),
@@ -192,7 +192,7 @@ Message linkLost(const QString& port, const std::vector<ModuleIndex>& moving) {
 }
 
 Message badLink(const bus::HealthChanged& health) {
-    Message m{.key = key::badLink(), .module = health.module, .stands = true};
+    Message m{.key = key::kBadLink, .module = health.module, .stands = true};
     if (health.health == bus::LinkHealth::Lost) {
         m.severity = Severity::Fault;
         m.headline =

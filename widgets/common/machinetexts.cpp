@@ -102,7 +102,7 @@ QString wrongInLine(const FileProblem& problem) {
 }
 
 Message problemMessage(const QString& headline, const QString& body, const QString& details = {}) {
-    return {.key = key::machineFile(),
+    return {.key = key::kMachineFile,
             .severity = Severity::Attention,
             .headline = headline,
             .body = body,
@@ -162,16 +162,6 @@ QString fileProblem(const FileError& error) {
     return {};
 }
 
-QString key::machineFile() {
-    return u"machineFile"_s;
-}
-QString key::notApplied() {
-    return u"notApplied"_s;
-}
-QString key::unsavedWork() {
-    return u"unsavedWork"_s;
-}
-
 QString machineFileName(const QString& path) {
     return path.isEmpty() ? Texts::tr("unsaved changes") : QFileInfo(path).fileName();
 }
@@ -215,20 +205,20 @@ Message machineNotSaved(const QString& file, const FileProblem& problem) {
 
 Message machineOpened(const QString& file, int parts, int sent) {
     return {
-        .key = key::machineFile() + u".opened"_s,
+        .key = key::kMachineFile + u".opened"_s,
         .headline = Texts::tr("\"%1\" is open. Settings applied: %2.").arg(machineFileName(file)).arg(parts),
         .body = commandsSent(sent)};
 }
 
 Message axisCopied(ModuleIndex from, int parts, int sent) {
-    return {.key = key::machineFile() + u".copied"_s,
+    return {.key = key::kMachineFile + u".copied"_s,
             .headline = Texts::tr("Settings copied from %1: %2.").arg(moduleName(from)).arg(parts),
             .body = commandsSent(sent)};
 }
 
 Message machineNotApplied(int movingMotors) {
     return {
-        .key = key::notApplied(),
+        .key = key::kNotApplied,
         .severity = Severity::Attention,
         .headline = Texts::tr("Nothing was applied."),
         .body =
@@ -240,14 +230,14 @@ Message machineNotApplied(int movingMotors) {
 }
 
 Message machineSame(const QString& file) {
-    return {.key = key::machineFile() + u".opened"_s,
+    return {.key = key::kMachineFile + u".opened"_s,
             .headline = Texts::tr("\"%1\" is open. No differences.").arg(machineFileName(file)),
             .body = Texts::tr("Nothing was sent.")};
 }
 
 Message unsavedWorkLeft(const QString& machine) {
     return {
-        .key = key::unsavedWork(),
+        .key = key::kUnsavedWork,
         .severity = Severity::Attention,
         .headline = Texts::tr("Unsaved changes to %1 were recovered.").arg(machineOrFile(machine)),
         .body = Texts::tr("An earlier session ended before they were saved. Restoring them sends nothing."),
@@ -256,7 +246,7 @@ Message unsavedWorkLeft(const QString& machine) {
 }
 
 Message unsavedWorkDamaged(const FileProblem& problem) {
-    return {.key = key::unsavedWork(),
+    return {.key = key::kUnsavedWork,
             .severity = Severity::Attention,
             .headline = Texts::tr("Could not recover unsaved changes of an earlier session."),
             .body = fileProblem(machineFileName({}), problem),
@@ -329,16 +319,9 @@ QString machinePart(MachinePart part) {
     return {};
 }
 
-QString key::runs() {
-    return u"runs"_s;
-}
-QString key::runsNotKept() {
-    return u"runsNotKept"_s;
-}
-
 Message runsNotRead(const QString& path, const FileProblem& problem) {
     const QString file = QFileInfo(path).fileName();
-    return {.key = key::runs(),
+    return {.key = key::kRuns,
             .severity = Severity::Attention,
             .headline = Texts::tr("Could not read the step responses of this machine."),
             .body = (problem.kind == FileProblem::Kind::OtherFormat
@@ -351,7 +334,7 @@ Message runsNotRead(const QString& path, const FileProblem& problem) {
 
 Message runsNotRead(const FileError& error) {
     return {
-        .key = key::runs(),
+        .key = key::kRuns,
         .severity = Severity::Attention,
         .headline = Texts::tr("Could not read the step responses of this machine."),
         .body = Texts::tr("\"%1\" is not readable. It is moved aside before new step responses are saved.")
@@ -360,7 +343,7 @@ Message runsNotRead(const FileError& error) {
 }
 
 Message runsNotKept(const FileError& error) {
-    return {.key = key::runsNotKept(),
+    return {.key = key::kRunsNotKept,
             .severity = Severity::Attention,
             .headline = Texts::tr("The step responses of this session are not saved."),
             .body = Texts::tr("%1 is not writable. Export them before you close the panel.")

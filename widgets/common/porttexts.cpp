@@ -173,7 +173,7 @@ Message portProblem(const PortError& error) {
     Message m = portMessage(error);
     // A separate key: that the state of the motors is unknown remains true whatever is tried next with the
     // port.
-    m.key = error.problem == PortProblem::Gone ? key::gone() : key::port();
+    m.key = error.problem == PortProblem::Gone ? key::kGone : key::kPort;
     m.details = shown(error.detail);
     if (m.severity == Severity::Normal)
         m.severity = Severity::Attention;
@@ -208,7 +208,7 @@ Message latencyCure(const QString& file) {
 Message adapterBack(const QString& port, bool sameSerial) {
     const QString text = sameSerial ? Texts::tr("The adapter is back as %1 (same serial number). Reconnect?")
                                     : Texts::tr("A similar adapter was found as %1. Reconnect?");
-    return {.key = key::port(),
+    return {.key = key::kPort,
             .severity = Severity::Fault,
             .headline = text.arg(port),
             .body = Texts::tr(
@@ -217,7 +217,7 @@ Message adapterBack(const QString& port, bool sameSerial) {
 }
 
 Message differentAdapter(const QString& port) {
-    return {.key = key::port(),
+    return {.key = key::kPort,
             .severity = Severity::Attention,
             .headline = Texts::tr("A different adapter is on %1.").arg(port),
             .body = Texts::tr("The panel was connected to another adapter before. Nothing was sent."),

@@ -9,8 +9,6 @@
 
 namespace nmc::texts {
 
-using namespace Qt::StringLiterals;
-
 namespace {
 
 QString fileNameOf(const QString& path) {
@@ -87,7 +85,7 @@ QString wrongInLine(const RecordingProblem& problem) {
 }
 
 Message notOpened(const QString& headline, const QString& body, const QString& details = {}) {
-    return {.key = key::openedRecording(),
+    return {.key = key::kOpenedRecording,
             .severity = Severity::Attention,
             .headline = headline,
             .body = body,
@@ -96,18 +94,8 @@ Message notOpened(const QString& headline, const QString& body, const QString& d
 
 }  // namespace
 
-QString key::recording() {
-    return u"recording"_s;
-}
-QString key::openedRecording() {
-    return u"openedRecording"_s;
-}
-QString key::exported() {
-    return u"exported"_s;
-}
-
 Message recordingEnded(const QString& path, double seconds) {
-    return {.key = key::recording(),
+    return {.key = key::kRecording,
             .headline = Texts::tr("Recorded \"%1\": %2.").arg(fileNameOf(path), length(seconds)),
             .body = Texts::tr("Saved in %1.").arg(folderOf(path))};
 }
@@ -117,7 +105,7 @@ Message recordingFailed(const QString& path, const RecordingFailure& failure, do
     const QString rest = kept ? Texts::tr("The part written before (%1) is kept.").arg(length(seconds))
                               : Texts::tr("Nothing was kept.");
     return {
-        .key = key::recording(),
+        .key = key::kRecording,
         .severity = Severity::Attention,
         .headline =
             Texts::tr("Recording to \"%1\" stopped: %2").arg(fileNameOf(path), cause(failure.trouble)),
@@ -162,13 +150,13 @@ Message recordingNotOpened(const FileError& error) {
 }
 
 Message exported(const QString& path) {
-    return {.key = key::exported(),
+    return {.key = key::kExported,
             .headline = Texts::tr("Saved \"%1\".").arg(fileNameOf(path)),
             .body = Texts::tr("Saved in %1.").arg(folderOf(path))};
 }
 
 Message notExported(const FileError& error) {
-    return {.key = key::exported(),
+    return {.key = key::kExported,
             .severity = Severity::Attention,
             .headline = Texts::tr("Could not save \"%1\".").arg(fileNameOf(error.path)),
             .body = fileProblem(error),

@@ -67,7 +67,7 @@ Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleSt
     if (allStopped(finished)) {
         const auto ms = std::llround(toSeconds(finished.took) * 1000);
         // A separate key, so that a successful stop does not count as a repeat of one that failed.
-        return {.key = key::stopped(),
+        return {.key = key::kStopped,
                 .headline = Texts::tr("%1, %2 ms.").arg(howStopped(finished, modules), QString::number(ms)),
                 .replaces = true};
     }
@@ -77,11 +77,11 @@ Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleSt
     parts.last() += Texts::tr(": use the hardware stop.");
     const QString first = finished.stopped.empty() ? Texts::tr("No stop was confirmed.")
                                                    : Texts::tr("%1 of %2 stopped.").arg(stopped, all);
-    return {.key = key::stop(), .severity = Severity::Fault, .headline = first + u' ' + parts.join(u". "_s)};
+    return {.key = key::kStop, .severity = Severity::Fault, .headline = first + u' ' + parts.join(u". "_s)};
 }
 
 Message stopWaits() {
-    return {.key = key::stopWaits(),
+    return {.key = key::kStopWaits,
             .severity = Severity::Fault,
             .headline = Texts::tr("No stop can be sent now: use the hardware stop."),
             .body = Texts::tr("It is sent as soon as you connect to the same modules again."),

@@ -263,7 +263,7 @@ QString stoppingBeforeClose() {
 
 Message safety() {
     return {
-        .key = key::safety(),
+        .key = key::kSafety,
         .headline = Texts::tr("Fit a hardware emergency stop that removes motor power."),
         .body = Texts::tr(
             "These modules have no link watchdog: when the cable is cut, the adapter hangs or this computer loses power, a running motor keeps running, and no program can stop it. STOP ALL and Esc work only while the link works. A guardian stops the motors when this program is killed, crashes or hangs."),
@@ -271,7 +271,7 @@ Message safety() {
 }
 
 Message questionWaits(const QString& title, const QString& text) {
-    return {.key = key::question(),
+    return {.key = key::kQuestion,
             .severity = Severity::Attention,
             .headline = Texts::tr("A question is waiting for your answer: %1").arg(title),
             .body = text,
@@ -292,27 +292,6 @@ QString simulatorTold(const QString& line) {
 }
 
 namespace key {
-QString port() {
-    return u"port"_s;
-}
-QString slowAdapter() {
-    return u"slowAdapter"_s;
-}
-QString link() {
-    return u"link"_s;
-}
-QString unaddressed() {
-    return u"unaddressed"_s;
-}
-QString badLink() {
-    return u"badLink"_s;
-}
-QString question() {
-    return u"question"_s;
-}
-QString stopped() {
-    return u"stopped"_s;
-}
 QString silent(ModuleIndex module) {
     return ofModule(u"silent"_s, module);
 }
@@ -337,20 +316,8 @@ QString current(ModuleIndex module) {
 QString restarted(ModuleIndex module) {
     return ofModule(u"restarted"_s, module);
 }
-QString stop() {
-    return u"stop"_s;
-}
-QString stopWaits() {
-    return u"stopWaits"_s;
-}
-QString gone() {
-    return u"gone"_s;
-}
 QString endedWhileMoving(const QString& file) {
     return u"endedWhileMoving."_s + file;
-}
-QString safety() {
-    return u"safety"_s;
 }
 }  // namespace key
 

@@ -251,14 +251,14 @@ namespace texts {
 
 /// Keys of messages that end, for MainWindow::endMessage().
 namespace key {
-[[nodiscard]] QString question();
+inline const QString kQuestion = QStringLiteral("question");
 /// A successful stop of all motors, until something moves again.
-[[nodiscard]] QString stopped();
-[[nodiscard]] QString port();
-[[nodiscard]] QString slowAdapter();
-[[nodiscard]] QString link();
-[[nodiscard]] QString badLink();
-[[nodiscard]] QString unaddressed();
+inline const QString kStopped = QStringLiteral("stopped");
+inline const QString kPort = QStringLiteral("port");
+inline const QString kSlowAdapter = QStringLiteral("slowAdapter");
+inline const QString kLink = QStringLiteral("link");
+inline const QString kBadLink = QStringLiteral("badLink");
+inline const QString kUnaddressed = QStringLiteral("unaddressed");
 [[nodiscard]] QString silent(ModuleIndex module);
 [[nodiscard]] QString refused(ModuleIndex module);
 [[nodiscard]] QString garbled(ModuleIndex module);
@@ -268,19 +268,19 @@ namespace key {
 [[nodiscard]] QString power(ModuleIndex module);
 [[nodiscard]] QString current(ModuleIndex module);
 [[nodiscard]] QString restarted(ModuleIndex module);
-[[nodiscard]] QString stop();
-[[nodiscard]] QString stopWaits();
-[[nodiscard]] QString gone();
+inline const QString kStop = QStringLiteral("stop");
+inline const QString kStopWaits = QStringLiteral("stopWaits");
+inline const QString kGone = QStringLiteral("gone");
 [[nodiscard]] QString endedWhileMoving(const QString& file);
-[[nodiscard]] QString safety();
-[[nodiscard]] QString machineFile();
-[[nodiscard]] QString notApplied();
-[[nodiscard]] QString unsavedWork();
-[[nodiscard]] QString recording();
-[[nodiscard]] QString openedRecording();
-[[nodiscard]] QString exported();
-[[nodiscard]] QString runs();
-[[nodiscard]] QString runsNotKept();
+inline const QString kSafety = QStringLiteral("safety");
+inline const QString kMachineFile = QStringLiteral("machineFile");
+inline const QString kNotApplied = QStringLiteral("notApplied");
+inline const QString kUnsavedWork = QStringLiteral("unsavedWork");
+inline const QString kRecording = QStringLiteral("recording");
+inline const QString kOpenedRecording = QStringLiteral("openedRecording");
+inline const QString kExported = QStringLiteral("exported");
+inline const QString kRuns = QStringLiteral("runs");
+inline const QString kRunsNotKept = QStringLiteral("runsNotKept");
 }  // namespace key
 
 }  // namespace texts

@@ -401,7 +401,7 @@ void MainWindow::showModules() {
     const LinkState& link = m_session.link();
     m_bar->showLink(link);
     if (m_session.movingMotors() > 0)
-        endMessage(texts::key::stopped());  // no longer true
+        endMessage(texts::key::kStopped);  // no longer true
     m_linkBar->showLink(link);
     m_simulator->showLink(link);
     m_monitor->showLink(link);
@@ -592,7 +592,7 @@ void MainWindow::showStopResult(const bus::StopFinished& finished, unsigned reco
     m_bar->showStopResult(result.headline);
     const bool all = texts::allStopped(finished);
     if (all)
-        endMessage(texts::key::stop());
+        endMessage(texts::key::kStop);
     result.record = record;
     showMessage(texts::withRecord(result));
     m_session.stopFinished(all);
