@@ -1643,89 +1643,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
-    <name>StepperMeaning</name>
-    <message>
-        <source>Speed mode</source>
-        <translation>Geschwindigkeitsmodus</translation>
-    </message>
-    <message>
-        <source>Minimum profile speed</source>
-        <translation>Min. Profilgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Run current</source>
-        <translation>Fahrstrom</translation>
-    </message>
-    <message>
-        <source>Hold current</source>
-        <translation>Haltestrom</translation>
-    </message>
-    <message>
-        <source>Thermal limit</source>
-        <translation>Temperaturgrenze</translation>
-    </message>
-    <message>
-        <source>Limit switches</source>
-        <translation>Endschalter</translation>
-    </message>
-    <message>
-        <source>On limit or E-stop</source>
-        <translation>Bei Endschalter oder E-Stop</translation>
-    </message>
-    <message>
-        <source>The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.</source>
-        <translation>Der Takt des Schritt-Timers. Ein schnellerer Takt erreicht höhere Geschwindigkeiten in gröberen Stufen: den langsamsten nehmen, der schnell genug ist. Ein Wechsel ändert die Bedeutung jeder Geschwindigkeit und Rampe.</translation>
-    </message>
-    <message>
-        <source>The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.</source>
-        <translation>Die Geschwindigkeit, bei der Rampen beginnen und enden. Der Motor muss mit ihr ohne Schrittverlust anfahren und anhalten können. Dauerlauf und Fahrten mit Rampe sind nie langsamer.</translation>
-    </message>
-    <message>
-        <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
-        <translation>Motorstrom während der Bewegung; 255 ist der volle Strom des Treibers. 0: kein Strom, und der Motor folgt nicht. Die Nennwerte von Motor und Treiber nicht überschreiten.</translation>
-    </message>
-    <message>
-        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
-        <translation>Motorstrom im Stillstand, ab etwa 0,25 s nach einer Bewegung. Meist kleiner als der Fahrstrom, damit der Motor kühl bleibt. 0: kein Strom und kein Haltemoment.</translation>
-    </message>
-    <message>
-        <source>The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.</source>
-        <translation>Das Modul schaltet den Motor ab, wenn der A/D-Wert unter diese Grenze fällt: Die Spannung einer Thermistorbrücke sinkt, wenn der Motor wärmer wird. 0: aus. Um die richtige Grenze zu finden, den A/D-Wert eines warmen Motors beobachten.</translation>
-    </message>
-    <message>
-        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
-        <translation>Normalerweise stoppt der Chip den Motor vorwärts am Endschalter 1 und rückwärts am Endschalter 2. Werden die Schalter ignoriert, stoppen sie den Motor nicht, und er kann in das Ende seines Fahrwegs laufen.</translation>
-    </message>
-    <message>
-        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
-        <translation>Normalerweise stoppt der Chip den Motor, wenn sein E-Stop-Eingang auf High geht. Wird der Eingang ignoriert, stoppt er den Motor nicht.</translation>
-    </message>
-    <message>
-        <source>A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.</source>
-        <translation>Ein Endschalter oder der E-Stop-Eingang schaltet den Motor zusätzlich ab: Er ist dann frei drehbar, und eine Last kann absinken.</translation>
-    </message>
-    <message>
-        <source>A/D now %1</source>
-        <translation>A/D jetzt %1</translation>
-    </message>
-    <message>
-        <source>off; %1</source>
-        <translation>aus; %1</translation>
-    </message>
-    <message>
-        <source>no current</source>
-        <translation>kein Strom</translation>
-    </message>
-    <message>
-        <source>%1 % of full</source>
-        <translation>%1 % des Maximums</translation>
-    </message>
-    <message>
-        <source>speed %1</source>
-        <translation>Geschwindigkeit %1</translation>
-    </message>
-</context>
-<context>
     <name>StepperWords</name>
     <message>
         <source>%1 steps/s</source>
@@ -12942,6 +12859,86 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Redo the edit of a parameter</source>
         <translation>Die Änderung eines Parameters wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Speed mode</source>
+        <translation>Geschwindigkeitsmodus</translation>
+    </message>
+    <message>
+        <source>Minimum profile speed</source>
+        <translation>Min. Profilgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Run current</source>
+        <translation>Fahrstrom</translation>
+    </message>
+    <message>
+        <source>Hold current</source>
+        <translation>Haltestrom</translation>
+    </message>
+    <message>
+        <source>Thermal limit</source>
+        <translation>Temperaturgrenze</translation>
+    </message>
+    <message>
+        <source>Limit switches</source>
+        <translation>Endschalter</translation>
+    </message>
+    <message>
+        <source>On limit or E-stop</source>
+        <translation>Bei Endschalter oder E-Stop</translation>
+    </message>
+    <message>
+        <source>The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.</source>
+        <translation>Der Takt des Schritt-Timers. Ein schnellerer Takt erreicht höhere Geschwindigkeiten in gröberen Stufen: den langsamsten nehmen, der schnell genug ist. Ein Wechsel ändert die Bedeutung jeder Geschwindigkeit und Rampe.</translation>
+    </message>
+    <message>
+        <source>The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.</source>
+        <translation>Die Geschwindigkeit, bei der Rampen beginnen und enden. Der Motor muss mit ihr ohne Schrittverlust anfahren und anhalten können. Dauerlauf und Fahrten mit Rampe sind nie langsamer.</translation>
+    </message>
+    <message>
+        <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
+        <translation>Motorstrom während der Bewegung; 255 ist der volle Strom des Treibers. 0: kein Strom, und der Motor folgt nicht. Die Nennwerte von Motor und Treiber nicht überschreiten.</translation>
+    </message>
+    <message>
+        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
+        <translation>Motorstrom im Stillstand, ab etwa 0,25 s nach einer Bewegung. Meist kleiner als der Fahrstrom, damit der Motor kühl bleibt. 0: kein Strom und kein Haltemoment.</translation>
+    </message>
+    <message>
+        <source>The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.</source>
+        <translation>Das Modul schaltet den Motor ab, wenn der A/D-Wert unter diese Grenze fällt: Die Spannung einer Thermistorbrücke sinkt, wenn der Motor wärmer wird. 0: aus. Um die richtige Grenze zu finden, den A/D-Wert eines warmen Motors beobachten.</translation>
+    </message>
+    <message>
+        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
+        <translation>Normalerweise stoppt der Chip den Motor vorwärts am Endschalter 1 und rückwärts am Endschalter 2. Werden die Schalter ignoriert, stoppen sie den Motor nicht, und er kann in das Ende seines Fahrwegs laufen.</translation>
+    </message>
+    <message>
+        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
+        <translation>Normalerweise stoppt der Chip den Motor, wenn sein E-Stop-Eingang auf High geht. Wird der Eingang ignoriert, stoppt er den Motor nicht.</translation>
+    </message>
+    <message>
+        <source>A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.</source>
+        <translation>Ein Endschalter oder der E-Stop-Eingang schaltet den Motor zusätzlich ab: Er ist dann frei drehbar, und eine Last kann absinken.</translation>
+    </message>
+    <message>
+        <source>A/D now %1</source>
+        <translation>A/D jetzt %1</translation>
+    </message>
+    <message>
+        <source>off; %1</source>
+        <translation>aus; %1</translation>
+    </message>
+    <message>
+        <source>no current</source>
+        <translation>kein Strom</translation>
+    </message>
+    <message>
+        <source>%1 % of full</source>
+        <translation>%1 % des Maximums</translation>
+    </message>
+    <message>
+        <source>speed %1</source>
+        <translation>Geschwindigkeit %1</translation>
     </message>
 </context>
 <context>

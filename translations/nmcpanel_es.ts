@@ -1643,89 +1643,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
 </context>
 <context>
-    <name>StepperMeaning</name>
-    <message>
-        <source>Speed mode</source>
-        <translation>Modo de velocidad</translation>
-    </message>
-    <message>
-        <source>Minimum profile speed</source>
-        <translation>Velocidad mínima del perfil</translation>
-    </message>
-    <message>
-        <source>Run current</source>
-        <translation>Corriente de marcha</translation>
-    </message>
-    <message>
-        <source>Hold current</source>
-        <translation>Corriente de retención</translation>
-    </message>
-    <message>
-        <source>Thermal limit</source>
-        <translation>Límite térmico</translation>
-    </message>
-    <message>
-        <source>Limit switches</source>
-        <translation>Finales de carrera</translation>
-    </message>
-    <message>
-        <source>On limit or E-stop</source>
-        <translation>Con final de carrera o E-Stop</translation>
-    </message>
-    <message>
-        <source>The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.</source>
-        <translation>El reloj del temporizador de pasos. Un reloj más rápido alcanza velocidades mayores con saltos más gruesos: use el más lento que baste. Cambiarlo cambia el significado de todas las velocidades y rampas.</translation>
-    </message>
-    <message>
-        <source>The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.</source>
-        <translation>La velocidad a la que empiezan y terminan las rampas. El motor debe poder arrancar y parar a esta velocidad sin perder pasos. Las marchas y los movimientos con rampa nunca son más lentos.</translation>
-    </message>
-    <message>
-        <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
-        <translation>Corriente del motor en movimiento; 255 es toda la corriente del driver. 0: sin corriente, y el motor no sigue los pasos. No supere los valores nominales del motor ni del driver.</translation>
-    </message>
-    <message>
-        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
-        <translation>Corriente del motor parado, desde unos 0,25 s después de un movimiento. Suele ser menor que la de marcha, para que el motor no se caliente. 0: sin corriente, y el motor no retiene nada.</translation>
-    </message>
-    <message>
-        <source>The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.</source>
-        <translation>El módulo apaga el motor cuando el valor A/D cae por debajo de este límite: la tensión de un puente con termistor baja cuando el motor se calienta. 0: inactivo. Para hallar el límite correcto, observe el valor A/D con el motor caliente.</translation>
-    </message>
-    <message>
-        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
-        <translation>Normalmente el chip detiene el motor en el final de carrera 1 al ir hacia adelante y en el 2 al ir hacia atrás. Si se ignoran, los finales de carrera no detienen nada y el motor puede chocar con el final de su recorrido.</translation>
-    </message>
-    <message>
-        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
-        <translation>Normalmente el chip detiene el motor cuando su entrada E-Stop pasa a nivel alto. Si se ignora, la entrada no detiene nada.</translation>
-    </message>
-    <message>
-        <source>A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.</source>
-        <translation>Un final de carrera o la entrada E-Stop también apagan el motor: puede girar libremente y una carga puede caer.</translation>
-    </message>
-    <message>
-        <source>A/D now %1</source>
-        <translation>A/D actual: %1</translation>
-    </message>
-    <message>
-        <source>off; %1</source>
-        <translation>inactivo; %1</translation>
-    </message>
-    <message>
-        <source>no current</source>
-        <translation>sin corriente</translation>
-    </message>
-    <message>
-        <source>%1 % of full</source>
-        <translation>%1 % del máximo</translation>
-    </message>
-    <message>
-        <source>speed %1</source>
-        <translation>velocidad %1</translation>
-    </message>
-</context>
-<context>
     <name>StepperWords</name>
     <message>
         <source>%1 steps/s</source>
@@ -12942,6 +12859,86 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Redo the edit of a parameter</source>
         <translation>Rehacer la edición de un parámetro</translation>
+    </message>
+    <message>
+        <source>Speed mode</source>
+        <translation>Modo de velocidad</translation>
+    </message>
+    <message>
+        <source>Minimum profile speed</source>
+        <translation>Velocidad mínima del perfil</translation>
+    </message>
+    <message>
+        <source>Run current</source>
+        <translation>Corriente de marcha</translation>
+    </message>
+    <message>
+        <source>Hold current</source>
+        <translation>Corriente de retención</translation>
+    </message>
+    <message>
+        <source>Thermal limit</source>
+        <translation>Límite térmico</translation>
+    </message>
+    <message>
+        <source>Limit switches</source>
+        <translation>Finales de carrera</translation>
+    </message>
+    <message>
+        <source>On limit or E-stop</source>
+        <translation>Con final de carrera o E-Stop</translation>
+    </message>
+    <message>
+        <source>The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.</source>
+        <translation>El reloj del temporizador de pasos. Un reloj más rápido alcanza velocidades mayores con saltos más gruesos: use el más lento que baste. Cambiarlo cambia el significado de todas las velocidades y rampas.</translation>
+    </message>
+    <message>
+        <source>The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.</source>
+        <translation>La velocidad a la que empiezan y terminan las rampas. El motor debe poder arrancar y parar a esta velocidad sin perder pasos. Las marchas y los movimientos con rampa nunca son más lentos.</translation>
+    </message>
+    <message>
+        <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
+        <translation>Corriente del motor en movimiento; 255 es toda la corriente del driver. 0: sin corriente, y el motor no sigue los pasos. No supere los valores nominales del motor ni del driver.</translation>
+    </message>
+    <message>
+        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
+        <translation>Corriente del motor parado, desde unos 0,25 s después de un movimiento. Suele ser menor que la de marcha, para que el motor no se caliente. 0: sin corriente, y el motor no retiene nada.</translation>
+    </message>
+    <message>
+        <source>The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.</source>
+        <translation>El módulo apaga el motor cuando el valor A/D cae por debajo de este límite: la tensión de un puente con termistor baja cuando el motor se calienta. 0: inactivo. Para hallar el límite correcto, observe el valor A/D con el motor caliente.</translation>
+    </message>
+    <message>
+        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
+        <translation>Normalmente el chip detiene el motor en el final de carrera 1 al ir hacia adelante y en el 2 al ir hacia atrás. Si se ignoran, los finales de carrera no detienen nada y el motor puede chocar con el final de su recorrido.</translation>
+    </message>
+    <message>
+        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
+        <translation>Normalmente el chip detiene el motor cuando su entrada E-Stop pasa a nivel alto. Si se ignora, la entrada no detiene nada.</translation>
+    </message>
+    <message>
+        <source>A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.</source>
+        <translation>Un final de carrera o la entrada E-Stop también apagan el motor: puede girar libremente y una carga puede caer.</translation>
+    </message>
+    <message>
+        <source>A/D now %1</source>
+        <translation>A/D actual: %1</translation>
+    </message>
+    <message>
+        <source>off; %1</source>
+        <translation>inactivo; %1</translation>
+    </message>
+    <message>
+        <source>no current</source>
+        <translation>sin corriente</translation>
+    </message>
+    <message>
+        <source>%1 % of full</source>
+        <translation>%1 % del máximo</translation>
+    </message>
+    <message>
+        <source>speed %1</source>
+        <translation>velocidad %1</translation>
     </message>
 </context>
 <context>

@@ -1643,89 +1643,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
 </context>
 <context>
-    <name>StepperMeaning</name>
-    <message>
-        <source>Speed mode</source>
-        <translation>Mode de vitesse</translation>
-    </message>
-    <message>
-        <source>Minimum profile speed</source>
-        <translation>Vitesse minimale de profil</translation>
-    </message>
-    <message>
-        <source>Run current</source>
-        <translation>Courant de marche</translation>
-    </message>
-    <message>
-        <source>Hold current</source>
-        <translation>Courant de maintien</translation>
-    </message>
-    <message>
-        <source>Thermal limit</source>
-        <translation>Seuil thermique</translation>
-    </message>
-    <message>
-        <source>Limit switches</source>
-        <translation>Fins de course</translation>
-    </message>
-    <message>
-        <source>On limit or E-stop</source>
-        <translation>Sur fin de course ou E-Stop</translation>
-    </message>
-    <message>
-        <source>The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.</source>
-        <translation>L’horloge du générateur de pas. Une horloge plus rapide atteint des vitesses plus élevées par paliers plus grossiers&#xa0;: utilisez la plus lente qui soit assez rapide. La modifier change la signification de toutes les vitesses et rampes.</translation>
-    </message>
-    <message>
-        <source>The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.</source>
-        <translation>Vitesse à laquelle les rampes commencent et finissent. Le moteur doit pouvoir démarrer et s’arrêter à cette vitesse sans perdre de pas. Les marches continues et les déplacements avec rampe ne sont jamais plus lents.</translation>
-    </message>
-    <message>
-        <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
-        <translation>Courant du moteur en mouvement&#x202f;; 255 est le plein courant du driver. 0&#xa0;: pas de courant, le moteur ne suit pas. Ne dépassez pas les valeurs nominales du moteur et du driver.</translation>
-    </message>
-    <message>
-        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
-        <translation>Courant du moteur à l’arrêt, environ 0,25&#xa0;s après un mouvement. En général inférieur au courant de marche, pour limiter l’échauffement du moteur. 0&#xa0;: pas de courant, le moteur ne maintient rien.</translation>
-    </message>
-    <message>
-        <source>The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.</source>
-        <translation>Le module coupe le moteur quand la valeur A/D tombe sous ce seuil&#xa0;: la tension d’un pont à thermistance baisse quand le moteur chauffe. 0&#xa0;: inactif. Pour trouver le bon seuil, observez la valeur A/D d’un moteur chaud.</translation>
-    </message>
-    <message>
-        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
-        <translation>Normalement, la puce s’arrête au fin de course 1 en marche avant et au fin de course 2 en marche arrière. S’ils sont ignorés, les fins de course n’arrêtent rien et le moteur peut heurter l’extrémité de sa course.</translation>
-    </message>
-    <message>
-        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
-        <translation>Normalement, la puce arrête le moteur quand son entrée E-Stop passe à l’état haut. Si elle est ignorée, l’entrée n’arrête rien.</translation>
-    </message>
-    <message>
-        <source>A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.</source>
-        <translation>Un fin de course ou l’entrée E-Stop coupe en plus le moteur&#xa0;: il peut tourner librement, et une charge peut tomber.</translation>
-    </message>
-    <message>
-        <source>A/D now %1</source>
-        <translation>A/D actuel %1</translation>
-    </message>
-    <message>
-        <source>off; %1</source>
-        <translation>inactif&#x202f;; %1</translation>
-    </message>
-    <message>
-        <source>no current</source>
-        <translation>pas de courant</translation>
-    </message>
-    <message>
-        <source>%1 % of full</source>
-        <translation>%1&#x202f;% du maximum</translation>
-    </message>
-    <message>
-        <source>speed %1</source>
-        <translation>vitesse %1</translation>
-    </message>
-</context>
-<context>
     <name>StepperWords</name>
     <message>
         <source>%1 steps/s</source>
@@ -12942,6 +12859,86 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Redo the edit of a parameter</source>
         <translation>Rétablir la modification d’un paramètre</translation>
+    </message>
+    <message>
+        <source>Speed mode</source>
+        <translation>Mode de vitesse</translation>
+    </message>
+    <message>
+        <source>Minimum profile speed</source>
+        <translation>Vitesse minimale de profil</translation>
+    </message>
+    <message>
+        <source>Run current</source>
+        <translation>Courant de marche</translation>
+    </message>
+    <message>
+        <source>Hold current</source>
+        <translation>Courant de maintien</translation>
+    </message>
+    <message>
+        <source>Thermal limit</source>
+        <translation>Seuil thermique</translation>
+    </message>
+    <message>
+        <source>Limit switches</source>
+        <translation>Fins de course</translation>
+    </message>
+    <message>
+        <source>On limit or E-stop</source>
+        <translation>Sur fin de course ou E-Stop</translation>
+    </message>
+    <message>
+        <source>The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.</source>
+        <translation>L’horloge du générateur de pas. Une horloge plus rapide atteint des vitesses plus élevées par paliers plus grossiers&#xa0;: utilisez la plus lente qui soit assez rapide. La modifier change la signification de toutes les vitesses et rampes.</translation>
+    </message>
+    <message>
+        <source>The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.</source>
+        <translation>Vitesse à laquelle les rampes commencent et finissent. Le moteur doit pouvoir démarrer et s’arrêter à cette vitesse sans perdre de pas. Les marches continues et les déplacements avec rampe ne sont jamais plus lents.</translation>
+    </message>
+    <message>
+        <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
+        <translation>Courant du moteur en mouvement&#x202f;; 255 est le plein courant du driver. 0&#xa0;: pas de courant, le moteur ne suit pas. Ne dépassez pas les valeurs nominales du moteur et du driver.</translation>
+    </message>
+    <message>
+        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
+        <translation>Courant du moteur à l’arrêt, environ 0,25&#xa0;s après un mouvement. En général inférieur au courant de marche, pour limiter l’échauffement du moteur. 0&#xa0;: pas de courant, le moteur ne maintient rien.</translation>
+    </message>
+    <message>
+        <source>The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.</source>
+        <translation>Le module coupe le moteur quand la valeur A/D tombe sous ce seuil&#xa0;: la tension d’un pont à thermistance baisse quand le moteur chauffe. 0&#xa0;: inactif. Pour trouver le bon seuil, observez la valeur A/D d’un moteur chaud.</translation>
+    </message>
+    <message>
+        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
+        <translation>Normalement, la puce s’arrête au fin de course 1 en marche avant et au fin de course 2 en marche arrière. S’ils sont ignorés, les fins de course n’arrêtent rien et le moteur peut heurter l’extrémité de sa course.</translation>
+    </message>
+    <message>
+        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
+        <translation>Normalement, la puce arrête le moteur quand son entrée E-Stop passe à l’état haut. Si elle est ignorée, l’entrée n’arrête rien.</translation>
+    </message>
+    <message>
+        <source>A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.</source>
+        <translation>Un fin de course ou l’entrée E-Stop coupe en plus le moteur&#xa0;: il peut tourner librement, et une charge peut tomber.</translation>
+    </message>
+    <message>
+        <source>A/D now %1</source>
+        <translation>A/D actuel %1</translation>
+    </message>
+    <message>
+        <source>off; %1</source>
+        <translation>inactif&#x202f;; %1</translation>
+    </message>
+    <message>
+        <source>no current</source>
+        <translation>pas de courant</translation>
+    </message>
+    <message>
+        <source>%1 % of full</source>
+        <translation>%1&#x202f;% du maximum</translation>
+    </message>
+    <message>
+        <source>speed %1</source>
+        <translation>vitesse %1</translation>
     </message>
 </context>
 <context>

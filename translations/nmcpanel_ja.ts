@@ -1641,89 +1641,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
 </context>
 <context>
-    <name>StepperMeaning</name>
-    <message>
-        <source>Speed mode</source>
-        <translation>速度モード</translation>
-    </message>
-    <message>
-        <source>Minimum profile speed</source>
-        <translation>最小プロファイル速度</translation>
-    </message>
-    <message>
-        <source>Run current</source>
-        <translation>運転電流</translation>
-    </message>
-    <message>
-        <source>Hold current</source>
-        <translation>保持電流</translation>
-    </message>
-    <message>
-        <source>Thermal limit</source>
-        <translation>温度制限</translation>
-    </message>
-    <message>
-        <source>Limit switches</source>
-        <translation>リミットスイッチ</translation>
-    </message>
-    <message>
-        <source>On limit or E-stop</source>
-        <translation>リミットまたはE-stop時</translation>
-    </message>
-    <message>
-        <source>The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.</source>
-        <translation>ステップタイマーのクロックです。速いクロックほど高い速度に届きますが、速度の刻みが粗くなります。足りる範囲で最も遅いものを使ってください。変更すると、すべての速度と加減速の意味が変わります。</translation>
-    </message>
-    <message>
-        <source>The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.</source>
-        <translation>加減速の開始と終了の速度です。モーターがこの速度で脱調せずに起動、停止できる必要があります。加減速のある運転と移動は、これより遅くなりません。</translation>
-    </message>
-    <message>
-        <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
-        <translation>モーターが動いている間の電流です。255がドライバーの最大電流です。0：電流なし、モーターは追従しません。モーターとドライバーの定格を超えないでください。</translation>
-    </message>
-    <message>
-        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
-        <translation>停止中のモーター電流です。動作終了の約0.25秒後から適用されます。モーターの発熱を抑えるため、通常は運転電流より小さくします。0：電流なし、モーターは何も保持しません。</translation>
-    </message>
-    <message>
-        <source>The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.</source>
-        <translation>A/D値がこの値を下回ると、モジュールがモーターをオフにします。モーターが温まるとサーミスターブリッジの電圧が下がります。0：オフ。適切な値を決めるには、温まったモーターのA/D値を見てください。</translation>
-    </message>
-    <message>
-        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
-        <translation>通常、チップは正方向ではリミットスイッチ1、逆方向ではリミットスイッチ2で停止します。無視すると、スイッチでは何も停止せず、モーターがストローク端に突き当たることがあります。</translation>
-    </message>
-    <message>
-        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
-        <translation>通常、チップはE-stop入力がHighになるとモーターを停止します。無視すると、この入力では何も停止しません。</translation>
-    </message>
-    <message>
-        <source>A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.</source>
-        <translation>リミットスイッチまたはE-stop入力で、モーターもオフになります。モーターは自由に回る状態になり、負荷が落下することがあります。</translation>
-    </message>
-    <message>
-        <source>A/D now %1</source>
-        <translation>A/D現在値 %1</translation>
-    </message>
-    <message>
-        <source>off; %1</source>
-        <translation>オフ、%1</translation>
-    </message>
-    <message>
-        <source>no current</source>
-        <translation>電流なし</translation>
-    </message>
-    <message>
-        <source>%1 % of full</source>
-        <translation>最大の%1%</translation>
-    </message>
-    <message>
-        <source>speed %1</source>
-        <translation>速度%1</translation>
-    </message>
-</context>
-<context>
     <name>StepperWords</name>
     <message>
         <source>%1 steps/s</source>
@@ -12922,6 +12839,86 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Redo the edit of a parameter</source>
         <translation>やり直し：パラメーターの編集</translation>
+    </message>
+    <message>
+        <source>Speed mode</source>
+        <translation>速度モード</translation>
+    </message>
+    <message>
+        <source>Minimum profile speed</source>
+        <translation>最小プロファイル速度</translation>
+    </message>
+    <message>
+        <source>Run current</source>
+        <translation>運転電流</translation>
+    </message>
+    <message>
+        <source>Hold current</source>
+        <translation>保持電流</translation>
+    </message>
+    <message>
+        <source>Thermal limit</source>
+        <translation>温度制限</translation>
+    </message>
+    <message>
+        <source>Limit switches</source>
+        <translation>リミットスイッチ</translation>
+    </message>
+    <message>
+        <source>On limit or E-stop</source>
+        <translation>リミットまたはE-stop時</translation>
+    </message>
+    <message>
+        <source>The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.</source>
+        <translation>ステップタイマーのクロックです。速いクロックほど高い速度に届きますが、速度の刻みが粗くなります。足りる範囲で最も遅いものを使ってください。変更すると、すべての速度と加減速の意味が変わります。</translation>
+    </message>
+    <message>
+        <source>The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.</source>
+        <translation>加減速の開始と終了の速度です。モーターがこの速度で脱調せずに起動、停止できる必要があります。加減速のある運転と移動は、これより遅くなりません。</translation>
+    </message>
+    <message>
+        <source>Motor current while moving; 255 is the driver&apos;s full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.</source>
+        <translation>モーターが動いている間の電流です。255がドライバーの最大電流です。0：電流なし、モーターは追従しません。モーターとドライバーの定格を超えないでください。</translation>
+    </message>
+    <message>
+        <source>Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.</source>
+        <translation>停止中のモーター電流です。動作終了の約0.25秒後から適用されます。モーターの発熱を抑えるため、通常は運転電流より小さくします。0：電流なし、モーターは何も保持しません。</translation>
+    </message>
+    <message>
+        <source>The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.</source>
+        <translation>A/D値がこの値を下回ると、モジュールがモーターをオフにします。モーターが温まるとサーミスターブリッジの電圧が下がります。0：オフ。適切な値を決めるには、温まったモーターのA/D値を見てください。</translation>
+    </message>
+    <message>
+        <source>Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.</source>
+        <translation>通常、チップは正方向ではリミットスイッチ1、逆方向ではリミットスイッチ2で停止します。無視すると、スイッチでは何も停止せず、モーターがストローク端に突き当たることがあります。</translation>
+    </message>
+    <message>
+        <source>Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.</source>
+        <translation>通常、チップはE-stop入力がHighになるとモーターを停止します。無視すると、この入力では何も停止しません。</translation>
+    </message>
+    <message>
+        <source>A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.</source>
+        <translation>リミットスイッチまたはE-stop入力で、モーターもオフになります。モーターは自由に回る状態になり、負荷が落下することがあります。</translation>
+    </message>
+    <message>
+        <source>A/D now %1</source>
+        <translation>A/D現在値 %1</translation>
+    </message>
+    <message>
+        <source>off; %1</source>
+        <translation>オフ、%1</translation>
+    </message>
+    <message>
+        <source>no current</source>
+        <translation>電流なし</translation>
+    </message>
+    <message>
+        <source>%1 % of full</source>
+        <translation>最大の%1%</translation>
+    </message>
+    <message>
+        <source>speed %1</source>
+        <translation>速度%1</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,12 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+/// For an unknown motor: slow and cool. Never sent by themselves.
+constexpr stepper::SetParameters kStartingValues{
+    .speedMode = stepper::SpeedMode::X1, .minimumProfileSpeed = 4, .runCurrent = 64, .holdCurrent = 32};
+}  // namespace
+
 StepperParametersBox::StepperParametersBox(ModuleContext& context, QWidget* parent)
     : StagedForm(context,
                  {.what = u"Parameters"_s,
@@ -33,7 +39,7 @@ StepperParametersBox::StepperParametersBox(ModuleContext& context, QWidget* pare
                                .icon = u"wand"_s,
                                .text = Common::tr("Start&ing values"),
                                .accessible = Common::tr("Starting values: fill in")},
-                              this, [this] { fill(*valuesOf(stepperStartingValues())); });
+                              this, [this] { fill(*valuesOf(kStartingValues)); });
     start->setPossible({}, tr("Fills in low speeds and currents to start with. Sends nothing."));
     m_apply = new Command({.name = u"stepperApplyParametersButton"_s,
                            .icon = u"send"_s,
@@ -57,49 +63,47 @@ StepperParametersBox::StepperParametersBox(ModuleContext& context, QWidget* pare
 }
 
 void StepperParametersBox::addFields(FormGrid* grid) {
-    const auto rowOf = [](StepperParameter parameter) {
-        return Row{stepperParameterObject(parameter), stepperParameterName(parameter),
-                   stepperParameterMeaning(parameter)};
-    };
-    const auto fieldName = [](StepperParameter parameter) {
-        return stepperParameterObject(parameter) + u"Field"_s;
-    };
-    const auto addNumber = [&](StepperParameter parameter) {
-        addField(grid, rowOf(parameter),
-                 form::newNumber({.name = fieldName(parameter),
-                                  .accessible = stepperParameterName(parameter),
+    const auto addNumber = [&](const Row& row) {
+        addField(grid, row,
+                 form::newNumber({.name = row.object + u"Field"_s,
+                                  .accessible = row.label,
                                   .min = static_cast<double>(stepper::kByteRange.min),
                                   .max = static_cast<double>(stepper::kByteRange.max),
                                   .digits = 8,
-                                  .meaning = stepperParameterMeaning(parameter)},
+                                  .meaning = row.meaning},
                                  this));
     };
-    const auto addCheck = [&](StepperParameter parameter, const QString& text) {
-        QCheckBox* box = form::newCheck({.name = fieldName(parameter),
-                                         .text = text,
-                                         .accessible = text + u": "_s + stepperParameterName(parameter),
-                                         .meaning = stepperParameterMeaning(parameter)},
-                                        this);
-        addField(grid, rowOf(parameter), box);
+    const auto addCheck = [&](const Row& row, const QString& text) {
+        addField(grid, row,
+                 form::newCheck({.name = row.object + u"Field"_s,
+                                 .text = text,
+                                 .accessible = text + u": "_s + row.label,
+                                 .meaning = row.meaning},
+                                this));
     };
-    m_speedMode = form::newChoice({.name = fieldName(StepperParameter::SpeedMode),
-                                   .accessible = stepperParameterName(StepperParameter::SpeedMode),
-                                   .meaning = stepperParameterMeaning(StepperParameter::SpeedMode)},
-                                  this);
+    const Row speedMode{
+        u"stepperSpeedMode"_s, tr("Speed mode"),
+        tr("The clock of the step timer. A faster clock reaches higher speeds in coarser steps: use the slowest one that is fast enough. Changing it changes the meaning of every speed and ramp.")};
+    m_speedMode = form::newChoice(
+        {.name = speedMode.object + u"Field"_s, .accessible = speedMode.label, .meaning = speedMode.meaning},
+        this);
     for (const auto mode :
          {stepper::SpeedMode::X1, stepper::SpeedMode::X2, stepper::SpeedMode::X4, stepper::SpeedMode::X8})
         m_speedMode->addItem(texts::speedMode(mode), static_cast<int>(mode));
     // The range follows before the edit is recorded.
     connect(m_speedMode, &QComboBox::activated, this, &StepperParametersBox::setSpeedRange);
-    addField(grid, rowOf(StepperParameter::SpeedMode), m_speedMode);
+    addField(grid, speedMode, m_speedMode);
+    const Row minimumSpeed{
+        u"stepperMinimumSpeed"_s, tr("Minimum profile speed"),
+        tr("The speed at which ramps start and end. The motor must be able to start and stop at this speed without losing steps. Runs and moves with a ramp are never slower.")};
     m_minimumSpeed = form::newQuantity({.kind = QuantityField::Kind::Velocity,
-                                        .name = fieldName(StepperParameter::MinimumSpeed),
-                                        .accessible = stepperParameterName(StepperParameter::MinimumSpeed),
+                                        .name = minimumSpeed.object + u"Field"_s,
+                                        .accessible = minimumSpeed.label,
                                         .step = 25,
-                                        .meaning = stepperParameterMeaning(StepperParameter::MinimumSpeed)},
+                                        .meaning = minimumSpeed.meaning},
                                        this);
     addField(
-        grid, rowOf(StepperParameter::MinimumSpeed), m_minimumSpeed,
+        grid, minimumSpeed, m_minimumSpeed,
         [this]() -> std::optional<int> {
             const auto speed = m_minimumSpeed->native();
             return speed ? std::optional<int>(speeds().speedFor(*speed)) : std::nullopt;
@@ -111,12 +115,27 @@ void StepperParametersBox::addFields(FormGrid* grid) {
             else
                 m_minimumSpeed->showNothing();
         });
-    addNumber(StepperParameter::RunCurrent);
-    addNumber(StepperParameter::HoldCurrent);
-    addNumber(StepperParameter::ThermalLimit);
-    addCheck(StepperParameter::IgnoreLimits, tr("ignored: no motor stop"));
-    addCheck(StepperParameter::IgnoreEstop, tr("ignored: no motor stop"));
-    addCheck(StepperParameter::MotorOff, tr("motor switches off, too"));
+    addNumber(
+        {u"stepperRunCurrent"_s, tr("Run current"),
+         tr("Motor current while moving; 255 is the driver's full current. 0: no current, and the motor does not follow. Do not exceed the ratings of motor and driver.")});
+    addNumber(
+        {u"stepperHoldCurrent"_s, tr("Hold current"),
+         tr("Motor current at rest, from about 0.25 s after a motion. Usually lower than the run current, to keep the motor cool. 0: no current, and no holding torque.")});
+    addNumber(
+        {u"stepperThermalLimit"_s, tr("Thermal limit"),
+         tr("The module switches the motor off when the A/D value falls below this limit: the voltage of a thermistor bridge falls as the motor warms up. 0: off. To find the right limit, watch the A/D value of a warm motor.")});
+    addCheck(
+        {u"stepperIgnoreLimits"_s, tr("Limit switches"),
+         tr("Normally the chip stops the motor at limit switch 1 going forward and at limit switch 2 in reverse. When ignored, the switches do not stop the motor, and it can run into the end of its travel.")},
+        tr("ignored: no motor stop"));
+    addCheck(
+        {u"stepperIgnoreEstop"_s, Common::tr("E-stop input"),
+         tr("Normally the chip stops the motor when its E-stop input goes high. When ignored, the input does not stop the motor.")},
+        tr("ignored: no motor stop"));
+    addCheck(
+        {u"stepperMotorOffOnStop"_s, tr("On limit or E-stop"),
+         tr("A limit switch or the E-stop input also switches the motor off: it is free to turn, and a load may fall.")},
+        tr("motor switches off, too"));
 }
 
 // ---- contents of the fields ----
@@ -135,10 +154,14 @@ std::optional<StagedForm::Values> StepperParametersBox::valuesOf(
     const std::optional<stepper::SetParameters>& parameters) {
     if (!parameters)
         return std::nullopt;
-    Values values;
-    for (const StepperParameter parameter : kStepperParameters)
-        values.emplace_back(stepperParameter(*parameters, parameter));
-    return values;
+    return Values{static_cast<int>(parameters->speedMode),
+                  parameters->minimumProfileSpeed,
+                  parameters->runCurrent,
+                  parameters->holdCurrent,
+                  parameters->thermalLimit,
+                  parameters->ignoreLimits,
+                  parameters->ignoreEstop,
+                  parameters->motorOffOnLimitOrEstop};
 }
 
 std::optional<StagedForm::Values> StepperParametersBox::kept() const {
@@ -152,11 +175,16 @@ std::optional<StagedForm::Values> StepperParametersBox::sent() const {
 std::optional<stepper::SetParameters> StepperParametersBox::parameters() const {
     if (!complete())
         return std::nullopt;
-    stepper::SetParameters parameters;
-    const Values values = entered();
-    for (const StepperParameter parameter : kStepperParameters)
-        setStepParameter(parameters, parameter, *values.at(static_cast<std::size_t>(parameter)));
-    return parameters;
+    const auto number = [this](Parameter parameter) { return *field(parameter).value(); };
+    const auto byte = [&](Parameter parameter) { return static_cast<std::uint8_t>(number(parameter)); };
+    return stepper::SetParameters{.speedMode = static_cast<stepper::SpeedMode>(byte(SpeedMode)),
+                                  .ignoreLimits = number(IgnoreLimits) != 0,
+                                  .ignoreEstop = number(IgnoreEstop) != 0,
+                                  .motorOffOnLimitOrEstop = number(MotorOff) != 0,
+                                  .minimumProfileSpeed = byte(MinimumSpeed),
+                                  .runCurrent = byte(RunCurrent),
+                                  .holdCurrent = byte(HoldCurrent),
+                                  .thermalLimit = byte(ThermalLimit)};
 }
 
 void StepperParametersBox::keep() {
@@ -170,24 +198,34 @@ void StepperParametersBox::arrange() {
 }
 
 QString StepperParametersBox::remark(std::size_t field, const std::optional<int>& value) const {
-    return stepperParameterRemark(kStepperParameters.at(field), value,
-                                  context().state().latest.value_or(StatusReport{}).analog);
+    if (field == ThermalLimit) {
+        const auto analog = context().state().latest.value_or(StatusReport{}).analog;
+        const QString now = analog ? tr("A/D now %1").arg(*analog) : QString();
+        if (value != 0)
+            return now;
+        return now.isEmpty() ? Common::tr("off") : tr("off; %1").arg(now);
+    }
+    if (!value)
+        return {};
+    if (field == MinimumSpeed)
+        return tr("speed %1").arg(*value);
+    if (field == RunCurrent || field == HoldCurrent)
+        return *value == 0 ? tr("no current") : tr("%1 % of full").arg(qRound(*value * 100.0 / 255));
+    return {};
 }
 
 void StepperParametersBox::refreshRest() {
     m_minimumSpeed->setScale(context().scale());
     setSpeedRange();
-    const auto ignored = [this](StepperParameter parameter) {
-        return field(static_cast<std::size_t>(parameter)).value() == 1;
-    };
+    const auto ignored = [this](Parameter parameter) { return field(parameter).value() == 1; };
     const QString problem = m_speedMode->currentIndex() < 0 ? tr("Choose a speed mode.") : trouble();
     QString text = problem;
     if (unknown())
         text =
             tr("Parameters cannot be read back from the module. The motor moves only after you apply them.");
-    else if (problem.isEmpty() && ignored(StepperParameter::IgnoreEstop))
+    else if (problem.isEmpty() && ignored(IgnoreEstop))
         text = tr("If checked, the E-stop input does not stop the motor.");
-    else if (problem.isEmpty() && ignored(StepperParameter::IgnoreLimits))
+    else if (problem.isEmpty() && ignored(IgnoreLimits))
         text = tr("If checked, the limit switches do not stop the motor.");
     look::setText(hint(), text);
     QString reason = context().reasonFor(IntentKind::SetParameters);

@@ -5,7 +5,6 @@
 
 #include "module/stepperspeed.h"
 #include "widgets/panels/stagedform.h"
-#include "widgets/panels/steppermeaning.h"
 
 namespace nmc {
 
@@ -19,6 +18,18 @@ public:
     StepperParametersBox(ModuleContext& context, QWidget* parent);
 
 private:
+    /// The fields, which are the parameters of the command Set Parameters (DS-S 4.5, 4.6, 5.1).
+    enum Parameter : std::size_t {
+        SpeedMode,
+        MinimumSpeed,
+        RunCurrent,
+        HoldCurrent,
+        ThermalLimit,
+        IgnoreLimits,
+        IgnoreEstop,
+        MotorOff
+    };
+
     [[nodiscard]] std::optional<Values> kept() const override;
     [[nodiscard]] std::optional<Values> sent() const override;
     void keep() override;
