@@ -1044,10 +1044,6 @@
         <translation>DB, Totzonenkompensation: wird zu jedem PWM-Wert außer 0 addiert, für Verstärker mit einer Totzone nahe null. Ab Version 4.</translation>
     </message>
     <message>
-        <source>Range: %1 to %2.</source>
-        <translation>Bereich: %1 bis %2.</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -1058,18 +1054,6 @@
     <message>
         <source>A/D below</source>
         <translation>A/D unter</translation>
-    </message>
-    <message>
-        <source>no current limit</source>
-        <translation>keine Stromgrenze</translation>
-    </message>
-    <message>
-        <source>limits above (odd)</source>
-        <translation>begrenzt darüber (ungerade)</translation>
-    </message>
-    <message>
-        <source>limits below (even)</source>
-        <translation>begrenzt darunter (gerade)</translation>
     </message>
     <message>
         <source>%1 from %2 to %3</source>
@@ -7859,6 +7843,22 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Apply live: all gains</source>
         <translation>Alle live anwenden: Reglerwerte</translation>
+    </message>
+    <message>
+        <source>no current limit</source>
+        <translation>keine Stromgrenze</translation>
+    </message>
+    <message>
+        <source>limits above (odd)</source>
+        <translation>begrenzt darüber (ungerade)</translation>
+    </message>
+    <message>
+        <source>limits below (even)</source>
+        <translation>begrenzt darunter (gerade)</translation>
+    </message>
+    <message>
+        <source>Range: %1 to %2.</source>
+        <translation>Bereich: %1 bis %2.</translation>
     </message>
 </context>
 <context>

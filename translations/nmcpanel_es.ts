@@ -1044,10 +1044,6 @@
         <translation>DB, compensación de banda muerta: se suma a todos los valores de PWM excepto 0, para amplificadores con banda muerta cerca de cero. A partir de la versión 4.</translation>
     </message>
     <message>
-        <source>Range: %1 to %2.</source>
-        <translation>Rango: de %1 a %2.</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -1058,18 +1054,6 @@
     <message>
         <source>A/D below</source>
         <translation>A/D menor</translation>
-    </message>
-    <message>
-        <source>no current limit</source>
-        <translation>sin límite</translation>
-    </message>
-    <message>
-        <source>limits above (odd)</source>
-        <translation>limita por encima (impar)</translation>
-    </message>
-    <message>
-        <source>limits below (even)</source>
-        <translation>limita por debajo (par)</translation>
     </message>
     <message>
         <source>%1 from %2 to %3</source>
@@ -7859,6 +7843,22 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Apply live: all gains</source>
         <translation>Aplicar ganancias ya: todas</translation>
+    </message>
+    <message>
+        <source>no current limit</source>
+        <translation>sin límite</translation>
+    </message>
+    <message>
+        <source>limits above (odd)</source>
+        <translation>limita por encima (impar)</translation>
+    </message>
+    <message>
+        <source>limits below (even)</source>
+        <translation>limita por debajo (par)</translation>
+    </message>
+    <message>
+        <source>Range: %1 to %2.</source>
+        <translation>Rango: de %1 a %2.</translation>
     </message>
 </context>
 <context>

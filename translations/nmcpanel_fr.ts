@@ -1044,10 +1044,6 @@
         <translation>DB, compensation de zone morte&#xa0;: ajoutée à chaque valeur PWM sauf 0, pour les amplificateurs à zone morte autour de zéro. À partir de la version 4.</translation>
     </message>
     <message>
-        <source>Range: %1 to %2.</source>
-        <translation>Plage&#xa0;: %1 à %2.</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1&#x202f;%</translation>
     </message>
@@ -1058,18 +1054,6 @@
     <message>
         <source>A/D below</source>
         <translation>A/D au-dessous</translation>
-    </message>
-    <message>
-        <source>no current limit</source>
-        <translation>sans limite</translation>
-    </message>
-    <message>
-        <source>limits above (odd)</source>
-        <translation>limite au-dessus (impaire)</translation>
-    </message>
-    <message>
-        <source>limits below (even)</source>
-        <translation>limite au-dessous (paire)</translation>
     </message>
     <message>
         <source>%1 from %2 to %3</source>
@@ -7859,6 +7843,22 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Apply live: all gains</source>
         <translation>Tout appliquer à chaud&#xa0;: tous les gains</translation>
+    </message>
+    <message>
+        <source>no current limit</source>
+        <translation>sans limite</translation>
+    </message>
+    <message>
+        <source>limits above (odd)</source>
+        <translation>limite au-dessus (impaire)</translation>
+    </message>
+    <message>
+        <source>limits below (even)</source>
+        <translation>limite au-dessous (paire)</translation>
+    </message>
+    <message>
+        <source>Range: %1 to %2.</source>
+        <translation>Plage&#xa0;: %1 à %2.</translation>
     </message>
 </context>
 <context>

@@ -1044,10 +1044,6 @@
         <translation>DB、不感帯補償：0以外のPWM値に加算されます。0付近に不感帯があるアンプ用です。バージョン4以降。</translation>
     </message>
     <message>
-        <source>Range: %1 to %2.</source>
-        <translation>範囲：%1～%2。</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1%</translation>
     </message>
@@ -1058,18 +1054,6 @@
     <message>
         <source>A/D below</source>
         <translation>A/D未満</translation>
-    </message>
-    <message>
-        <source>no current limit</source>
-        <translation>制限なし</translation>
-    </message>
-    <message>
-        <source>limits above (odd)</source>
-        <translation>超過で制限（奇数）</translation>
-    </message>
-    <message>
-        <source>limits below (even)</source>
-        <translation>未満で制限（偶数）</translation>
     </message>
     <message>
         <source>%1 from %2 to %3</source>
@@ -7842,6 +7826,22 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Apply live: all gains</source>
         <translation>即時適用：すべてのゲイン</translation>
+    </message>
+    <message>
+        <source>no current limit</source>
+        <translation>制限なし</translation>
+    </message>
+    <message>
+        <source>limits above (odd)</source>
+        <translation>超過で制限（奇数）</translation>
+    </message>
+    <message>
+        <source>limits below (even)</source>
+        <translation>未満で制限（偶数）</translation>
+    </message>
+    <message>
+        <source>Range: %1 to %2.</source>
+        <translation>範囲：%1～%2。</translation>
     </message>
 </context>
 <context>

@@ -33,16 +33,18 @@ GainsBox::GainsBox(ModuleContext& context, QWidget* parent)
     look::name(this, u"gainsBox"_s, Common::tr("Gains"));
     auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 0.5});
     for (const Gain gain : kAllGains) {
-        const QString letters = gainLetters(gain);
-        const ValueRange range = gainRange(gain);
-        addField(grid, {letters.toLower(), fullName(gain), gainMeaning(gain)},
-                 form::newNumber({.name = letters.toLower() + u"Field"_s,
-                                  .accessible = u"%1, %2"_s.arg(letters, gainName(gain)),
-                                  .words = letters,
-                                  .min = static_cast<double>(range.min),
-                                  .max = static_cast<double>(range.max),
+        const GainFacts facts = gainFacts(gain);
+        const QString object = facts.letters.toLower();
+        const QString meaning =
+            facts.meaning + u'\n' + tr("Range: %1 to %2.").arg(facts.range.min).arg(facts.range.max);
+        addField(grid, {object, fullName(gain), meaning},
+                 form::newNumber({.name = object + u"Field"_s,
+                                  .accessible = u"%1, %2"_s.arg(facts.letters, facts.name),
+                                  .words = facts.letters,
+                                  .min = static_cast<double>(facts.range.min),
+                                  .max = static_cast<double>(facts.range.max),
                                   .digits = 8,
-                                  .meaning = gainMeaning(gain)},
+                                  .meaning = meaning},
                                  this));
         if (gain == Gain::Cl)
             addSense(grid);
@@ -58,11 +60,12 @@ void GainsBox::addSense(FormGrid* grid) {
     m_sense = form::newChoice(
         {.name = u"clSenseBox"_s,
          .accessible = tr("Sense of the current limit"),
+         .options = {{tr("no current limit"), static_cast<int>(CurrentSense::Off)},
+                     {tr("limits above (odd)"), static_cast<int>(CurrentSense::Above)},
+                     {tr("limits below (even)"), static_cast<int>(CurrentSense::Below)}},
          .meaning = tr(
              "Whether a high or a low A/D value means overcurrent. The chip distinguishes them by odd and even values.")},
         this);
-    for (const CurrentSense sense : {CurrentSense::Off, CurrentSense::Above, CurrentSense::Below})
-        m_sense->addItem(currentSenseName(sense), static_cast<int>(sense));
     grid->addWidget(m_sense, grid->row(), 1, 1, 3, Qt::AlignLeft);
     grid->addLine({});
     connect(m_sense, &QComboBox::activated, this, &GainsBox::chooseSense);
@@ -129,7 +132,8 @@ void GainsBox::fitInto(int width) {
 }
 
 QString GainsBox::fullName(Gain gain) {
-    return u"%1  %2"_s.arg(gainLetters(gain), gainName(gain));
+    const GainFacts facts = gainFacts(gain);
+    return u"%1  %2"_s.arg(facts.letters, facts.name);
 }
 
 /// In a narrow column, marks replace words, and the buttons need more lines. The first line has what a first

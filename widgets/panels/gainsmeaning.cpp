@@ -60,115 +60,59 @@ void setGain(servo::SetGain& gains, Gain gain, int value) {
     visit(gains, gain, Setter{value});
 }
 
-ValueRange gainRange(Gain gain) {
+GainFacts gainFacts(Gain gain) {
     switch (gain) {
         case Gain::Kp:
+            return {
+                u"Kp"_s, Gains::tr("Position gain"), servo::kGainRange,
+                Gains::tr(
+                    "Kp, position gain: output per count of position error. Set Kd first; then raise Kp with small, fast test moves until the motor starts to overshoot, and back off a little.")};
         case Gain::Kd:
+            return {
+                u"Kd"_s, Gains::tr("Derivative gain"), servo::kGainRange,
+                Gains::tr(
+                    "Kd, derivative gain: damping. Start here, with Kp and Ki at 0: raise Kd until the motor starts to hum, then back off a little.")};
         case Gain::Ki:
+            return {
+                u"Ki"_s, Gains::tr("Integral gain"), servo::kGainRange,
+                Gains::tr(
+                    "Ki, integral gain: removes the steady-state error that Kp and Kd leave. Set IL to 16000 first, then raise Ki until the error settles fast enough. Adds some overshoot.")};
         case Gain::Il:
-            return servo::kGainRange;
+            return {
+                u"IL"_s, Gains::tr("Integration limit"), servo::kGainRange,
+                Gains::tr(
+                    "IL, integration limit: limits the integral of the error. Last, lower it to the smallest value that still removes the steady-state error. 0 clears the integral.")};
         case Gain::Ol:
+            return {
+                u"OL"_s, Gains::tr("Output limit"), servo::kByteRange,
+                Gains::tr(
+                    "OL, output limit: the largest PWM value; 255 is 100 %. Use 127 for a 12 V motor on a 24 V supply.")};
         case Gain::Cl:
-        case Gain::Db:
-            return servo::kByteRange;
+            return {
+                u"CL"_s, Common::tr("Current limit"), servo::kByteRange,
+                Gains::tr(
+                    "CL, current limit, compared with the A/D value. 0: off. Odd: limits while the A/D value is above CL. Even: limits while it is below CL.")};
         case Gain::El:
-            return servo::kPositionErrorRange;
+            return {
+                u"EL"_s, Gains::tr("Position error limit"), servo::kPositionErrorRange,
+                Gains::tr(
+                    "EL, position error limit in counts: the servo switches off when the error exceeds it, for example after a collision or a stall.")};
         case Gain::Sr:
-            return servo::kServoRateRange;
+            return {
+                u"SR"_s, Gains::tr("Servo rate divisor"), servo::kServoRateRange,
+                Gains::tr(
+                    "SR, servo rate divisor: one servo tick is SR × 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.")};
+        case Gain::Db:
+            return {
+                u"DB"_s, Gains::tr("Deadband compensation"), servo::kByteRange,
+                Gains::tr(
+                    "DB, deadband compensation: added to every PWM value except 0, for amplifiers with a deadband near zero. Version 4 and later.")};
     }
-    return {0, 0};
+    return {};
 }
 
 QString gainLetters(Gain gain) {
-    switch (gain) {
-        case Gain::Kp:
-            return u"Kp"_s;
-        case Gain::Kd:
-            return u"Kd"_s;
-        case Gain::Ki:
-            return u"Ki"_s;
-        case Gain::Il:
-            return u"IL"_s;
-        case Gain::Ol:
-            return u"OL"_s;
-        case Gain::Cl:
-            return u"CL"_s;
-        case Gain::El:
-            return u"EL"_s;
-        case Gain::Sr:
-            return u"SR"_s;
-        case Gain::Db:
-            return u"DB"_s;
-    }
-    return {};
-}
-
-QString gainName(Gain gain) {
-    switch (gain) {
-        case Gain::Kp:
-            return Gains::tr("Position gain");
-        case Gain::Kd:
-            return Gains::tr("Derivative gain");
-        case Gain::Ki:
-            return Gains::tr("Integral gain");
-        case Gain::Il:
-            return Gains::tr("Integration limit");
-        case Gain::Ol:
-            return Gains::tr("Output limit");
-        case Gain::Cl:
-            return Common::tr("Current limit");
-        case Gain::El:
-            return Gains::tr("Position error limit");
-        case Gain::Sr:
-            return Gains::tr("Servo rate divisor");
-        case Gain::Db:
-            return Gains::tr("Deadband compensation");
-    }
-    return {};
-}
-
-QString gainMeaning(Gain gain) {
-    const ValueRange range = gainRange(gain);
-    QString text;
-    switch (gain) {
-        case Gain::Kp:
-            text = Gains::tr(
-                "Kp, position gain: output per count of position error. Set Kd first; then raise Kp with small, fast test moves until the motor starts to overshoot, and back off a little.");
-            break;
-        case Gain::Kd:
-            text = Gains::tr(
-                "Kd, derivative gain: damping. Start here, with Kp and Ki at 0: raise Kd until the motor starts to hum, then back off a little.");
-            break;
-        case Gain::Ki:
-            text = Gains::tr(
-                "Ki, integral gain: removes the steady-state error that Kp and Kd leave. Set IL to 16000 first, then raise Ki until the error settles fast enough. Adds some overshoot.");
-            break;
-        case Gain::Il:
-            text = Gains::tr(
-                "IL, integration limit: limits the integral of the error. Last, lower it to the smallest value that still removes the steady-state error. 0 clears the integral.");
-            break;
-        case Gain::Ol:
-            text = Gains::tr(
-                "OL, output limit: the largest PWM value; 255 is 100 %. Use 127 for a 12 V motor on a 24 V supply.");
-            break;
-        case Gain::Cl:
-            text = Gains::tr(
-                "CL, current limit, compared with the A/D value. 0: off. Odd: limits while the A/D value is above CL. Even: limits while it is below CL.");
-            break;
-        case Gain::El:
-            text = Gains::tr(
-                "EL, position error limit in counts: the servo switches off when the error exceeds it, for example after a collision or a stall.");
-            break;
-        case Gain::Sr:
-            text = Gains::tr(
-                "SR, servo rate divisor: one servo tick is SR × 0.512 ms. A slower rate damps heavy loads with less Kd. Changing SR changes the meaning of every velocity and acceleration.");
-            break;
-        case Gain::Db:
-            text = Gains::tr(
-                "DB, deadband compensation: added to every PWM value except 0, for amplifiers with a deadband near zero. Version 4 and later.");
-            break;
-    }
-    return text + u"\n"_s + Gains::tr("Range: %1 to %2.").arg(range.min).arg(range.max);
+    return gainFacts(gain).letters;
 }
 
 QString gainRemark(Gain gain, int value) {
@@ -194,7 +138,7 @@ QString gainRemark(Gain gain, int value) {
 }
 
 int zeroValue(Gain gain) {
-    return static_cast<int>(gainRange(gain).min);
+    return static_cast<int>(gainFacts(gain).range.min);
 }
 
 QStringList largeSteps(const servo::SetGain& from, const servo::SetGain& to) {
@@ -212,18 +156,6 @@ CurrentSense currentSense(int cl) {
     if (cl == 0)
         return CurrentSense::Off;
     return cl % 2 != 0 ? CurrentSense::Above : CurrentSense::Below;
-}
-
-QString currentSenseName(CurrentSense sense) {
-    switch (sense) {
-        case CurrentSense::Off:
-            return Gains::tr("no current limit");
-        case CurrentSense::Above:
-            return Gains::tr("limits above (odd)");
-        case CurrentSense::Below:
-            return Gains::tr("limits below (even)");
-    }
-    return {};
 }
 
 int currentLimit(CurrentSense sense, int cl) {

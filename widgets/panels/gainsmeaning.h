@@ -18,13 +18,14 @@ inline constexpr std::array<Gain, 9> kAllGains{Gain::Kp, Gain::Kd, Gain::Ki, Gai
 [[nodiscard]] std::optional<int> gainOf(const servo::SetGain& gains, Gain gain);
 void setGain(servo::SetGain& gains, Gain gain, int value);
 
-[[nodiscard]] ValueRange gainRange(Gain gain);
-/// "Kp": the data sheet's letters.
+struct GainFacts {
+    QString letters;  ///< "Kp": those of the data sheet
+    QString name;     ///< "Position gain"
+    ValueRange range{};
+    QString meaning;  ///< what it does, and what the data sheet advises (DS-V 4.3, 5.2)
+};
+[[nodiscard]] GainFacts gainFacts(Gain gain);
 [[nodiscard]] QString gainLetters(Gain gain);
-/// "Position gain"
-[[nodiscard]] QString gainName(Gain gain);
-/// What it does, its range, and what the data sheet advises (DS-V 4.3, 5.2).
-[[nodiscard]] QString gainMeaning(Gain gain);
 /// What a value means: "1 953 Hz", "off"; empty if the number is enough.
 [[nodiscard]] QString gainRemark(Gain gain, int value);
 /// 0, or the least value that the chip accepts.
@@ -37,7 +38,6 @@ void setGain(servo::SetGain& gains, Gain gain, int value);
 /// Which A/D values mean overcurrent; the chip distinguishes them by the parity of CL (DS-V 4.5).
 enum class CurrentSense : std::uint8_t { Off, Above, Below };
 [[nodiscard]] CurrentSense currentSense(int cl);
-[[nodiscard]] QString currentSenseName(CurrentSense sense);
 /// The CL of that sense nearest to `cl`; for Below, 254 if `cl` is 0.
 [[nodiscard]] int currentLimit(CurrentSense sense, int cl);
 
