@@ -219,51 +219,27 @@ void paintBit(QPainter& painter, const QRectF& rect, std::optional<bool> set, co
     painter.restore();
 }
 
-void GlyphLabel::showActivity(Activity activity) {
-    if (m_kind == Kind::Activity && m_activity == activity)
+void GlyphLabel::display(const Shown& shown) {
+    if (m_shown == shown)
         return;
-    m_kind = Kind::Activity;
-    m_activity = activity;
-    update();
-}
-
-void GlyphLabel::showSeverity(Severity severity) {
-    if (m_kind == Kind::Severity && m_severity == severity)
-        return;
-    m_kind = Kind::Severity;
-    m_severity = severity;
-    update();
-}
-
-void GlyphLabel::showBit(std::optional<bool> set) {
-    if (m_kind == Kind::Bit && m_bit == set)
-        return;
-    m_kind = Kind::Bit;
-    m_bit = set;
+    m_shown = shown;
     update();
 }
 
 QSize GlyphLabel::sizeHint() const {
-    const int side = m_kind == Kind::Bit ? qRound(fontMetrics().capHeight() * 1.15)
-                                         : qRound(fontMetrics().ascent() * 1.15);
+    const int side = std::holds_alternative<Bit>(m_shown) ? qRound(fontMetrics().capHeight() * 1.15)
+                                                          : qRound(fontMetrics().ascent() * 1.15);
     return {side, side};
 }
 
 void GlyphLabel::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    switch (m_kind) {
-        case Kind::None:
-            break;
-        case Kind::Activity:
-            paintActivity(painter, rect(), m_activity, palette());
-            break;
-        case Kind::Severity:
-            paintSeverity(painter, rect(), m_severity, palette());
-            break;
-        case Kind::Bit:
-            paintBit(painter, rect(), m_bit, palette());
-            break;
-    }
+    if (const auto* activity = std::get_if<Activity>(&m_shown))
+        paintActivity(painter, rect(), *activity, palette());
+    else if (const auto* severity = std::get_if<Severity>(&m_shown))
+        paintSeverity(painter, rect(), *severity, palette());
+    else if (const auto* bit = std::get_if<Bit>(&m_shown))
+        paintBit(painter, rect(), *bit, palette());
 }
 
 }  // namespace nmc

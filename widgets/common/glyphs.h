@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <optional>
+#include <variant>
 
 #include "model/module/modulestate.h"
 
@@ -24,9 +25,9 @@ class GlyphLabel : public QWidget {
 
 public:
     explicit GlyphLabel(QWidget* parent = nullptr) : QWidget(parent) {}
-    void showActivity(Activity activity);
-    void showSeverity(Severity severity);
-    void showBit(std::optional<bool> set);
+    void showActivity(Activity activity) { display(activity); }
+    void showSeverity(Severity severity) { display(severity); }
+    void showBit(std::optional<bool> set) { display(set); }
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
@@ -35,11 +36,11 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    enum class Kind : std::uint8_t { None, Activity, Severity, Bit };
-    Kind m_kind = Kind::None;
-    Activity m_activity = Activity::Unknown;
-    Severity m_severity = Severity::Normal;
-    std::optional<bool> m_bit;
+    using Bit = std::optional<bool>;
+    using Shown = std::variant<std::monostate, Activity, Severity, Bit>;
+    void display(const Shown& shown);
+
+    Shown m_shown;
 };
 
 }  // namespace nmc
