@@ -30,13 +30,6 @@ double luminance(const QColor& colour) {
            0.0722 * linear(static_cast<double>(colour.blueF()));
 }
 
-QColor mix(const QColor& a, const QColor& b, float shareOfB) {
-    const float shareOfA = 1.0F - shareOfB;
-    return QColor::fromRgbF(a.redF() * shareOfA + b.redF() * shareOfB,
-                            a.greenF() * shareOfA + b.greenF() * shareOfB,
-                            a.blueF() * shareOfA + b.blueF() * shareOfB);
-}
-
 /// A label in the muted colour of its parent's palette. It keeps its height while it is empty, so that
 /// nothing moves when it gets a text.
 class MutedLabel : public QLabel {
@@ -91,7 +84,7 @@ QColor mutedText(const QPalette& palette) {
     const QColor selected = selectionTint(palette);
     const double least = isHighContrast(palette) ? 7.0 : 4.6;
     for (float share = 0.42F; share > 0.0F; share -= 0.06F) {
-        const QColor colour = mix(text, window, share);
+        const QColor colour = mixed(text, window, share);
         if (contrast(colour, window) >= least && contrast(colour, base) >= least &&
             contrast(colour, selected) >= 4.6)
             return colour;
@@ -100,8 +93,8 @@ QColor mutedText(const QPalette& palette) {
 }
 
 QColor faintLine(const QPalette& palette) {
-    return mix(palette.color(QPalette::WindowText), palette.color(QPalette::Base),
-               isDark(palette) ? 0.75F : 0.82F);
+    return mixed(palette.color(QPalette::WindowText), palette.color(QPalette::Base),
+                 isDark(palette) ? 0.75F : 0.82F);
 }
 
 QColor severityFill(Severity severity, const QPalette& palette) {
@@ -131,10 +124,10 @@ QColor severityTint(Severity severity, const QPalette& palette) {
     const QColor window = palette.color(QPalette::Active, QPalette::Window);
     switch (severity) {
         case Severity::Normal:
-            return mix(window, palette.color(QPalette::Active, QPalette::WindowText), 0.04F);
+            return mixed(window, palette.color(QPalette::Active, QPalette::WindowText), 0.04F);
         case Severity::Attention:
         case Severity::Fault:
-            return mix(window, severityFill(severity, palette), isDark(palette) ? 0.20F : 0.22F);
+            return mixed(window, severityFill(severity, palette), isDark(palette) ? 0.20F : 0.22F);
     }
     return window;
 }

@@ -33,11 +33,6 @@ constexpr Colouring kDark{0x2B2D30, 0xE8E8E8, 0x1E1F22, 0x3A3D41, 0x2A6FB0,
 constexpr Colouring kHighContrastColours{0x000000, 0xFFFFFF, 0x000000, 0x000000, 0xFFFF00,
                                          0x000000, 0x66CCFF, 0xFFB3FF, 0xA0A0A0};
 
-QColor mixed(const QColor& a, const QColor& b, float shareOfB) {
-    const auto mix = [shareOfB](float x, float y) { return x * (1.0F - shareOfB) + y * shareOfB; };
-    return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()));
-}
-
 QPalette paletteOf(const Colouring& colouring) {
     const QColor text(colouring.text);
     QPalette palette(QColor(colouring.button), QColor(colouring.window));  // derives the other shades
@@ -174,6 +169,11 @@ private:
 };
 
 }  // namespace
+
+QColor mixed(const QColor& a, const QColor& b, float shareOfB) {
+    const auto mix = [shareOfB](float x, float y) { return x * (1.0F - shareOfB) + y * shareOfB; };
+    return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()));
+}
 
 QPalette paletteOf(Colours colours) {
     switch (colours) {

@@ -23,6 +23,8 @@ enum class Colours : quint8 {
 /// Applies to the whole program, at any time. GUI thread.
 void useColours(Colours colours);
 
+/// A colour between two others: `shareOfB` of the second, from 0 to 1.
+[[nodiscard]] QColor mixed(const QColor& a, const QColor& b, float shareOfB);
 /// True if text and window contrast almost as much as colours can.
 [[nodiscard]] bool isHighContrast(const QPalette& palette);
 /// The background of a selected row whose text keeps its own colours.
