@@ -174,22 +174,14 @@ double QuantityField::toNative(double user) const {
 
 /// As many decimals as the chip can resolve.
 int QuantityField::decimalsWanted() const {
-    double finest = 1.0;
-    switch (m_kind) {
-        case Kind::Position:
-        case Kind::Distance:
-            return texts::positionDecimals(m_scale);
-        case Kind::Velocity:
-            if (m_scale.native())
-                return m_scale.steps() ? 1 : kVelocityDecimals;
-            finest = toUser(1.0) * (m_scale.steps() ? 1.0 : kFinePart);
-            break;
-        case Kind::Acceleration:
-            if (m_scale.native())
-                return m_scale.steps() ? 0 : kAccelerationDecimals;
-            finest = toUser(1.0) * (m_scale.steps() ? 1.0 : kFinePart);
-            break;
-    }
+    if (m_kind <= Kind::Distance)
+        return texts::positionDecimals(m_scale);
+    const bool velocity = m_kind == Kind::Velocity;
+    if (m_scale.native() && m_scale.steps())
+        return velocity ? 1 : 0;
+    if (m_scale.native())
+        return velocity ? kVelocityDecimals : kAccelerationDecimals;
+    const double finest = toUser(1.0) * (m_scale.steps() ? 1.0 : kFinePart);
     return qBound(0, static_cast<int>(std::ceil(-std::log10(finest))), kMaxDecimals);
 }
 
