@@ -15,7 +15,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 QStringList g_moduleNames;
-
 }  // namespace
 
 QString moduleName(ModuleIndex module) {
@@ -376,20 +375,14 @@ QString readout(double value, int significant) {
     const double magnitude = std::abs(value);
     const int before = magnitude < 1 ? 1 : static_cast<int>(std::floor(std::log10(magnitude))) + 1;
     const int decimals = magnitude == 0.0 ? 0 : qBound(0, significant - before, 6);
-    QString text = QLocale::c().toString(magnitude, 'f', decimals);
-    text.remove(u',');
-    const qsizetype point = text.indexOf(u'.');
-    QString fraction;
-    if (point >= 0) {
-        fraction = text.mid(point + 1);
-        text.truncate(point);
-        while (fraction.endsWith(u'0'))
-            fraction.chop(1);
+    QString text = fixed(magnitude, decimals);
+    if (decimals > 0) {
+        while (text.endsWith(u'0'))
+            text.chop(1);
+        if (text.endsWith(QLocale().decimalPoint()))
+            text.chop(QLocale().decimalPoint().size());
     }
-    QString result = grouped(text.toLongLong());
-    if (!fraction.isEmpty())
-        result += QLocale().decimalPoint() + fraction;
-    return value < 0 ? QChar(0x2212) + result : result;
+    return value < 0 ? QChar(0x2212) + text : text;
 }
 
 QString countOfModules(int count) {
