@@ -14,16 +14,13 @@ Message limitClosed(const ModuleState& module, int limit) {
     Message m{.key = ofModule(u"limit%1"_s.arg(limit), index), .module = index};
     m.severity = Severity::Attention;
     const QString number = moduleNumber(index);
-    if (module.isStepper()) {
-        m.headline = module.stepper.ended() == Activity::StoppedByLimit
-                         ? Texts::tr("Limit switch %1 of module %2 stopped its motor.").arg(limit).arg(number)
-                         : Texts::tr("Limit switch %1 of module %2 closed while its motor was moving.")
-                               .arg(limit)
-                               .arg(number);
-        m.body = Texts::tr(
-            "While the switch is closed, the module blocks this direction. Move the motor the other way.");
-    } else if (module.limitEnds(limit == 1 ? 1 : -1)) {
-        m.headline = Texts::tr("Limit switch %1 of module %2 stopped its motor.").arg(limit).arg(number);
+    const bool stopped = module.isStepper() ? module.stepper.ended() == Activity::StoppedByLimit
+                                            : module.limitEnds(limit == 1 ? 1 : -1);
+    if (module.isStepper() || stopped) {
+        m.headline = (stopped ? Texts::tr("Limit switch %1 of module %2 stopped its motor.")
+                              : Texts::tr("Limit switch %1 of module %2 closed while its motor was moving."))
+                         .arg(limit)
+                         .arg(number);
         m.body = Texts::tr(
             "While the switch is closed, the module blocks this direction. Move the motor the other way.");
     } else {

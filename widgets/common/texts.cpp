@@ -119,21 +119,16 @@ QString tripAdvice(TripCause cause) {
 
 Message tripped(ModuleIndex module, std::optional<int> limit, TripCause cause) {
     const QString number = moduleNumber(module);
-    if (cause == TripCause::OffAtLimit1 || cause == TripCause::OffAtLimit2)
-        return {.key = key::tripped(module),
-                .module = module,
-                .severity = Severity::Fault,
-                .headline = Texts::tr("Limit switch %1 closed, and module %2 switched its motor off.")
-                                .arg(cause == TripCause::OffAtLimit1 ? 1 : 2)
-                                .arg(number),
-                .body = tripAdvice(cause),
-                .actions = {{MessageAction::ClearAndStayOff, Texts::tr("Clear and stay off")}}};
+    const bool atLimit = cause == TripCause::OffAtLimit1 || cause == TripCause::OffAtLimit2;
     return {
         .key = key::tripped(module),
         .module = module,
         .severity = Severity::Fault,
         .headline =
-            limit.has_value()
+            atLimit ? Texts::tr("Limit switch %1 closed, and module %2 switched its motor off.")
+                          .arg(cause == TripCause::OffAtLimit1 ? 1 : 2)
+                          .arg(number)
+            : limit
                 ? Texts::tr(
                       "Module %1 switched its servo off because the motor was more than %2 counts from where it should be.")
                       .arg(number)
