@@ -86,9 +86,7 @@ void CounterBox::buildTimer(FormGrid& grid) {
     m_count->setFont(look::tabular(look::scaled(font(), 1.5)));
     m_rate->setObjectName(u"counterRate"_s);
     for (const auto& [text, choice] : {std::pair(tr("Count"), m_mode), {tr("Counts"), m_prescaler}}) {
-        auto* label = new QLabel(text, this);
-        label->setBuddy(choice);
-        grid.addWidget(label, grid.row(), 0);
+        grid.addWidget(form::newLabel(text, choice), grid.row(), 0);
         grid.addWide(choice, 1);
     }
     grid.addLine({nullptr, m_set->button()});

@@ -27,18 +27,13 @@ DirectBox::DirectBox(ModuleContext& context, const Spec& spec, QWidget* parent)
       m_context(context),
       m_name(spec.name),
       m_grid(new FoldingGrid(this)),
-      m_meaning(new QLabel(this)),
+      m_meaning(form::newParagraph(named(u"Meaning"_s), tr("What the chip will do"), this)),
       m_bytes(look::newMutedLabel({}, this)),
-      m_send(new Command({.name = named(u"Button"_s),
-                          .text = spec.send,
-                          .accessible = tr("%1 as set here").arg(spec.send),
-                          .key = {}},
-                         this, [this] { m_context.ask(intent::Direct{m_command()}); })) {
+      m_send(new Command(
+          {.name = named(u"Button"_s), .text = spec.send, .accessible = tr("%1 as set here").arg(spec.send)},
+          this, [this] { m_context.ask(intent::Direct{m_command()}); })) {
     look::name(this, named(u"Box"_s), spec.title);
-    look::nameText(m_meaning, named(u"Meaning"_s), tr("What the chip will do"));
     look::nameText(m_bytes, named(u"Bytes"_s), tr("Command bytes"));
-    m_meaning->setWordWrap(true);
-    m_meaning->setTextFormat(Qt::PlainText);
     m_bytes->setFont(look::tabular(font()));
     m_bytes->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_grid->setHorizontalSpacing(look::gridUnit(this));
@@ -67,14 +62,12 @@ QCheckBox* DirectBox::addFlag(const QString& name, const QString& text) {
 }
 
 QComboBox* DirectBox::addChoice(const QString& name, const QString& label, const QStringList& choices) {
-    auto* box = new QComboBox(this);
-    look::name(box, named(name), label);
+    auto* box = form::newChoice(
+        {.name = named(name), .accessible = label, .meaning = tr("Bits of %1: %2").arg(title(), label)},
+        this);
     box->addItems(choices);
-    box->setToolTip(tr("Bits of %1: %2").arg(title(), label));
     connect(box, &QComboBox::currentIndexChanged, this, &DirectBox::refresh);
-    auto* words = new QLabel(label, this);
-    words->setBuddy(box);
-    addRow(words, box);
+    addRow(form::newLabel(label, box), box);
     return box;
 }
 
@@ -103,9 +96,7 @@ DirectBox::Value DirectBox::addValue(const QString& name, const QString& text, d
         value.field->setEnabled(false);
         left = value.loaded;
     } else {
-        auto* words = new QLabel(text, this);
-        words->setBuddy(value.field);
-        left = words;
+        left = form::newLabel(text, value.field);
     }
     addRow(left, value.field);
     m_values.push_back(value);

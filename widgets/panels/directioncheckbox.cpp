@@ -8,6 +8,7 @@
 #include "model/intent/directionplan.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
@@ -30,11 +31,8 @@ DirectionCheckBox::DirectionCheckBox(ModuleContext& context, QWidget* parent)
                             .text = Common::tr("Cancel"),
                             .accessible = tr("Cancel the direction check")},
                            this, [this] { m_context.ask(intent::CancelProcedure{}); })),
-      m_state(new QLabel(this)) {
+      m_state(form::newParagraph(u"directionCheckState"_s, tr("Result of the direction check"), this)) {
     look::name(this, u"directionCheckBox"_s, tr("Direction of motor and encoder"));
-    look::nameText(m_state, u"directionCheckState"_s, tr("Result of the direction check"));
-    m_state->setWordWrap(true);
-    m_state->setTextFormat(Qt::PlainText);
     const int unit = look::gridUnit(this);
     auto* buttons = new FlowLayout(unit);
     buttons->addWidget(m_cancel->button());

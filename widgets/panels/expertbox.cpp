@@ -343,8 +343,7 @@ ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent)
       m_context(context),
       m_reset(new Command({.name = u"resetModuleButton"_s,
                            .text = tr("Reset module…"),
-                           .accessible = tr("Reset module to its power-up state"),
-                           .key = {}},
+                           .accessible = tr("Reset module to its power-up state")},
                           this, [this] { askBeforeReset(); })) {
     look::name(this, u"expertBox"_s, tr("Commands as in the data sheet"));
     const int unit = look::gridUnit(this);

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/sharedwords.h"
@@ -24,9 +25,8 @@ GenericPanel::GenericPanel(Requests& requests, QWidget* parent)
     connect(m_ask, &QPushButton::clicked, this,
             [this, &requests] { emit requests.intent(m_module, intent::AskAnew{}); });
     look::name(this, u"genericPanel"_s, tr("Module without controls"));
-    QFont large = look::scaled(font(), 1.5);
-    large.setBold(true);
-    m_name->setFont(large);
+    m_name->setFont(look::scaled(font(), 1.5));
+    form::setBold(m_name);
     m_name->setObjectName(u"genericName"_s);
     m_text->setWordWrap(true);
     m_status->setObjectName(u"genericStatus"_s);

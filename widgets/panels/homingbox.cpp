@@ -7,6 +7,7 @@
 #include "model/intent/homingplan.h"
 #include "module/stepperspeed.h"
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
@@ -45,14 +46,13 @@ QList<ProcedureStage> stagesOf(const HomingRecipe& recipe) {
 HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
       m_context(context),
-      m_stages(new QLabel(this)),
-      m_result(new QLabel(this)),
+      m_stages(form::newParagraph(context.named(u"homingStagesLabel"_s), tr("Progress of the search"), this)),
+      m_result(form::newParagraph(context.named(u"homingResultLabel"_s), tr("Progress of the search"), this)),
       m_hint(look::newMutedLabel({}, this)) {
     const ModuleType type = context.state().info.identity.type;
-    const auto named = [type](const QString& name) { return look::nameFor(type, name); };
     m_form = new HomingForm(type, this);
     m_home = new Command(
-        {.name = named(u"homeButton"_s),
+        {.name = context.named(u"homeButton"_s),
          .icon = u"home"_s,
          .text = tr("Home"),
          .accessible = tr("Home: search for it"),
@@ -60,20 +60,15 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
         this, [this] {
             m_context.ask(intent::Home{m_form->recipe(), homeTolerance(m_context.settings().unit)});
         });
-    m_cancel = new Command({.name = named(u"cancelHomingButton"_s),
+    m_cancel = new Command({.name = context.named(u"cancelHomingButton"_s),
                             .icon = u"x"_s,
                             .text = tr("Cancel search"),
                             .accessible = tr("Cancel search for home"),
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_H},
                            this, [this] { m_context.ask(intent::CancelProcedure{}); });
-    look::name(this, named(u"homingBox"_s), Common::tr("Homing"));
-    look::nameText(m_stages, named(u"homingStagesLabel"_s), tr("Progress of the search"));
-    look::nameText(m_result, named(u"homingResultLabel"_s), tr("Progress of the search"));
-    m_hint->setObjectName(named(u"homingHint"_s));
-    for (QLabel* label : {m_stages, m_result, m_hint}) {
-        label->setWordWrap(true);
-        label->setTextFormat(Qt::PlainText);
-    }
+    look::name(this, context.named(u"homingBox"_s), Common::tr("Homing"));
+    m_hint->setObjectName(context.named(u"homingHint"_s));
+    m_hint->setWordWrap(true);
     const int unit = look::gridUnit(this);
     auto* buttons = new FlowLayout(unit);
     buttons->addWidget(m_cancel->button());

@@ -78,13 +78,11 @@ void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
         input.unit->setPlaceholderText(u"V"_s);
         input.unit->setMaxLength(kLongestAnalogUnit);
         input.unit->setMaximumWidth(look::gridUnit(this) * 5);
-        auto* name = new QLabel(label, this);
-        name->setBuddy(input.name);
         const int line = row + 1 + static_cast<int>(i);
         int column = 0;
-        for (QWidget* widget : {static_cast<QWidget*>(name), static_cast<QWidget*>(input.name),
-                                static_cast<QWidget*>(input.value), static_cast<QWidget*>(input.perCount),
-                                static_cast<QWidget*>(input.atZero), static_cast<QWidget*>(input.unit)})
+        for (QWidget* widget :
+             std::initializer_list<QWidget*>{form::newLabel(label, input.name), input.name, input.value,
+                                             input.perCount, input.atZero, input.unit})
             grid.addWidget(widget, line, column++);
         connect(input.name, &QLineEdit::textEdited, this, [this, i](const QString& text) {
             editAnalog(i, [text = text.toStdString()](AnalogInput& in) { in.name = text; });
@@ -127,10 +125,8 @@ void IoValuesBox::buildPwm(QGridLayout& grid, int row) {
              .accessible = tr("Switch %1 off on STOP ALL").arg(label),
              .meaning = tr("STOP ALL switches this output off. If cleared, the output stays as it is.")},
             this);
-        auto* name = new QLabel(label, this);
-        name->setBuddy(output.field);
         const int line = row + 1 + static_cast<int>(i);
-        grid.addWidget(name, line, 0);
+        grid.addWidget(form::newLabel(label, output.field), line, 0);
         grid.addWidget(output.name, line, 1);
         grid.addWidget(output.state, line, 2);
         grid.addWidget(output.field, line, 3);

@@ -7,6 +7,7 @@
 
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/flowlayout.h"
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
@@ -81,14 +82,10 @@ PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
 }
 
 void PanelHead::build() {
-    QFont large = look::scaled(font(), 1.5);
-    large.setBold(true);
-    m_state->setFont(large);
+    m_state->setFont(look::scaled(font(), 1.5));
     m_glyph->setFont(look::scaled(font(), 1.7));
-    QFont bold = font();
-    bold.setBold(true);
-    m_name->setFont(bold);
-    m_procedure->setFont(bold);
+    for (QLabel* label : {m_state, m_name, m_procedure})
+        form::setBold(label);
     m_position->setFont(look::tabular(look::scaled(font(), 2.6)));
     m_velocity->setFont(look::tabular(look::scaled(font(), 1.5)));
     m_otherPosition->setFont(look::tabular(font()));

@@ -87,9 +87,7 @@ void PinBox::buildPin(QGridLayout& grid, unsigned number) {
          .meaning = tr("STOP ALL takes this output low. If cleared, the output stays as it is.")},
         this);
 
-    auto* name = new QLabel(label, this);
-    name->setBuddy(pin.direction);
-    grid.addWidget(name, row, Label);
+    grid.addWidget(form::newLabel(label, pin.direction), row, Label);
     grid.addWidget(pin.direction, row, Direction);
     grid.addLayout(form::newLine(this, {pin.glyph, pin.level, nullptr}, 0.5), row, Level);
     grid.addWidget(pin.high, row, High);

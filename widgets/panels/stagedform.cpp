@@ -50,8 +50,7 @@ StagedForm::~StagedForm() {
 // ---- rows ----
 
 void StagedForm::add(FormGrid* grid, const Row& row, Field field) {
-    field.label = new QLabel(row.label, this);
-    field.label->setBuddy(field.control);
+    field.label = form::newLabel(row.label, field.control);
     field.label->setToolTip(row.meaning);
     field.remark = look::newMutedLabel({}, this);
     field.remark->setObjectName(row.object + u"Remark"_s);

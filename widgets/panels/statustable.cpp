@@ -6,7 +6,7 @@
 #include <QPushButton>
 
 #include "widgets/common/flowlayout.h"
-#include "widgets/common/foldinggrid.h"
+#include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
@@ -40,11 +40,7 @@ StatusTable::StatusTable(QWidget* parent)
 void StatusTable::addBits(Byte byte, const QString& title, const BitNames& names, Meaning meaning,
                           const QString& prefix) {
     QGridLayout* grid = m_bitGrids[static_cast<std::size_t>(byte)];
-    auto* heading = new QLabel(title, this);
-    QFont bold = font();
-    bold.setBold(true);
-    heading->setFont(bold);
-    grid->addWidget(heading, 0, 0, 1, 3);
+    grid->addWidget(form::newHeading(title, this), 0, 0, 1, 3);
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (names[i].empty())
             continue;
