@@ -12,6 +12,11 @@ FlowLayout::FlowLayout(int spacing, QWidget* parent) : QLayout(parent) {
     setSpacing(spacing);
 }
 
+FlowLayout::FlowLayout(int spacing, std::initializer_list<QWidget*> widgets) : FlowLayout(spacing) {
+    for (QWidget* widget : widgets)
+        addWidget(widget);
+}
+
 FlowLayout::~FlowLayout() = default;
 
 void FlowLayout::addItem(QLayoutItem* item) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QLayout>
+#include <initializer_list>
 #include <memory>
 #include <vector>
 
@@ -15,6 +16,7 @@ class FlowLayout : public QLayout {
 public:
     /// `spacing`: pixels between neighbours; rows are half as far apart.
     explicit FlowLayout(int spacing, QWidget* parent = nullptr);
+    FlowLayout(int spacing, std::initializer_list<QWidget*> widgets);
     ~FlowLayout() override;
 
     void addItem(QLayoutItem* item) override;

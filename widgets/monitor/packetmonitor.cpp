@@ -92,12 +92,8 @@ void PacketMonitor::buildControls() {
 
 void PacketMonitor::buildContent() {
     const int unit = look::gridUnit(this);
-    auto* controls = new FlowLayout(unit / 2);
+    auto* controls = new FlowLayout(unit / 2, {m_module, m_kind, m_pause, m_clear, m_copy, m_save});
     controls->setContentsMargins(unit / 2, unit / 3, unit / 2, unit / 3);
-    for (QWidget* widget :
-         {static_cast<QWidget*>(m_module), static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_pause),
-          static_cast<QWidget*>(m_clear), static_cast<QWidget*>(m_copy), static_cast<QWidget*>(m_save)})
-        controls->addWidget(widget);
     auto* packets = new QWidget(this);
     form::fill(packets, form::newColumn(packets, {controls, {m_view, 1}}, 0));
     auto* tabs = new QTabWidget(this);

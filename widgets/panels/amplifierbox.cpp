@@ -129,11 +129,9 @@ void AmplifierBox::buildDrive(FormGrid& grid) {
                       .text = Common::tr("Fast path"),
                       .meaning = tr("Path points at 60 and 120 Hz instead of 30 and 60 Hz.")});
     buildCommands();
-    auto* buttons = new FlowLayout(look::gridUnit(this));
-    for (const Command* command : {undoCommand(), redoCommand(), revertCommand(), m_apply})
-        buttons->addWidget(command->button());
     grid.addWide(m_state);
-    grid.addWide(buttons);
+    grid.addWide(new FlowLayout(look::gridUnit(this), {undoCommand()->button(), redoCommand()->button(),
+                                                       revertCommand()->button(), m_apply->button()}));
     grid.addWide(hint());
     m_multiplier->showValue(1);
     connect(m_multiplier, &NumberField::edited, this, [this] { refresh(); });
@@ -151,10 +149,7 @@ void AmplifierBox::buildSaved(FormGrid& grid) {
     }
     for (QCheckBox* box : {m_savesAddress, m_savesAmplifier, m_savesServo})
         grid.addWide(box);
-    auto* buttons = new FlowLayout(look::gridUnit(this));
-    for (const Command* command : {m_erase, m_save})
-        buttons->addWidget(command->button());
-    grid.addWide(buttons);
+    grid.addWide(new FlowLayout(look::gridUnit(this), {m_erase->button(), m_save->button()}));
 }
 
 std::optional<StagedForm::Values> AmplifierBox::kept() const {

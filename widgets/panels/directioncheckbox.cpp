@@ -34,13 +34,10 @@ DirectionCheckBox::DirectionCheckBox(ModuleContext& context, QWidget* parent)
       m_state(form::newParagraph(u"directionCheckState"_s, tr("Result of the direction check"), this)) {
     look::name(this, u"directionCheckBox"_s, tr("Direction of motor and encoder"));
     const int unit = look::gridUnit(this);
-    auto* buttons = new FlowLayout(unit);
-    buttons->addWidget(m_cancel->button());
-    buttons->addWidget(m_check->button());
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(unit / 2);
     layout->addWidget(m_state);
-    layout->addLayout(buttons);
+    layout->addLayout(new FlowLayout(unit, {m_cancel->button(), m_check->button()}));
     m_context.whenSeen(this, [this] { refresh(); });
 }
 

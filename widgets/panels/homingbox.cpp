@@ -70,13 +70,10 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
     m_hint->setObjectName(context.named(u"homingHint"_s));
     m_hint->setWordWrap(true);
     const int unit = look::gridUnit(this);
-    auto* buttons = new FlowLayout(unit);
-    buttons->addWidget(m_cancel->button());
-    buttons->addWidget(m_home->button());
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit, 0, 0);
     layout->setSpacing(unit / 2);
-    layout->addLayout(buttons);
+    layout->addLayout(new FlowLayout(unit, {m_cancel->button(), m_home->button()}));
     layout->addWidget(m_stages);
     layout->addWidget(m_result);
     layout->addSpacing(unit / 2);

@@ -35,15 +35,11 @@ IoHead::IoHead(ModuleContext& context, QWidget* parent)
     m_glyph->setFont(look::scaled(font(), 1.7));
     form::setBold(m_module);
     const int unit = look::gridUnit(this);
-    auto* who = new FlowLayout(unit);
-    who->addWidget(m_module);
-    who->addWidget(m_type);
-    who->addWidget(form::newLabel(Common::tr("Name"), m_name));
-    who->addWidget(m_name);
     m_meaning->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit / 2, unit, unit / 2);
-    layout->addLayout(who);
+    layout->addLayout(
+        new FlowLayout(unit, {m_module, m_type, form::newLabel(Common::tr("Name"), m_name), m_name}));
     layout->addLayout(form::newLine(this, {m_glyph, m_state, {m_meaning, 1}}, 0.5));
     connect(m_name, &QLineEdit::textEdited, this, [this](const QString& text) {
         m_context.edit([text](AxisSettings& axis) { axis.name = text.toStdString(); });

@@ -96,11 +96,10 @@ void MoveByBox::buildRepeat(FormGrid* grid) {
                         this, [this] { m_context.ask(intent::CancelProcedure{}); });
     m_progress = look::newMutedLabel({}, this);
     m_progress->setObjectName(m_context.named(u"moveByProgress"_s));
-    auto* repeat = new FlowLayout(look::gridUnit(this));
-    for (QWidget* part : std::initializer_list<QWidget*>{
-             m_rounds, form::newLabel(tr("times, pause"), m_pause), m_pause,
-             new QLabel(Common::tr("s"), this), m_backAndForth, m_end->button(), m_progress})
-        repeat->addWidget(part);
+    auto* repeat =
+        new FlowLayout(look::gridUnit(this),
+                       {m_rounds, form::newLabel(tr("times, pause"), m_pause), m_pause,
+                        new QLabel(Common::tr("s"), this), m_backAndForth, m_end->button(), m_progress});
     auto* title = new QLabel(tr("Repeat"), this);
     // The title is beside the first row if there are two.
     title->setMinimumHeight(m_rounds->sizeHint().height());

@@ -52,14 +52,12 @@ PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
         this);
     warning->setObjectName(u"pwmWarning"_s);
     warning->setWordWrap(true);
-    auto* buttons = new FlowLayout(look::gridUnit(this));
-    for (const Command* command : {m_reverse, m_forward, m_off})
-        buttons->addWidget(command->button());
     auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1, .down = 1});
     grid->addWidget(sign, 0, 0, Qt::AlignTop | Qt::AlignRight);
     grid->addWide(warning, 1);
     grid->addRow(Common::tr("PWM value"), m_value, {m_percent});
-    grid->addWide(buttons);
+    grid->addWide(
+        new FlowLayout(look::gridUnit(this), {m_reverse->button(), m_forward->button(), m_off->button()}));
     grid->end();
 
     connect(m_value, &NumberField::edited, this, &PwmBox::refresh);

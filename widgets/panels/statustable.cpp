@@ -3,7 +3,6 @@
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QPushButton>
 
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
@@ -71,13 +70,10 @@ QLabel* StatusTable::addValue(const QString& label, const QString& objectName) {
     return value;
 }
 
-void StatusTable::addButtons(std::initializer_list<QPushButton*> buttons) {
+void StatusTable::addButtons(std::initializer_list<QWidget*> buttons) {
     const int unit = look::gridUnit(this);
-    auto* row = new FlowLayout(unit);
-    for (QPushButton* button : buttons)
-        row->addWidget(button);
     m_grid->setRowMinimumHeight(m_line++, unit);
-    m_grid->addLayout(row, m_line++, 0, 1, 2);
+    m_grid->addLayout(new FlowLayout(unit, buttons), m_line++, 0, 1, 2);
     m_grid->setRowStretch(m_line, 1);
 }
 

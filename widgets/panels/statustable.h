@@ -8,7 +8,6 @@
 
 class QGridLayout;
 class QLabel;
-class QPushButton;
 
 namespace nmc {
 
@@ -35,7 +34,7 @@ protected:
     /// Adds a value below the bits and earlier values.
     QLabel* addValue(const QString& label, const QString& objectName);
     /// Adds the buttons at the end.
-    void addButtons(std::initializer_list<QPushButton*> buttons);
+    void addButtons(std::initializer_list<QWidget*> buttons);
     void showBits(Byte byte, std::optional<std::uint8_t> value);
 
 private:

@@ -49,11 +49,10 @@ StepperParametersBox::StepperParametersBox(ModuleContext& context, QWidget* pare
                               if (const auto parameters = this->parameters())
                                   this->context().ask(stepperintent::SetParameters{*parameters});
                           });
-    auto* buttons = new FlowLayout(look::gridUnit(this));
-    for (const Command* command : {start, undoCommand(), redoCommand(), revertCommand(), m_apply})
-        buttons->addWidget(command->button());
     m_ramp = new StepperRampBox(context, this);
-    grid->addWide(buttons);
+    grid->addWide(new FlowLayout(look::gridUnit(this),
+                                 {start->button(), undoCommand()->button(), redoCommand()->button(),
+                                  revertCommand()->button(), m_apply->button()}));
     grid->addWide(hint());
     grid->addGap(1);
     grid->addWide(m_ramp);
