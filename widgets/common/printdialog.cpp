@@ -26,17 +26,15 @@ PrintDialog::PrintDialog(const QString& last, Requests& requests, QWidget* windo
       m_requests(requests),
       m_chosen(last),
       m_printer(form::newChoice({u"printerBox"_s, tr("Printer"), {}}, this)),
-      m_copies(new NumberField(0, this)),
+      m_copies(form::newNumber(
+          {.name = u"copiesField"_s, .accessible = tr("Copies"), .min = 1, .max = kMostCopies, .digits = 3},
+          this)),
       m_state(form::newParagraph(u"printState"_s, tr("Printers"), this)),
       m_print(form::newPush({u"printButton"_s, tr("&Print"), tr("Print")}, this)),
       m_save(form::newPush({u"printSaveButton"_s, tr("Save as P&DF…"), tr("Save as PDF…")}, this)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Print"));
     look::name(this, u"printDialog"_s, windowTitle());
-    look::name(m_copies, u"copiesField"_s, tr("Copies"));
-    m_copies->setRange(1, kMostCopies);
-    m_copies->setDigits(3);
-    m_copies->setWords(tr("Copies"), {});
     m_copies->showValue(1);
     m_state->setMinimumWidth(fontMetrics().height() * kStateWidth);
     m_print->setDefault(true);

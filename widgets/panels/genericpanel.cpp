@@ -20,8 +20,7 @@ GenericPanel::GenericPanel(Requests& requests, QWidget* parent)
       m_name(new QLabel(this)),
       m_text(new QLabel(this)),
       m_status(new QLabel(this)),
-      m_ask(new QPushButton(tr("Request status"), this)) {
-    look::name(m_ask, u"askAnewButton"_s, tr("Request status"));
+      m_ask(form::newPush({u"askAnewButton"_s, tr("Request status")}, this)) {
     connect(m_ask, &QPushButton::clicked, this,
             [this, &requests] { emit requests.intent(m_module, intent::AskAnew{}); });
     look::name(this, u"genericPanel"_s, tr("Module without controls"));
