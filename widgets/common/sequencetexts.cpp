@@ -161,32 +161,12 @@ QString actionWord(std::size_t action) {
 }
 
 QString pinWord(InputPin pin) {
-    switch (pin) {
-        case InputPin::Limit1:
-            return Common::tr("limit 1");
-        case InputPin::Limit2:
-            return Common::tr("limit 2");
-        case InputPin::In1:
-            return u"IN1"_s;
-        case InputPin::In2:
-            return u"IN2"_s;
-        case InputPin::HomeSwitch:
-            return Texts::tr("home switch");
-        case InputPin::Io1:
-        case InputPin::Io2:
-        case InputPin::Io3:
-        case InputPin::Io4:
-        case InputPin::Io5:
-        case InputPin::Io6:
-        case InputPin::Io7:
-        case InputPin::Io8:
-        case InputPin::Io9:
-        case InputPin::Io10:
-        case InputPin::Io11:
-        case InputPin::Io12:
-            return u"IO%1"_s.arg(*ioPin(pin) + 1);
-    }
-    return {};
+    if (const auto io = ioPin(pin))
+        return u"IO%1"_s.arg(*io + 1);
+    // In the order of InputPin.
+    const std::array others{Common::tr("limit 1"), Common::tr("limit 2"), u"IN1"_s, u"IN2"_s,
+                            Texts::tr("home switch")};
+    return others.at(static_cast<std::size_t>(pin));
 }
 
 QString placesOf(const Point& point, const ScaleOfAxis& scale) {

@@ -162,56 +162,31 @@ Message currentLimited(ModuleIndex module) {
 Message amplifierWentOff(ModuleIndex module, Activity activity) {
     const QString number = moduleNumber(module);
     Message message{.key = key::tripped(module), .module = module, .severity = Severity::Fault};
-    switch (activity) {
-        case Activity::PowerLost:
-            message.key = key::power(module);
-            message.severity = Severity::Attention;
-            message.headline = Texts::tr("Module %1 has no motor power, so its motor is off.").arg(number);
-            message.body = Texts::tr("It stays off when power returns.");
-            break;
-        case Activity::Overheated:
-            message.key = ofModule(u"overheated"_s, module);
-            message.headline = Texts::tr("Module %1 is too hot and switched its motor off.").arg(number);
-            message.body = Texts::tr(
-                "The A/D value fell below the thermal limit. Let the motor cool down; then check the currents and the limit on the Parameters page.");
-            break;
-        case Activity::EstopActive:
-            message.key = ofModule(u"estop"_s, module);
-            message.severity = Severity::Attention;
-            message.headline =
-                Texts::tr("Module %1 switched its motor off because its E-stop input is active.").arg(number);
-            message.body = Texts::tr("It stays off when the input is released.");
-            break;
-        case Activity::StoppedByLimit:
-            message.key = ofModule(u"limitOff"_s, module);
-            message.severity = Severity::Attention;
-            message.headline =
-                Texts::tr("Module %1 switched its motor off because a limit switch is active.").arg(number);
-            message.body = Texts::tr("Enable it again, then move in the other direction.");
-            break;
-        case Activity::Unknown:
-        case Activity::Unresponsive:
-        case Activity::Restarted:
-        case Activity::NoPower:
-        case Activity::ServoOff:
-        case Activity::Tripped:
-        case Activity::PwmMode:
-        case Activity::MaybeOff:
-        case Activity::MaybeMoving:
-        case Activity::Turned:
-        case Activity::Holding:
-        case Activity::Limited:
-        case Activity::Accelerating:
-        case Activity::AtSpeed:
-        case Activity::Decelerating:
-        case Activity::OnPath:
-        case Activity::AmplifierOff:
-        case Activity::Ready:
-        case Activity::WentOff:
-            message.headline = Texts::tr("Module %1 switched its motor off by itself.").arg(number);
-            message.body =
-                Texts::tr("The cause is unknown. Check its power and inputs, then enable it again.");
-            break;
+    if (activity == Activity::PowerLost) {
+        message.key = key::power(module);
+        message.severity = Severity::Attention;
+        message.headline = Texts::tr("Module %1 has no motor power, so its motor is off.").arg(number);
+        message.body = Texts::tr("It stays off when power returns.");
+    } else if (activity == Activity::Overheated) {
+        message.key = ofModule(u"overheated"_s, module);
+        message.headline = Texts::tr("Module %1 is too hot and switched its motor off.").arg(number);
+        message.body = Texts::tr(
+            "The A/D value fell below the thermal limit. Let the motor cool down; then check the currents and the limit on the Parameters page.");
+    } else if (activity == Activity::EstopActive) {
+        message.key = ofModule(u"estop"_s, module);
+        message.severity = Severity::Attention;
+        message.headline =
+            Texts::tr("Module %1 switched its motor off because its E-stop input is active.").arg(number);
+        message.body = Texts::tr("It stays off when the input is released.");
+    } else if (activity == Activity::StoppedByLimit) {
+        message.key = ofModule(u"limitOff"_s, module);
+        message.severity = Severity::Attention;
+        message.headline =
+            Texts::tr("Module %1 switched its motor off because a limit switch is active.").arg(number);
+        message.body = Texts::tr("Enable it again, then move in the other direction.");
+    } else {
+        message.headline = Texts::tr("Module %1 switched its motor off by itself.").arg(number);
+        message.body = Texts::tr("The cause is unknown. Check its power and inputs, then enable it again.");
     }
     return message;
 }
