@@ -33,35 +33,11 @@ QIcon attention(const QWidget& widget) {
     return pixmap;
 }
 
-/// True for parts with named fields; the others are a single value, named like the part.
-bool hasFields(MachinePart part) {
-    switch (part) {
-        case MachinePart::MachineName:
-        case MachinePart::Rate:
-        case MachinePart::Hardware:
-        case MachinePart::AxisName:
-        case MachinePart::AccelerationTime:
-        case MachinePart::HomeOrder:
-            return false;
-        case MachinePart::Groups:
-        case MachinePart::OperatorRights:
-        case MachinePart::Program:
-        case MachinePart::Unit:
-        case MachinePart::Motion:
-        case MachinePart::Travel:
-        case MachinePart::Backlash:
-        case MachinePart::Arrival:
-        case MachinePart::LimitStop:
-        case MachinePart::WorkOffsets:
-        case MachinePart::Homing:
-        case MachinePart::Analog:
-        case MachinePart::PinNames:
-        case MachinePart::Gains:
-        case MachinePart::Io:
-        case MachinePart::Parameters:
-            return true;
-    }
-    return false;
+/// True for parts that are a single value, named like the part; the others have named fields.
+bool isSingleValue(MachinePart part) {
+    using enum MachinePart;
+    return part == MachineName || part == Rate || part == HomeOrder || part == Hardware || part == AxisName ||
+           part == AccelerationTime;
 }
 
 /// True if none of its fields has a value here yet, so that they need not be reviewed one by one.
@@ -74,7 +50,7 @@ bool allNew(const Difference& difference) {
 QString whatOf(const Difference& difference) {
     const PartId& id = difference.id;
     QString what = texts::machinePart(id.part);
-    if (difference.fields.size() == 1 && hasFields(id.part))
+    if (difference.fields.size() == 1 && !isSingleValue(id.part))
         what += u", "_s + texts::machineField(QString::fromStdString(difference.fields.front().key),
                                               difference.scale.reversed());
     return id.module ? u"%1: %2"_s.arg(texts::moduleName(*id.module), what) : what;
