@@ -3,10 +3,8 @@
 
 #include <QLabel>
 
-#include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
-#include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 
@@ -47,64 +45,41 @@ QString auxMeaning(std::size_t bit) {
 }  // namespace
 
 DetailsBox::DetailsBox(ModuleContext& context, QWidget* parent)
-    : StatusTable(parent),
-      m_context(context),
+    : StatusTable(context, parent),
       m_clear(new Command({.name = u"clearStickyButton"_s,
                            .icon = u"eraser"_s,
                            .text = tr("Clear stic&ky bits"),
                            .accessible = tr("Clear sticky bits of the status")},
-                          this, [this] { m_context.ask(intent::ClearStickyBits{}); })),
-      m_saveHome(new Command({.name = u"saveHomeButton"_s,
-                              .icon = u"home"_s,
-                              .text = Common::tr("Save as home"),
-                              .accessible = Common::tr("Save as home: the present position")},
-                             this, [this] { m_context.ask(intent::SaveAsHome{}); })) {
+                          this, [this] { m_context.ask(intent::ClearStickyBits{}); })) {
     look::name(this, u"detailsBox"_s, Common::tr("Details"));
-    addBits(Byte::First, Common::tr("Status byte"), servo::kStatusBitNames, servoStatusMeaning, u"bit_"_s);
+    addBits(Byte::First, Common::tr("Status byte"), servo::kStatusBitNames, servoStatusMeaning);
     const bool path = hasPathBuffer(context.state().info.identity);
     addBits(Byte::Second, tr("Auxiliary byte"), path ? servo::kCmcAuxBitNames : servo::kAuxBitNames,
-            auxMeaning, u"bit_"_s);
-    m_analog = addValue(tr("A/D (motor current)"), u"analogLabel"_s);
+            auxMeaning);
+    addAnalog(tr("A/D (motor current)"));
     m_velocity = addValue(tr("Velocity reported by the chip"), u"chipVelocityLabel"_s);
     if (path) {
         m_error = addValue(tr("Position error reported by the chip"), u"chipErrorLabel"_s);
         m_points = addValue(tr("Path points left"), u"pathPointsLabel"_s);
     }
-    m_home = addValue(Common::tr("Home register"), u"homeLabel"_s);
-    m_home->setToolTip(texts::homeRegisterMeaning());
-    m_raw = addValue(Common::tr("Raw"), u"rawLabel"_s);
-    addButtons({m_clear->button(), m_saveHome->button()});
+    addEnd(*m_clear);
     m_context.whenSeen(this, [this] { refresh(); });
 }
 
 void DetailsBox::refresh() {
+    showStatus(tr(", auxiliary %1"));
     const QString dash = u"–"_s;
-    const std::optional<StatusReport>& latest = m_context.state().latest;
-    const StatusReport report = latest.value_or(StatusReport{});
-    showBits(Byte::First, latest ? std::optional(report.status) : std::nullopt);
-    showBits(Byte::Second, report.aux);
-    look::setText(m_analog,
-                  report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : dash);
+    const StatusReport report = m_context.state().latest.value_or(StatusReport{});
     look::setText(m_velocity,
                   report.velocity ? texts::grouped(*report.velocity) + u' ' + texts::unitVelocity() : dash);
-    look::setText(m_home, report.home ? texts::position(m_context.scale(), *report.home) : dash);
     if (m_error != nullptr) {
         look::setText(m_error, report.positionError
                                    ? texts::grouped(*report.positionError) + u' ' + texts::unitCounts()
                                    : dash);
         look::setText(m_points, report.pathPoints ? QString::number(*report.pathPoints) : dash);
     }
-    QString raw = dash;
-    if (latest) {
-        raw = Common::tr("status %1").arg(report.status, 2, 16, QChar(u'0'));
-        if (report.aux)
-            raw += tr(", auxiliary %1").arg(*report.aux, 2, 16, QChar(u'0'));
-    }
-    look::setText(m_raw, raw);
     m_clear->setPossible(m_context.reasonNow(IntentKind::ClearStickyBits),
                          tr("Clears overcurrent, pos_error, pos_wrap and servo_overrun. Starts nothing."));
-    m_saveHome->setPossible(m_context.reasonNow(IntentKind::SaveAsHome),
-                            Common::tr("Saves the present position as home. The motor does not move."));
 }
 
 }  // namespace nmc

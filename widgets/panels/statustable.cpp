@@ -7,8 +7,11 @@
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
+#include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
+#include "widgets/common/unitwords.h"
+#include "widgets/panels/command.h"
 
 namespace nmc {
 
@@ -18,8 +21,8 @@ namespace {
 constexpr int kFirstValue = 2;
 }  // namespace
 
-StatusTable::StatusTable(QWidget* parent)
-    : QWidget(parent), m_grid(new FoldingGrid(this)), m_line(kFirstValue) {
+StatusTable::StatusTable(ModuleContext& context, QWidget* parent)
+    : QWidget(parent), m_context(context), m_grid(new FoldingGrid(this)), m_line(kFirstValue) {
     const int unit = look::gridUnit(this);
     m_grid->setContentsMargins(unit, unit, unit, unit);
     m_grid->setHorizontalSpacing(unit * 3 / 2);
@@ -36,8 +39,7 @@ StatusTable::StatusTable(QWidget* parent)
     m_grid->addLayout(bytes, 0, 0, 1, 2);
 }
 
-void StatusTable::addBits(Byte byte, const QString& title, const BitNames& names, Meaning meaning,
-                          const QString& prefix) {
+void StatusTable::addBits(Byte byte, const QString& title, const BitNames& names, Meaning meaning) {
     QGridLayout* grid = m_bitGrids[static_cast<std::size_t>(byte)];
     grid->addWidget(form::newHeading(title, this), 0, 0, 1, 3);
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -49,7 +51,7 @@ void StatusTable::addBits(Byte byte, const QString& title, const BitNames& names
         bit.glyph->showBit(std::nullopt);
         auto* label = new QLabel(name, this);
         bit.value = look::newMutedLabel(u"–"_s, this);
-        bit.value->setObjectName(prefix + QString(name).replace(u' ', u'_'));
+        bit.value->setObjectName(m_context.named(u"bit_"_s) + QString(name).replace(u' ', u'_'));
         for (QWidget* widget : {static_cast<QWidget*>(bit.glyph), static_cast<QWidget*>(label),
                                 static_cast<QWidget*>(bit.value)})
             widget->setToolTip(meaning(i));
@@ -63,18 +65,47 @@ void StatusTable::addBits(Byte byte, const QString& title, const BitNames& names
 QLabel* StatusTable::addValue(const QString& label, const QString& objectName) {
     m_grid->addWidget(new QLabel(label, this), m_line, 0);
     auto* value = new QLabel(u"–"_s, this);
-    value->setObjectName(objectName);
+    value->setObjectName(m_context.named(objectName));
     value->setFont(look::tabular(font()));
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_grid->addWidget(value, m_line++, 1);
     return value;
 }
 
-void StatusTable::addButtons(std::initializer_list<QWidget*> buttons) {
+void StatusTable::addAnalog(const QString& label) {
+    m_analog = addValue(label, u"analogLabel"_s);
+}
+
+void StatusTable::addEnd(const Command& first) {
+    m_home = addValue(Common::tr("Home register"), u"homeLabel"_s);
+    m_home->setToolTip(texts::homeRegisterMeaning());
+    m_raw = addValue(Common::tr("Raw"), u"rawLabel"_s);
+    m_saveHome = new Command({.name = m_context.named(u"saveHomeButton"_s),
+                              .icon = u"home"_s,
+                              .text = Common::tr("Save as home"),
+                              .accessible = Common::tr("Save as home: the present position")},
+                             this, [this] { m_context.ask(intent::SaveAsHome{}); });
     const int unit = look::gridUnit(this);
     m_grid->setRowMinimumHeight(m_line++, unit);
-    m_grid->addLayout(new FlowLayout(unit, buttons), m_line++, 0, 1, 2);
+    m_grid->addLayout(new FlowLayout(unit, {first.button(), m_saveHome->button()}), m_line++, 0, 1, 2);
     m_grid->setRowStretch(m_line, 1);
+}
+
+void StatusTable::showStatus(const QString& aux) {
+    const QString dash = u"–"_s;
+    const std::optional<StatusReport>& latest = m_context.state().latest;
+    const StatusReport report = latest.value_or(StatusReport{});
+    showBits(Byte::First, latest ? std::optional(report.status) : std::nullopt);
+    showBits(Byte::Second, report.aux);
+    look::setText(m_analog,
+                  report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : dash);
+    look::setText(m_home, report.home ? texts::position(m_context.scale(), *report.home) : dash);
+    QString raw = latest ? Common::tr("status %1").arg(report.status, 2, 16, QChar(u'0')) : dash;
+    if (report.aux)
+        raw += aux.arg(*report.aux, 2, 16, QChar(u'0'));
+    look::setText(m_raw, raw);
+    m_saveHome->setPossible(m_context.reasonNow(IntentKind::SaveAsHome),
+                            Common::tr("Saves the present position as home. The motor does not move."));
 }
 
 void StatusTable::showBits(Byte byte, std::optional<std::uint8_t> value) {

@@ -3,18 +3,20 @@
 
 #include <QWidget>
 #include <array>
-#include <optional>
 #include <string_view>
+
+#include "widgets/panels/modulecontext.h"
 
 class QGridLayout;
 class QLabel;
 
 namespace nmc {
 
+class Command;
 class GlyphLabel;
 
-/// Layout of the details of both chips: two bytes bit by bit under the data sheet's names, then values, then
-/// buttons.
+/// What the details of both chips have in common: two bytes bit by bit under the data sheet's names, then
+/// values, then buttons.
 class StatusTable : public QWidget {
     Q_OBJECT
 
@@ -23,21 +25,26 @@ public:
     /// The meaning of a bit, for its tool tip.
     using Meaning = QString (*)(std::size_t bit);
 
-    explicit StatusTable(QWidget* parent = nullptr);
+    StatusTable(ModuleContext& context, QWidget* parent);
 
 protected:
     enum class Byte : std::uint8_t { First, Second };
 
-    /// `prefix`: of the object names of the bits; bits without a name are left out.
-    void addBits(Byte byte, const QString& title, const BitNames& names, Meaning meaning,
-                 const QString& prefix);
+    /// Bits without a name are left out.
+    void addBits(Byte byte, const QString& title, const BitNames& names, Meaning meaning);
     /// Adds a value below the bits and earlier values.
     QLabel* addValue(const QString& label, const QString& objectName);
-    /// Adds the buttons at the end.
-    void addButtons(std::initializer_list<QWidget*> buttons);
-    void showBits(Byte byte, std::optional<std::uint8_t> value);
+    void addAnalog(const QString& label);
+    /// Adds the home register, the raw bytes, and the buttons: this one and Save as home.
+    void addEnd(const Command& first);
+    /// Shows everything but the values of addValue(). `aux`: the second of the raw bytes, ", inputs %1".
+    void showStatus(const QString& aux);
+
+    ModuleContext& m_context;
 
 private:
+    void showBits(Byte byte, std::optional<std::uint8_t> value);
+
     struct Bit {
         GlyphLabel* glyph = nullptr;
         QLabel* value = nullptr;
@@ -46,6 +53,10 @@ private:
     QGridLayout* m_grid;
     std::array<QGridLayout*, 2> m_bitGrids{};
     int m_line;
+    QLabel* m_analog = nullptr;
+    QLabel* m_home = nullptr;
+    QLabel* m_raw = nullptr;
+    Command* m_saveHome = nullptr;
 };
 
 }  // namespace nmc

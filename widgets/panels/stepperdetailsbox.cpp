@@ -7,7 +7,6 @@
 #include "widgets/common/homewords.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
-#include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/command.h"
 #include "widgets/panels/stepperwords.h"
@@ -65,29 +64,19 @@ QString modeName(StepperMode mode) {
 }  // namespace
 
 StepperDetailsBox::StepperDetailsBox(ModuleContext& context, QWidget* parent)
-    : StatusTable(parent),
-      m_context(context),
+    : StatusTable(context, parent),
       m_zero(new Command({.name = u"stepperZeroHereButton"_s,
                           .icon = u"eraser"_s,
                           .text = tr("&Zero here"),
                           .accessible = Common::tr("Zero here: set the present position to 0")},
-                         this, [this] { m_context.ask(intent::ResetPosition{}); })),
-      m_saveHome(new Command({.name = u"stepperSaveHomeButton"_s,
-                              .icon = u"home"_s,
-                              .text = Common::tr("Save as home"),
-                              .accessible = Common::tr("Save as home: the present position")},
-                             this, [this] { m_context.ask(intent::SaveAsHome{}); })) {
+                         this, [this] { m_context.ask(intent::ResetPosition{}); })) {
     look::name(this, u"stepperDetailsBox"_s, Common::tr("Details"));
-    addBits(Byte::First, Common::tr("Status byte"), stepper::kStatusBitNames, stepperStatusMeaning,
-            u"stepperBit_"_s);
-    addBits(Byte::Second, tr("Inputs byte"), stepper::kInputBitNames, inputMeaning, u"stepperBit_"_s);
-    m_mode = addValue(tr("Mode"), u"stepperModeLabel"_s);
-    m_timer = addValue(tr("Timer count"), u"stepperTimerLabel"_s);
-    m_analog = addValue(Common::tr("A/D (temperature)"), u"stepperAnalogLabel"_s);
-    m_home = addValue(Common::tr("Home register"), u"stepperHomeLabel"_s);
-    m_home->setToolTip(texts::homeRegisterMeaning());
-    m_raw = addValue(Common::tr("Raw"), u"stepperRawLabel"_s);
-    addButtons({m_zero->button(), m_saveHome->button()});
+    addBits(Byte::First, Common::tr("Status byte"), stepper::kStatusBitNames, stepperStatusMeaning);
+    addBits(Byte::Second, tr("Inputs byte"), stepper::kInputBitNames, inputMeaning);
+    m_mode = addValue(tr("Mode"), u"modeLabel"_s);
+    m_timer = addValue(tr("Timer count"), u"timerLabel"_s);
+    addAnalog(Common::tr("A/D (temperature)"));
+    addEnd(*m_zero);
     m_context.whenSeen(this, [this] { refresh(); });
 }
 
@@ -105,27 +94,12 @@ QString StepperDetailsBox::timer() const {
 }
 
 void StepperDetailsBox::refresh() {
-    const QString dash = u"–"_s;
+    showStatus(tr(", inputs %1"));
     const ModuleState& module = m_context.state();
-    const StatusReport report = module.latest.value_or(StatusReport{});
-    showBits(Byte::First, module.latest ? std::optional(report.status) : std::nullopt);
-    showBits(Byte::Second, report.aux);
-    look::setText(m_mode, module.latest ? modeName(module.stepper.mode()) : dash);
+    look::setText(m_mode, module.latest ? modeName(module.stepper.mode()) : u"–"_s);
     look::setText(m_timer, timer());
-    look::setText(m_analog,
-                  report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : dash);
-    look::setText(m_home, report.home ? texts::position(m_context.scale(), *report.home) : dash);
-    QString raw = dash;
-    if (module.latest) {
-        raw = Common::tr("status %1").arg(report.status, 2, 16, QChar(u'0'));
-        if (report.aux)
-            raw += tr(", inputs %1").arg(*report.aux, 2, 16, QChar(u'0'));
-    }
-    look::setText(m_raw, raw);
     m_zero->setPossible(m_context.reasonNow(IntentKind::ResetPosition),
                         texts::zeroMeaning(module, m_context.scale()));
-    m_saveHome->setPossible(m_context.reasonNow(IntentKind::SaveAsHome),
-                            Common::tr("Saves the present position as home. The motor does not move."));
 }
 
 }  // namespace nmc
