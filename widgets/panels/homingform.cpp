@@ -21,9 +21,8 @@ namespace {
 using Stop = HomingRecipe::Stop;
 constexpr std::array kStops{Stop::Abruptly, Stop::Smoothly, Stop::Off};
 
-/// Highest velocities of the chips, in counts per tick (DS-V 4.4) and steps/s (DS-S table 3).
+/// Highest velocity of a PIC-SERVO, in counts per tick (DS-V 4.4).
 constexpr double kFastestServo = 32'767.0;
-constexpr double kFastestStep = 50'000.0;
 constexpr double kSlowestServo = 1.0 / 65'536.0;
 constexpr double kLongestTravel = 2'147'483'647.0;
 constexpr double kLongestTime = 86'400.0;  // s, one day
@@ -203,8 +202,8 @@ void HomingForm::showChip(const AxisScale& scale, int version, double speedUnit)
         else if (m_type == ModuleType::Stepper && box.flag == &HomingRecipe::onLimit2)
             box.button->setText(m_reversed ? tr("Limit 2 (forward)") : tr("Limit 2 (reverse)"));
     for (const Quantity& quantity : m_quantities) {
-        double most = m_type == ModuleType::Stepper ? kFastestStep : kFastestServo;
-        double least = m_type == ModuleType::Stepper ? 1.0 : kSlowestServo;
+        double most = kFastestServo;
+        double least = kSlowestServo;
         if (quantity.value == &HomingRecipe::travelLimit) {
             least = 1.0;
             most = kLongestTravel;

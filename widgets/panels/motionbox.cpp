@@ -227,7 +227,7 @@ void MotionBox::showModule() {
     refresh();
 }
 
-QString MotionBox::reasonFor(IntentKind kind, std::initializer_list<const QuantityField*> fields) const {
+QString MotionBox::reasonNow(IntentKind kind, std::initializer_list<const QuantityField*> fields) const {
     if (const QString reason = m_context.reasonFor(kind); !reason.isEmpty())
         return reason;
     for (const QuantityField* field : fields) {
@@ -238,12 +238,7 @@ QString MotionBox::reasonFor(IntentKind kind, std::initializer_list<const Quanti
             return texts::refusal(field == m_acceleration ? Refusal::NoAcceleration : Refusal::NoVelocity);
         return field->problemText();
     }
-    return {};
-}
-
-QString MotionBox::reasonNow(IntentKind kind, std::initializer_list<const QuantityField*> fields) const {
-    const QString reason = reasonFor(kind, fields);
-    return reason.isEmpty() ? m_context.whyBusy() : reason;
+    return m_context.whyBusy();
 }
 
 std::optional<servomotion::Trapezoid> MotionBox::entered() const {

@@ -57,8 +57,6 @@ private:
     [[nodiscard]] bool relative() const;
     /// What the goal counts from; a distance does not.
     [[nodiscard]] std::optional<WorkZero> zero() const;
-    [[nodiscard]] QString reasonFor(IntentKind kind,
-                                    std::initializer_list<const QuantityField*> fields) const;
     [[nodiscard]] QString reasonNow(IntentKind kind,
                                     std::initializer_list<const QuantityField*> fields) const;
 
