@@ -2,113 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>Chain</name>
-    <message>
-        <source>Not connected: the state of the chain is unknown.</source>
-        <translation>Nicht verbunden, daher ist über die Kette nichts bekannt.</translation>
-    </message>
-    <message>
-        <source>Chain OK: %1.</source>
-        <translation>Alles in Ordnung: %1.</translation>
-    </message>
-    <message>
-        <source>No module answered.</source>
-        <translation>Kein Modul hat geantwortet.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
-        <translation>%1 von %2 Modulen haben geantwortet, und das ferne Ende der Kette ist nicht darunter.</translation>
-    </message>
-    <message>
-        <source>%1 is not the expected module.</source>
-        <translation>%1 ist nicht das erwartete Modul.</translation>
-    </message>
-    <message>
-        <source>More modules than expected: %1 instead of %2.</source>
-        <translation>Es sind mehr Module als erwartet: %1 statt %2.</translation>
-    </message>
-    <message>
-        <source>%1 stopped answering. Motor state unknown.</source>
-        <translation>%1 antwortet nicht mehr. Motorzustand unbekannt.</translation>
-    </message>
-    <message>
-        <source>%1 restarted: its position and gains are lost.</source>
-        <translation>%1 ist neu gestartet: Position und Reglerwerte sind verloren.</translation>
-    </message>
-    <message>
-        <source>Choose a port and connect.</source>
-        <translation>Einen Port wählen und verbinden.</translation>
-    </message>
-    <message>
-        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
-        <translation>Der Reihe nach prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses Kabel verbirgt alle Module; den ADDR_IN-Jumper des vom PC am weitesten entfernten Moduls.</translation>
-    </message>
-    <message>
-        <source>Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.</source>
-        <translation>Die Nummerierung beginnt am fernen Ende. Deshalb das nächste Modul in Richtung PC nach %1 prüfen: zuerst seine Versorgung, dann den Stecker dazwischen. Dann erneut suchen.</translation>
-    </message>
-    <message>
-        <source>Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.</source>
-        <translation>Nur die Module nahe am PC haben geantwortet, und ihre Nummern haben sich geändert. Das Kabel zum Modul am fernen Ende prüfen und ob ein anderer ADDR_IN auf Masse liegt. Bis das behoben ist, passen die Einstellungen nicht zu den Modulen.</translation>
-    </message>
-    <message>
-        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
-        <translation>Name, Einheit, Grenzen, Geschwindigkeiten und Punkte des erwarteten Moduls werden für dieses verwendet; Reglerwerte und Parameter aus einer Maschinendatei werden ihm nicht gesendet. Wurde es absichtlich getauscht, diese Einstellungen prüfen, dann die Kette so übernehmen, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>
-        <translation>Ab %1 sind die Module neu. Gehören sie dorthin, die Kette so übernehmen, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.</source>
-        <translation>Versorgung und Kabel prüfen; bewegt sich der Motor, den Hardware-Stopp benutzen. Das Programm fragt von Zeit zu Zeit erneut an.</translation>
-    </message>
-    <message>
-        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
-        <translation>Module von ihm in Richtung PC sind möglicherweise nicht ansprechbar, bis es wieder seine Adresse hat. Wenn alle Motoren stillstehen und ihre Positionen verlieren dürfen, das Netzwerk neu starten.</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>in Ordnung</translation>
-    </message>
-    <message>
-        <source>new</source>
-        <translation>neu</translation>
-    </message>
-    <message>
-        <source>different module</source>
-        <translation>anderes Modul</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
-        <source>does not answer</source>
-        <translation>antwortet nicht</translation>
-    </message>
-    <message>
-        <source>restarted</source>
-        <translation>neu gestartet</translation>
-    </message>
-    <message>
-        <source>no group</source>
-        <translation>keine Gruppe</translation>
-    </message>
-    <message>
-        <source>This chain is new: it has %1.</source>
-        <translation>Diese Kette ist neu: Sie hat %1.</translation>
-    </message>
-    <message>
-        <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
-        <translation>Die Liste mit den Aufschriften der Module vergleichen, beginnend mit dem, das am weitesten vom PC entfernt ist. Stimmt sie, die Kette so übernehmen: Von da an werden fehlende und getauschte Module gemeldet.</translation>
-    </message>
-    <message>
-        <source>Looking for modules…</source>
-        <translation>Module werden gesucht…</translation>
-    </message>
-</context>
-<context>
     <name>CommandLine</name>
     <message>
         <source>Control panel for Networked Modular Control motor modules.</source>
@@ -1058,53 +951,6 @@
     <message>
         <source>%1 from %2 to %3</source>
         <translation>%1 von %2 auf %3</translation>
-    </message>
-</context>
-<context>
-    <name>HomeTexts</name>
-    <message>
-        <source>Home: %1</source>
-        <translation>Referenz: %1</translation>
-    </message>
-    <message>
-        <source>Home: unknown</source>
-        <translation>Referenz: unbekannt</translation>
-    </message>
-    <message>
-        <source>Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.</source>
-        <translation>Die Referenz ist unbekannt. Die Referenz suchen oder dorthin fahren und „Als Referenz speichern“ wählen. Ein Neustart des Moduls verliert sie wieder.</translation>
-    </message>
-    <message>
-        <source>Home is at %1. A search found it %2 min ago.</source>
-        <translation>Die Referenz liegt bei %1. Sie wurde vor %2 min durch eine Suche gefunden.</translation>
-    </message>
-    <message>
-        <source>Home is at %1. It was saved %2 min ago.</source>
-        <translation>Die Referenz liegt bei %1. Sie wurde vor %2 min gespeichert.</translation>
-    </message>
-    <message>
-        <source>Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.</source>
-        <translation>Macht die jetzige Position zu 0. Der Motor bewegt sich nicht. Der bisherige Nullpunkt geht verloren: Ab dann zählen alle Positionen von hier.</translation>
-    </message>
-    <message>
-        <source>This moves home from %1 to %2.</source>
-        <translation>Die Referenz geht damit von %1 auf %2.</translation>
-    </message>
-    <message>
-        <source>The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.</source>
-        <translation>Die Position, die der Chip zuletzt erfasst oder gespeichert hat. Auch ein Endschalter-Stopp ändert sie, „Hier nullen“ nicht. „Zur Referenz“ benutzt sie nicht.</translation>
-    </message>
-    <message>
-        <source>Home: %1, not verified</source>
-        <translation>Referenz: %1, nicht bestätigt</translation>
-    </message>
-    <message>
-        <source>Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.</source>
-        <translation>Die Referenz liegt bei %1, nicht bestätigt: Sie wurde vor %2 min aus der letzten bekannten Position wiederhergestellt. Eine Referenzfahrt bestätigt sie.</translation>
-    </message>
-    <message>
-        <source>Home is at %1. You confirmed the position %2 min ago.</source>
-        <translation>Die Referenz liegt bei %1. Die Position wurde vor %2 min bestätigt.</translation>
     </message>
 </context>
 <context>
@@ -5383,9 +5229,154 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>It is sent as soon as you connect to the same modules again.</source>
         <translation>Er wird gesendet, sobald wieder eine Verbindung zu denselben Modulen besteht.</translation>
     </message>
-</context>
-<context>
-    <name>TravelTexts</name>
+    <message>
+        <source>Not connected: the state of the chain is unknown.</source>
+        <translation>Nicht verbunden, daher ist über die Kette nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>Chain OK: %1.</source>
+        <translation>Alles in Ordnung: %1.</translation>
+    </message>
+    <message>
+        <source>No module answered.</source>
+        <translation>Kein Modul hat geantwortet.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
+        <translation>%1 von %2 Modulen haben geantwortet, und das ferne Ende der Kette ist nicht darunter.</translation>
+    </message>
+    <message>
+        <source>%1 is not the expected module.</source>
+        <translation>%1 ist nicht das erwartete Modul.</translation>
+    </message>
+    <message>
+        <source>More modules than expected: %1 instead of %2.</source>
+        <translation>Es sind mehr Module als erwartet: %1 statt %2.</translation>
+    </message>
+    <message>
+        <source>%1 stopped answering. Motor state unknown.</source>
+        <translation>%1 antwortet nicht mehr. Motorzustand unbekannt.</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its position and gains are lost.</source>
+        <translation>%1 ist neu gestartet: Position und Reglerwerte sind verloren.</translation>
+    </message>
+    <message>
+        <source>Choose a port and connect.</source>
+        <translation>Einen Port wählen und verbinden.</translation>
+    </message>
+    <message>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
+        <translation>Der Reihe nach prüfen: Versorgung der Module; jedes Kabel der Kette, ein loses Kabel verbirgt alle Module; den ADDR_IN-Jumper des vom PC am weitesten entfernten Moduls.</translation>
+    </message>
+    <message>
+        <source>Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.</source>
+        <translation>Die Nummerierung beginnt am fernen Ende. Deshalb das nächste Modul in Richtung PC nach %1 prüfen: zuerst seine Versorgung, dann den Stecker dazwischen. Dann erneut suchen.</translation>
+    </message>
+    <message>
+        <source>Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.</source>
+        <translation>Nur die Module nahe am PC haben geantwortet, und ihre Nummern haben sich geändert. Das Kabel zum Modul am fernen Ende prüfen und ob ein anderer ADDR_IN auf Masse liegt. Bis das behoben ist, passen die Einstellungen nicht zu den Modulen.</translation>
+    </message>
+    <message>
+        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
+        <translation>Name, Einheit, Grenzen, Geschwindigkeiten und Punkte des erwarteten Moduls werden für dieses verwendet; Reglerwerte und Parameter aus einer Maschinendatei werden ihm nicht gesendet. Wurde es absichtlich getauscht, diese Einstellungen prüfen, dann die Kette so übernehmen, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>
+        <translation>Ab %1 sind die Module neu. Gehören sie dorthin, die Kette so übernehmen, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.</source>
+        <translation>Versorgung und Kabel prüfen; bewegt sich der Motor, den Hardware-Stopp benutzen. Das Programm fragt von Zeit zu Zeit erneut an.</translation>
+    </message>
+    <message>
+        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
+        <translation>Module von ihm in Richtung PC sind möglicherweise nicht ansprechbar, bis es wieder seine Adresse hat. Wenn alle Motoren stillstehen und ihre Positionen verlieren dürfen, das Netzwerk neu starten.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>in Ordnung</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>different module</source>
+        <translation>anderes Modul</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>antwortet nicht</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>neu gestartet</translation>
+    </message>
+    <message>
+        <source>no group</source>
+        <translation>keine Gruppe</translation>
+    </message>
+    <message>
+        <source>This chain is new: it has %1.</source>
+        <translation>Diese Kette ist neu: Sie hat %1.</translation>
+    </message>
+    <message>
+        <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
+        <translation>Die Liste mit den Aufschriften der Module vergleichen, beginnend mit dem, das am weitesten vom PC entfernt ist. Stimmt sie, die Kette so übernehmen: Von da an werden fehlende und getauschte Module gemeldet.</translation>
+    </message>
+    <message>
+        <source>Looking for modules…</source>
+        <translation>Module werden gesucht…</translation>
+    </message>
+    <message>
+        <source>Home: %1</source>
+        <translation>Referenz: %1</translation>
+    </message>
+    <message>
+        <source>Home: unknown</source>
+        <translation>Referenz: unbekannt</translation>
+    </message>
+    <message>
+        <source>Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.</source>
+        <translation>Die Referenz ist unbekannt. Die Referenz suchen oder dorthin fahren und „Als Referenz speichern“ wählen. Ein Neustart des Moduls verliert sie wieder.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. A search found it %2 min ago.</source>
+        <translation>Die Referenz liegt bei %1. Sie wurde vor %2 min durch eine Suche gefunden.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. It was saved %2 min ago.</source>
+        <translation>Die Referenz liegt bei %1. Sie wurde vor %2 min gespeichert.</translation>
+    </message>
+    <message>
+        <source>Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.</source>
+        <translation>Macht die jetzige Position zu 0. Der Motor bewegt sich nicht. Der bisherige Nullpunkt geht verloren: Ab dann zählen alle Positionen von hier.</translation>
+    </message>
+    <message>
+        <source>This moves home from %1 to %2.</source>
+        <translation>Die Referenz geht damit von %1 auf %2.</translation>
+    </message>
+    <message>
+        <source>The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.</source>
+        <translation>Die Position, die der Chip zuletzt erfasst oder gespeichert hat. Auch ein Endschalter-Stopp ändert sie, „Hier nullen“ nicht. „Zur Referenz“ benutzt sie nicht.</translation>
+    </message>
+    <message>
+        <source>Home: %1, not verified</source>
+        <translation>Referenz: %1, nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.</source>
+        <translation>Die Referenz liegt bei %1, nicht bestätigt: Sie wurde vor %2 min aus der letzten bekannten Position wiederhergestellt. Eine Referenzfahrt bestätigt sie.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. You confirmed the position %2 min ago.</source>
+        <translation>Die Referenz liegt bei %1. Die Position wurde vor %2 min bestätigt.</translation>
+    </message>
     <message>
         <source>That is %1; the highest velocity of this axis is %2 (Axis page).</source>
         <translation>Das sind %1; die höchste Geschwindigkeit dieser Achse ist %2 (Seite Achse).</translation>
@@ -5466,9 +5457,22 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>The max jog speed and the highest velocity are set on the Axis page.</source>
         <translation>Die max. Tippgeschwindigkeit und die höchste Geschwindigkeit stehen auf der Seite Achse.</translation>
     </message>
-</context>
-<context>
-    <name>Units</name>
+    <message>
+        <source>from &quot;%1&quot;</source>
+        <translation>ab „%1“</translation>
+    </message>
+    <message>
+        <source>%1 by the counter</source>
+        <translation>%1 nach dem Zähler</translation>
+    </message>
+    <message>
+        <source>Positions count from &quot;%1&quot;.</source>
+        <translation>Positionen zählen ab „%1“.</translation>
+    </message>
+    <message>
+        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
+        <translation>Es ist nicht mehr bekannt, wo „%1“ ist. Den Nullpunktversatz neu wählen oder aufheben (Seite Achse).</translation>
+    </message>
     <message>
         <source>steps/s²</source>
         <translation>Schritte/s²</translation>
@@ -5529,24 +5533,165 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
         <translation>%1 neben der Position, die zu halten ist: Reibung, eine Last oder ein Hindernis ist stärker. Ein größeres Kp oder ein Integralanteil (Ki, IL) drückt mehr.</translation>
     </message>
-</context>
-<context>
-    <name>WorkTexts</name>
     <message>
-        <source>from &quot;%1&quot;</source>
-        <translation>ab „%1“</translation>
+        <source>The parameter &quot;%1&quot; is missing.</source>
+        <translation>Der Parameter „%1“ fehlt.</translation>
     </message>
     <message>
-        <source>%1 by the counter</source>
-        <translation>%1 nach dem Zähler</translation>
+        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
+        <translation>Der Parameter „%1“ hat den falschen Typ oder liegt außerhalb seines Bereichs.</translation>
     </message>
     <message>
-        <source>Positions count from &quot;%1&quot;.</source>
-        <translation>Positionen zählen ab „%1“.</translation>
+        <source>There is no such axis.</source>
+        <translation>Diese Achse gibt es nicht.</translation>
     </message>
     <message>
-        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
-        <translation>Es ist nicht mehr bekannt, wo „%1“ ist. Den Nullpunktversatz neu wählen oder aufheben (Seite Achse).</translation>
+        <source>There is no sequence or point of that name.</source>
+        <translation>Einen Ablauf oder Punkt dieses Namens gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>This program may not move motors now: call request_control first.</source>
+        <translation>Dieses Programm darf jetzt keine Motoren bewegen: zuerst request_control aufrufen.</translation>
+    </message>
+    <message>
+        <source>Call hello first.</source>
+        <translation>Zuerst hello aufrufen.</translation>
+    </message>
+    <message>
+        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
+        <translation>Dieses Bedienprogramm spricht Version %1 des Protokolls, das andere Programm Version %2.</translation>
+    </message>
+    <message>
+        <source>It was cancelled by a stop or by another command.</source>
+        <translation>Ein Stopp oder ein anderer Befehl hat es abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Motors were stopped.</source>
+        <translation>Motoren wurden gestoppt.</translation>
+    </message>
+    <message>
+        <source>The user has taken control back.</source>
+        <translation>Der Benutzer hat die Kontrolle zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>The user has commanded a motor.</source>
+        <translation>Der Benutzer hat einem Motor etwas befohlen.</translation>
+    </message>
+    <message>
+        <source>The chain is no longer connected.</source>
+        <translation>Die Kette ist nicht mehr verbunden.</translation>
+    </message>
+    <message>
+        <source>Other programs cannot connect.</source>
+        <translation>Andere Programme können sich nicht verbinden.</translation>
+    </message>
+    <message>
+        <source>Another panel already lets programs in at %1.</source>
+        <translation>Ein anderes Bedienprogramm lässt bereits Programme unter %1 ein.</translation>
+    </message>
+    <message>
+        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
+        <translation>%1 ist eine Verknüpfung, gehört einem anderen Benutzer oder ist für andere offen. Entfernen und erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created.</source>
+        <translation>%1 lässt sich nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
+        <translation>Programm „%1“ hat sich verbunden. Es darf lesen, aber keine Motoren bewegen.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
+        <translation>Programm „%1“ hat sich getrennt; die Motoren, die es bewegt hat, werden gestoppt.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected.</source>
+        <translation>Programm „%1“ hat sich getrennt.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot;: %2</source>
+        <translation>Programm „%1“: %2</translation>
+    </message>
+    <message>
+        <source>This line is not JSON.</source>
+        <translation>Diese Zeile ist kein JSON.</translation>
+    </message>
+    <message>
+        <source>A request is an object with method, params (an object) and id.</source>
+        <translation>Eine Anfrage ist ein Objekt mit method, params (einem Objekt) und id.</translation>
+    </message>
+    <message>
+        <source>There is no such method.</source>
+        <translation>Diese Methode gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The line is lent at %1. No program has used it yet.</source>
+        <translation>Die Leitung ist bei %1 verliehen. Noch hat kein Programm sie benutzt.</translation>
+    </message>
+    <message>
+        <source>A program has the line, at %1.</source>
+        <translation>Ein Programm hat die Leitung, bei %1.</translation>
+    </message>
+    <message>
+        <source>All motors were commanded to stop, and the program is held off.</source>
+        <translation>Allen Motoren wurde Stopp befohlen, und das Programm wird aufgehalten.</translation>
+    </message>
+    <message>
+        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
+        <translation>Was es sendet, wird verworfen. Freigeben lässt es weitermachen; es weiß nicht, was ihm entgangen ist.</translation>
+    </message>
+    <message>
+        <source>The program has closed %1, and the line is no longer lent.</source>
+        <translation>Das Programm hat %1 geschlossen, und die Leitung ist nicht mehr verliehen.</translation>
+    </message>
+    <message>
+        <source>The line is no longer lent.</source>
+        <translation>Die Leitung ist nicht mehr verliehen.</translation>
+    </message>
+    <message>
+        <source>The line was not lent.</source>
+        <translation>Die Leitung wurde nicht verliehen.</translation>
+    </message>
+    <message>
+        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
+        <translation>Die Kette war beschäftigt, oder ein Motor bewegte sich. Die Motoren stoppen und es erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>There is something at %1 already. Choose another path.</source>
+        <translation>Bei %1 ist schon etwas. Einen anderen Pfad wählen.</translation>
+    </message>
+    <message>
+        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
+        <translation>Bei %1 lässt sich kein Terminal anlegen. Einen Pfad in einem eigenen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — stopped; the program is held off.</source>
+        <translation>VERLIEHEN bei %1 — gestoppt; das Programm wird aufgehalten.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
+        <translation>VERLIEHEN bei %1 — ein Programm hat die Leitung. Keine Verfahrgrenze und keine andere Prüfung schützt die Motoren; ALLES STOPP wirkt.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — no program yet.</source>
+        <translation>VERLIEHEN bei %1 — noch kein Programm.</translation>
+    </message>
+    <message>
+        <source>The motor did not stay within the arrival tolerance of its axis.</source>
+        <translation>Der Motor blieb nicht innerhalb der Ankunftstoleranz seiner Achse.</translation>
+    </message>
+    <message>
+        <source>This pin is not set as an output. Make it an output first.</source>
+        <translation>Dieser Pin ist nicht als Ausgang eingestellt. Zuerst als Ausgang einstellen.</translation>
+    </message>
+    <message>
+        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
+        <translation>Die Ausgänge dieses Moduls oder ihre Richtungen sind unbekannt. Sie zuerst einmal setzen.</translation>
+    </message>
+    <message>
+        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
+        <translation>Mehrere Achsen haben diesen Namen. Die Nummer der Achse verwenden oder jeder einen eigenen Namen geben.</translation>
     </message>
 </context>
 <context>
@@ -5774,169 +5919,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Choose what the limit inputs do.</source>
         <translation>Wählen, was die Endschalter-Eingänge bewirken.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ApiWords</name>
-    <message>
-        <source>The parameter &quot;%1&quot; is missing.</source>
-        <translation>Der Parameter „%1“ fehlt.</translation>
-    </message>
-    <message>
-        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
-        <translation>Der Parameter „%1“ hat den falschen Typ oder liegt außerhalb seines Bereichs.</translation>
-    </message>
-    <message>
-        <source>There is no such axis.</source>
-        <translation>Diese Achse gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>There is no sequence or point of that name.</source>
-        <translation>Einen Ablauf oder Punkt dieses Namens gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>This program may not move motors now: call request_control first.</source>
-        <translation>Dieses Programm darf jetzt keine Motoren bewegen: zuerst request_control aufrufen.</translation>
-    </message>
-    <message>
-        <source>Call hello first.</source>
-        <translation>Zuerst hello aufrufen.</translation>
-    </message>
-    <message>
-        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
-        <translation>Dieses Bedienprogramm spricht Version %1 des Protokolls, das andere Programm Version %2.</translation>
-    </message>
-    <message>
-        <source>It was cancelled by a stop or by another command.</source>
-        <translation>Ein Stopp oder ein anderer Befehl hat es abgebrochen.</translation>
-    </message>
-    <message>
-        <source>Motors were stopped.</source>
-        <translation>Motoren wurden gestoppt.</translation>
-    </message>
-    <message>
-        <source>The user has taken control back.</source>
-        <translation>Der Benutzer hat die Kontrolle zurückgenommen.</translation>
-    </message>
-    <message>
-        <source>The user has commanded a motor.</source>
-        <translation>Der Benutzer hat einem Motor etwas befohlen.</translation>
-    </message>
-    <message>
-        <source>The chain is no longer connected.</source>
-        <translation>Die Kette ist nicht mehr verbunden.</translation>
-    </message>
-    <message>
-        <source>Other programs cannot connect.</source>
-        <translation>Andere Programme können sich nicht verbinden.</translation>
-    </message>
-    <message>
-        <source>Another panel already lets programs in at %1.</source>
-        <translation>Ein anderes Bedienprogramm lässt bereits Programme unter %1 ein.</translation>
-    </message>
-    <message>
-        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
-        <translation>%1 ist eine Verknüpfung, gehört einem anderen Benutzer oder ist für andere offen. Entfernen und erneut versuchen.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be created.</source>
-        <translation>%1 lässt sich nicht anlegen.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
-        <translation>Programm „%1“ hat sich verbunden. Es darf lesen, aber keine Motoren bewegen.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
-        <translation>Programm „%1“ hat sich getrennt; die Motoren, die es bewegt hat, werden gestoppt.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has disconnected.</source>
-        <translation>Programm „%1“ hat sich getrennt.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot;: %2</source>
-        <translation>Programm „%1“: %2</translation>
-    </message>
-    <message>
-        <source>This line is not JSON.</source>
-        <translation>Diese Zeile ist kein JSON.</translation>
-    </message>
-    <message>
-        <source>A request is an object with method, params (an object) and id.</source>
-        <translation>Eine Anfrage ist ein Objekt mit method, params (einem Objekt) und id.</translation>
-    </message>
-    <message>
-        <source>There is no such method.</source>
-        <translation>Diese Methode gibt es nicht.</translation>
-    </message>
-    <message>
-        <source>The line is lent at %1. No program has used it yet.</source>
-        <translation>Die Leitung ist bei %1 verliehen. Noch hat kein Programm sie benutzt.</translation>
-    </message>
-    <message>
-        <source>A program has the line, at %1.</source>
-        <translation>Ein Programm hat die Leitung, bei %1.</translation>
-    </message>
-    <message>
-        <source>All motors were commanded to stop, and the program is held off.</source>
-        <translation>Allen Motoren wurde Stopp befohlen, und das Programm wird aufgehalten.</translation>
-    </message>
-    <message>
-        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
-        <translation>Was es sendet, wird verworfen. Freigeben lässt es weitermachen; es weiß nicht, was ihm entgangen ist.</translation>
-    </message>
-    <message>
-        <source>The program has closed %1, and the line is no longer lent.</source>
-        <translation>Das Programm hat %1 geschlossen, und die Leitung ist nicht mehr verliehen.</translation>
-    </message>
-    <message>
-        <source>The line is no longer lent.</source>
-        <translation>Die Leitung ist nicht mehr verliehen.</translation>
-    </message>
-    <message>
-        <source>The line was not lent.</source>
-        <translation>Die Leitung wurde nicht verliehen.</translation>
-    </message>
-    <message>
-        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
-        <translation>Die Kette war beschäftigt, oder ein Motor bewegte sich. Die Motoren stoppen und es erneut versuchen.</translation>
-    </message>
-    <message>
-        <source>There is something at %1 already. Choose another path.</source>
-        <translation>Bei %1 ist schon etwas. Einen anderen Pfad wählen.</translation>
-    </message>
-    <message>
-        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
-        <translation>Bei %1 lässt sich kein Terminal anlegen. Einen Pfad in einem eigenen Ordner wählen.</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — stopped; the program is held off.</source>
-        <translation>VERLIEHEN bei %1 — gestoppt; das Programm wird aufgehalten.</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
-        <translation>VERLIEHEN bei %1 — ein Programm hat die Leitung. Keine Verfahrgrenze und keine andere Prüfung schützt die Motoren; ALLES STOPP wirkt.</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — no program yet.</source>
-        <translation>VERLIEHEN bei %1 — noch kein Programm.</translation>
-    </message>
-    <message>
-        <source>The motor did not stay within the arrival tolerance of its axis.</source>
-        <translation>Der Motor blieb nicht innerhalb der Ankunftstoleranz seiner Achse.</translation>
-    </message>
-    <message>
-        <source>This pin is not set as an output. Make it an output first.</source>
-        <translation>Dieser Pin ist nicht als Ausgang eingestellt. Zuerst als Ausgang einstellen.</translation>
-    </message>
-    <message>
-        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
-        <translation>Die Ausgänge dieses Moduls oder ihre Richtungen sind unbekannt. Sie zuerst einmal setzen.</translation>
-    </message>
-    <message>
-        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
-        <translation>Mehrere Achsen haben diesen Namen. Die Nummer der Achse verwenden oder jeder einen eigenen Namen geben.</translation>
     </message>
 </context>
 <context>

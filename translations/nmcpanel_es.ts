@@ -2,113 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES" sourcelanguage="en">
 <context>
-    <name>Chain</name>
-    <message>
-        <source>Not connected: the state of the chain is unknown.</source>
-        <translation>Sin conexión: se desconoce el estado de la cadena.</translation>
-    </message>
-    <message>
-        <source>Chain OK: %1.</source>
-        <translation>Cadena correcta: %1.</translation>
-    </message>
-    <message>
-        <source>No module answered.</source>
-        <translation>No respondió ningún módulo.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
-        <translation>Respondieron %1 de %2 módulos; falta el extremo lejano de la cadena.</translation>
-    </message>
-    <message>
-        <source>%1 is not the expected module.</source>
-        <translation>%1 no es el módulo esperado.</translation>
-    </message>
-    <message>
-        <source>More modules than expected: %1 instead of %2.</source>
-        <translation>Hay más módulos de los esperados: %1 en lugar de %2.</translation>
-    </message>
-    <message>
-        <source>%1 stopped answering. Motor state unknown.</source>
-        <translation>%1 dejó de responder. Estado del motor desconocido.</translation>
-    </message>
-    <message>
-        <source>%1 restarted: its position and gains are lost.</source>
-        <translation>%1 se reinició: ha perdido su posición y sus ganancias.</translation>
-    </message>
-    <message>
-        <source>Choose a port and connect.</source>
-        <translation>Elija un puerto y conecte.</translation>
-    </message>
-    <message>
-        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
-        <translation>Compruebe, en este orden: la alimentación de los módulos; todos los cables de la cadena, pues uno solo suelto oculta todos los módulos; el puente ADDR_IN del módulo más alejado del PC.</translation>
-    </message>
-    <message>
-        <source>Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.</source>
-        <translation>La numeración empieza en el extremo lejano; por eso, revise el módulo que sigue a %1 hacia el PC: primero su alimentación y después el conector entre ambos. Luego vuelva a buscar.</translation>
-    </message>
-    <message>
-        <source>Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.</source>
-        <translation>Solo respondieron los módulos más cercanos al PC, y sus números han cambiado. Compruebe el cable del módulo del extremo lejano y que ningún otro ADDR_IN esté conectado a masa. Hasta que se corrija, los ajustes no corresponden a los módulos.</translation>
-    </message>
-    <message>
-        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
-        <translation>Se usan para él el nombre, la unidad, los límites, las velocidades y los puntos del módulo esperado; las ganancias y los parámetros de un archivo de máquina no se le envían. Si sustituyó el módulo a propósito, compruebe estos ajustes y luego acepte la cadena tal como se encontró.</translation>
-    </message>
-    <message>
-        <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>
-        <translation>Los módulos son nuevos a partir de %1. Si deben estar ahí, acepte la cadena tal como se encontró.</translation>
-    </message>
-    <message>
-        <source>Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.</source>
-        <translation>Compruebe su alimentación y su cable; use la parada por hardware si el motor se mueve. El panel lo reintenta de vez en cuando.</translation>
-    </message>
-    <message>
-        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
-        <translation>Los módulos situados entre él y el PC pueden no responder hasta que recupere su dirección. Reinicie la red cuando todos los motores puedan pararse y perder su posición.</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>correcto</translation>
-    </message>
-    <message>
-        <source>new</source>
-        <translation>nuevo</translation>
-    </message>
-    <message>
-        <source>different module</source>
-        <translation>módulo distinto</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>falta</translation>
-    </message>
-    <message>
-        <source>does not answer</source>
-        <translation>no responde</translation>
-    </message>
-    <message>
-        <source>restarted</source>
-        <translation>reiniciado</translation>
-    </message>
-    <message>
-        <source>no group</source>
-        <translation>sin grupo</translation>
-    </message>
-    <message>
-        <source>This chain is new: it has %1.</source>
-        <translation>Esta cadena es nueva: tiene %1.</translation>
-    </message>
-    <message>
-        <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
-        <translation>Compare la lista con las etiquetas de los módulos, empezando por el más alejado del PC. Si es correcta, acepte la cadena tal como se encontró: a partir de entonces se avisará de los módulos que falten o se sustituyan.</translation>
-    </message>
-    <message>
-        <source>Looking for modules…</source>
-        <translation>Buscando módulos…</translation>
-    </message>
-</context>
-<context>
     <name>CommandLine</name>
     <message>
         <source>Control panel for Networked Modular Control motor modules.</source>
@@ -1058,53 +951,6 @@
     <message>
         <source>%1 from %2 to %3</source>
         <translation>%1 de %2 a %3</translation>
-    </message>
-</context>
-<context>
-    <name>HomeTexts</name>
-    <message>
-        <source>Home: %1</source>
-        <translation>Referencia: %1</translation>
-    </message>
-    <message>
-        <source>Home: unknown</source>
-        <translation>Referencia: desconocida</translation>
-    </message>
-    <message>
-        <source>Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.</source>
-        <translation>La referencia se desconoce. Búsquela, o lleve el motor hasta ella y elija “Guardar como referencia”. Al reiniciarse el módulo, se vuelve a perder.</translation>
-    </message>
-    <message>
-        <source>Home is at %1. A search found it %2 min ago.</source>
-        <translation>La referencia está en %1. Una búsqueda la encontró hace %2 min.</translation>
-    </message>
-    <message>
-        <source>Home is at %1. It was saved %2 min ago.</source>
-        <translation>La referencia está en %1. Se guardó hace %2 min.</translation>
-    </message>
-    <message>
-        <source>Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.</source>
-        <translation>Convierte la posición actual en 0. El motor no se mueve. El cero anterior se pierde: desde entonces todas las posiciones se cuentan desde aquí.</translation>
-    </message>
-    <message>
-        <source>This moves home from %1 to %2.</source>
-        <translation>Esto traslada la referencia de %1 a %2.</translation>
-    </message>
-    <message>
-        <source>The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.</source>
-        <translation>La última posición que el chip capturó o guardó. Una parada por límite también la cambia; “Cero aquí” no. “Ir a referencia” no la utiliza.</translation>
-    </message>
-    <message>
-        <source>Home: %1, not verified</source>
-        <translation>Referencia: %1, sin verificar</translation>
-    </message>
-    <message>
-        <source>Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.</source>
-        <translation>La referencia está en %1, sin verificar: se restauró hace %2 min a partir de la última posición conocida. Busque la referencia para verificarla.</translation>
-    </message>
-    <message>
-        <source>Home is at %1. You confirmed the position %2 min ago.</source>
-        <translation>La referencia está en %1. Usted confirmó la posición hace %2 min.</translation>
     </message>
 </context>
 <context>
@@ -5383,9 +5229,154 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>It is sent as soon as you connect to the same modules again.</source>
         <translation>Se enviará en cuanto vuelva a conectar con los mismos módulos.</translation>
     </message>
-</context>
-<context>
-    <name>TravelTexts</name>
+    <message>
+        <source>Not connected: the state of the chain is unknown.</source>
+        <translation>Sin conexión: se desconoce el estado de la cadena.</translation>
+    </message>
+    <message>
+        <source>Chain OK: %1.</source>
+        <translation>Cadena correcta: %1.</translation>
+    </message>
+    <message>
+        <source>No module answered.</source>
+        <translation>No respondió ningún módulo.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
+        <translation>Respondieron %1 de %2 módulos; falta el extremo lejano de la cadena.</translation>
+    </message>
+    <message>
+        <source>%1 is not the expected module.</source>
+        <translation>%1 no es el módulo esperado.</translation>
+    </message>
+    <message>
+        <source>More modules than expected: %1 instead of %2.</source>
+        <translation>Hay más módulos de los esperados: %1 en lugar de %2.</translation>
+    </message>
+    <message>
+        <source>%1 stopped answering. Motor state unknown.</source>
+        <translation>%1 dejó de responder. Estado del motor desconocido.</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its position and gains are lost.</source>
+        <translation>%1 se reinició: ha perdido su posición y sus ganancias.</translation>
+    </message>
+    <message>
+        <source>Choose a port and connect.</source>
+        <translation>Elija un puerto y conecte.</translation>
+    </message>
+    <message>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
+        <translation>Compruebe, en este orden: la alimentación de los módulos; todos los cables de la cadena, pues uno solo suelto oculta todos los módulos; el puente ADDR_IN del módulo más alejado del PC.</translation>
+    </message>
+    <message>
+        <source>Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.</source>
+        <translation>La numeración empieza en el extremo lejano; por eso, revise el módulo que sigue a %1 hacia el PC: primero su alimentación y después el conector entre ambos. Luego vuelva a buscar.</translation>
+    </message>
+    <message>
+        <source>Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.</source>
+        <translation>Solo respondieron los módulos más cercanos al PC, y sus números han cambiado. Compruebe el cable del módulo del extremo lejano y que ningún otro ADDR_IN esté conectado a masa. Hasta que se corrija, los ajustes no corresponden a los módulos.</translation>
+    </message>
+    <message>
+        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
+        <translation>Se usan para él el nombre, la unidad, los límites, las velocidades y los puntos del módulo esperado; las ganancias y los parámetros de un archivo de máquina no se le envían. Si sustituyó el módulo a propósito, compruebe estos ajustes y luego acepte la cadena tal como se encontró.</translation>
+    </message>
+    <message>
+        <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>
+        <translation>Los módulos son nuevos a partir de %1. Si deben estar ahí, acepte la cadena tal como se encontró.</translation>
+    </message>
+    <message>
+        <source>Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.</source>
+        <translation>Compruebe su alimentación y su cable; use la parada por hardware si el motor se mueve. El panel lo reintenta de vez en cuando.</translation>
+    </message>
+    <message>
+        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
+        <translation>Los módulos situados entre él y el PC pueden no responder hasta que recupere su dirección. Reinicie la red cuando todos los motores puedan pararse y perder su posición.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>correcto</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>nuevo</translation>
+    </message>
+    <message>
+        <source>different module</source>
+        <translation>módulo distinto</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>falta</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>no responde</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>reiniciado</translation>
+    </message>
+    <message>
+        <source>no group</source>
+        <translation>sin grupo</translation>
+    </message>
+    <message>
+        <source>This chain is new: it has %1.</source>
+        <translation>Esta cadena es nueva: tiene %1.</translation>
+    </message>
+    <message>
+        <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
+        <translation>Compare la lista con las etiquetas de los módulos, empezando por el más alejado del PC. Si es correcta, acepte la cadena tal como se encontró: a partir de entonces se avisará de los módulos que falten o se sustituyan.</translation>
+    </message>
+    <message>
+        <source>Looking for modules…</source>
+        <translation>Buscando módulos…</translation>
+    </message>
+    <message>
+        <source>Home: %1</source>
+        <translation>Referencia: %1</translation>
+    </message>
+    <message>
+        <source>Home: unknown</source>
+        <translation>Referencia: desconocida</translation>
+    </message>
+    <message>
+        <source>Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.</source>
+        <translation>La referencia se desconoce. Búsquela, o lleve el motor hasta ella y elija “Guardar como referencia”. Al reiniciarse el módulo, se vuelve a perder.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. A search found it %2 min ago.</source>
+        <translation>La referencia está en %1. Una búsqueda la encontró hace %2 min.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. It was saved %2 min ago.</source>
+        <translation>La referencia está en %1. Se guardó hace %2 min.</translation>
+    </message>
+    <message>
+        <source>Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.</source>
+        <translation>Convierte la posición actual en 0. El motor no se mueve. El cero anterior se pierde: desde entonces todas las posiciones se cuentan desde aquí.</translation>
+    </message>
+    <message>
+        <source>This moves home from %1 to %2.</source>
+        <translation>Esto traslada la referencia de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.</source>
+        <translation>La última posición que el chip capturó o guardó. Una parada por límite también la cambia; “Cero aquí” no. “Ir a referencia” no la utiliza.</translation>
+    </message>
+    <message>
+        <source>Home: %1, not verified</source>
+        <translation>Referencia: %1, sin verificar</translation>
+    </message>
+    <message>
+        <source>Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.</source>
+        <translation>La referencia está en %1, sin verificar: se restauró hace %2 min a partir de la última posición conocida. Busque la referencia para verificarla.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. You confirmed the position %2 min ago.</source>
+        <translation>La referencia está en %1. Usted confirmó la posición hace %2 min.</translation>
+    </message>
     <message>
         <source>That is %1; the highest velocity of this axis is %2 (Axis page).</source>
         <translation>Eso es %1; la velocidad máxima de este eje es %2 (página Eje).</translation>
@@ -5466,9 +5457,22 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>The max jog speed and the highest velocity are set on the Axis page.</source>
         <translation>La velocidad de jog máx. y la velocidad máxima se ajustan en la página Eje.</translation>
     </message>
-</context>
-<context>
-    <name>Units</name>
+    <message>
+        <source>from &quot;%1&quot;</source>
+        <translation>desde «%1»</translation>
+    </message>
+    <message>
+        <source>%1 by the counter</source>
+        <translation>%1 según el contador</translation>
+    </message>
+    <message>
+        <source>Positions count from &quot;%1&quot;.</source>
+        <translation>Las posiciones se cuentan desde «%1».</translation>
+    </message>
+    <message>
+        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
+        <translation>Ya no se sabe dónde está «%1». Elija de nuevo el desplazamiento de trabajo o bórrelo (página Eje).</translation>
+    </message>
     <message>
         <source>steps/s²</source>
         <translation>pasos/s²</translation>
@@ -5529,24 +5533,165 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
         <translation>A %1 de la posición que debe mantener: la fricción, una carga o un obstáculo es más fuerte. Un Kp mayor, o una integral (Ki, IL), empuja más.</translation>
     </message>
-</context>
-<context>
-    <name>WorkTexts</name>
     <message>
-        <source>from &quot;%1&quot;</source>
-        <translation>desde «%1»</translation>
+        <source>The parameter &quot;%1&quot; is missing.</source>
+        <translation>Falta el parámetro «%1».</translation>
     </message>
     <message>
-        <source>%1 by the counter</source>
-        <translation>%1 según el contador</translation>
+        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
+        <translation>El parámetro «%1» es de otro tipo o está fuera de su rango.</translation>
     </message>
     <message>
-        <source>Positions count from &quot;%1&quot;.</source>
-        <translation>Las posiciones se cuentan desde «%1».</translation>
+        <source>There is no such axis.</source>
+        <translation>Ese eje no existe.</translation>
     </message>
     <message>
-        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
-        <translation>Ya no se sabe dónde está «%1». Elija de nuevo el desplazamiento de trabajo o bórrelo (página Eje).</translation>
+        <source>There is no sequence or point of that name.</source>
+        <translation>No hay ninguna secuencia ni punto con ese nombre.</translation>
+    </message>
+    <message>
+        <source>This program may not move motors now: call request_control first.</source>
+        <translation>Este programa no puede mover motores ahora: llame antes a request_control.</translation>
+    </message>
+    <message>
+        <source>Call hello first.</source>
+        <translation>Llame antes a hello.</translation>
+    </message>
+    <message>
+        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
+        <translation>Este panel habla la versión %1 del protocolo, y el programa la versión %2.</translation>
+    </message>
+    <message>
+        <source>It was cancelled by a stop or by another command.</source>
+        <translation>Lo ha cancelado una parada u otro comando.</translation>
+    </message>
+    <message>
+        <source>Motors were stopped.</source>
+        <translation>Se han parado motores.</translation>
+    </message>
+    <message>
+        <source>The user has taken control back.</source>
+        <translation>El usuario ha recuperado el control.</translation>
+    </message>
+    <message>
+        <source>The user has commanded a motor.</source>
+        <translation>El usuario ha dado una orden a un motor.</translation>
+    </message>
+    <message>
+        <source>The chain is no longer connected.</source>
+        <translation>La cadena ya no está conectada.</translation>
+    </message>
+    <message>
+        <source>Other programs cannot connect.</source>
+        <translation>Otros programas no pueden conectarse.</translation>
+    </message>
+    <message>
+        <source>Another panel already lets programs in at %1.</source>
+        <translation>Otro panel ya deja entrar programas por %1.</translation>
+    </message>
+    <message>
+        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
+        <translation>%1 es un enlace, pertenece a otro usuario o está abierto a otros. Elimínelo e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created.</source>
+        <translation>No se puede crear %1.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
+        <translation>El programa «%1» se ha conectado. Puede leer, pero no mover motores.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
+        <translation>El programa «%1» se ha desconectado; se paran los motores que movió.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected.</source>
+        <translation>El programa «%1» se ha desconectado.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot;: %2</source>
+        <translation>Programa «%1»: %2</translation>
+    </message>
+    <message>
+        <source>This line is not JSON.</source>
+        <translation>Esta línea no es JSON.</translation>
+    </message>
+    <message>
+        <source>A request is an object with method, params (an object) and id.</source>
+        <translation>Una petición es un objeto con method, params (un objeto) e id.</translation>
+    </message>
+    <message>
+        <source>There is no such method.</source>
+        <translation>No existe ese método.</translation>
+    </message>
+    <message>
+        <source>The line is lent at %1. No program has used it yet.</source>
+        <translation>La línea está prestada en %1. Ningún programa la ha usado todavía.</translation>
+    </message>
+    <message>
+        <source>A program has the line, at %1.</source>
+        <translation>Un programa tiene la línea, en %1.</translation>
+    </message>
+    <message>
+        <source>All motors were commanded to stop, and the program is held off.</source>
+        <translation>Se ordenó parar a todos los motores, y el programa queda retenido.</translation>
+    </message>
+    <message>
+        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
+        <translation>Lo que envía se descarta. Dejar continuar le devuelve la línea; no sabe lo que se ha perdido.</translation>
+    </message>
+    <message>
+        <source>The program has closed %1, and the line is no longer lent.</source>
+        <translation>El programa ha cerrado %1, y la línea ya no está prestada.</translation>
+    </message>
+    <message>
+        <source>The line is no longer lent.</source>
+        <translation>La línea ya no está prestada.</translation>
+    </message>
+    <message>
+        <source>The line was not lent.</source>
+        <translation>La línea no se ha prestado.</translation>
+    </message>
+    <message>
+        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
+        <translation>La cadena estaba ocupada, o un motor se movía. Pare los motores e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>There is something at %1 already. Choose another path.</source>
+        <translation>Ya hay algo en %1. Elija otra ruta.</translation>
+    </message>
+    <message>
+        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
+        <translation>No se puede crear un terminal en %1. Elija una ruta en una carpeta propia.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — stopped; the program is held off.</source>
+        <translation>PRESTADA en %1 — parado; el programa queda retenido.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
+        <translation>PRESTADA en %1 — un programa tiene la línea. Ningún límite de recorrido ni otra comprobación del panel protege los motores; PARAR TODO actúa.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — no program yet.</source>
+        <translation>PRESTADA en %1 — todavía ningún programa.</translation>
+    </message>
+    <message>
+        <source>The motor did not stay within the arrival tolerance of its axis.</source>
+        <translation>El motor no permaneció dentro de la tolerancia de llegada de su eje.</translation>
+    </message>
+    <message>
+        <source>This pin is not set as an output. Make it an output first.</source>
+        <translation>Este pin no está configurado como salida. Configúrelo primero como salida.</translation>
+    </message>
+    <message>
+        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
+        <translation>Las salidas de este módulo, o sus direcciones, son desconocidas. Establézcalas primero una vez.</translation>
+    </message>
+    <message>
+        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
+        <translation>Varios ejes tienen este nombre. Use el número del eje o dé a cada uno su propio nombre.</translation>
     </message>
 </context>
 <context>
@@ -5774,169 +5919,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Choose what the limit inputs do.</source>
         <translation>Elija qué hacen las entradas de final de carrera.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ApiWords</name>
-    <message>
-        <source>The parameter &quot;%1&quot; is missing.</source>
-        <translation>Falta el parámetro «%1».</translation>
-    </message>
-    <message>
-        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
-        <translation>El parámetro «%1» es de otro tipo o está fuera de su rango.</translation>
-    </message>
-    <message>
-        <source>There is no such axis.</source>
-        <translation>Ese eje no existe.</translation>
-    </message>
-    <message>
-        <source>There is no sequence or point of that name.</source>
-        <translation>No hay ninguna secuencia ni punto con ese nombre.</translation>
-    </message>
-    <message>
-        <source>This program may not move motors now: call request_control first.</source>
-        <translation>Este programa no puede mover motores ahora: llame antes a request_control.</translation>
-    </message>
-    <message>
-        <source>Call hello first.</source>
-        <translation>Llame antes a hello.</translation>
-    </message>
-    <message>
-        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
-        <translation>Este panel habla la versión %1 del protocolo, y el programa la versión %2.</translation>
-    </message>
-    <message>
-        <source>It was cancelled by a stop or by another command.</source>
-        <translation>Lo ha cancelado una parada u otro comando.</translation>
-    </message>
-    <message>
-        <source>Motors were stopped.</source>
-        <translation>Se han parado motores.</translation>
-    </message>
-    <message>
-        <source>The user has taken control back.</source>
-        <translation>El usuario ha recuperado el control.</translation>
-    </message>
-    <message>
-        <source>The user has commanded a motor.</source>
-        <translation>El usuario ha dado una orden a un motor.</translation>
-    </message>
-    <message>
-        <source>The chain is no longer connected.</source>
-        <translation>La cadena ya no está conectada.</translation>
-    </message>
-    <message>
-        <source>Other programs cannot connect.</source>
-        <translation>Otros programas no pueden conectarse.</translation>
-    </message>
-    <message>
-        <source>Another panel already lets programs in at %1.</source>
-        <translation>Otro panel ya deja entrar programas por %1.</translation>
-    </message>
-    <message>
-        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
-        <translation>%1 es un enlace, pertenece a otro usuario o está abierto a otros. Elimínelo e inténtelo de nuevo.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be created.</source>
-        <translation>No se puede crear %1.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
-        <translation>El programa «%1» se ha conectado. Puede leer, pero no mover motores.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
-        <translation>El programa «%1» se ha desconectado; se paran los motores que movió.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has disconnected.</source>
-        <translation>El programa «%1» se ha desconectado.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot;: %2</source>
-        <translation>Programa «%1»: %2</translation>
-    </message>
-    <message>
-        <source>This line is not JSON.</source>
-        <translation>Esta línea no es JSON.</translation>
-    </message>
-    <message>
-        <source>A request is an object with method, params (an object) and id.</source>
-        <translation>Una petición es un objeto con method, params (un objeto) e id.</translation>
-    </message>
-    <message>
-        <source>There is no such method.</source>
-        <translation>No existe ese método.</translation>
-    </message>
-    <message>
-        <source>The line is lent at %1. No program has used it yet.</source>
-        <translation>La línea está prestada en %1. Ningún programa la ha usado todavía.</translation>
-    </message>
-    <message>
-        <source>A program has the line, at %1.</source>
-        <translation>Un programa tiene la línea, en %1.</translation>
-    </message>
-    <message>
-        <source>All motors were commanded to stop, and the program is held off.</source>
-        <translation>Se ordenó parar a todos los motores, y el programa queda retenido.</translation>
-    </message>
-    <message>
-        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
-        <translation>Lo que envía se descarta. Dejar continuar le devuelve la línea; no sabe lo que se ha perdido.</translation>
-    </message>
-    <message>
-        <source>The program has closed %1, and the line is no longer lent.</source>
-        <translation>El programa ha cerrado %1, y la línea ya no está prestada.</translation>
-    </message>
-    <message>
-        <source>The line is no longer lent.</source>
-        <translation>La línea ya no está prestada.</translation>
-    </message>
-    <message>
-        <source>The line was not lent.</source>
-        <translation>La línea no se ha prestado.</translation>
-    </message>
-    <message>
-        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
-        <translation>La cadena estaba ocupada, o un motor se movía. Pare los motores e inténtelo de nuevo.</translation>
-    </message>
-    <message>
-        <source>There is something at %1 already. Choose another path.</source>
-        <translation>Ya hay algo en %1. Elija otra ruta.</translation>
-    </message>
-    <message>
-        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
-        <translation>No se puede crear un terminal en %1. Elija una ruta en una carpeta propia.</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — stopped; the program is held off.</source>
-        <translation>PRESTADA en %1 — parado; el programa queda retenido.</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
-        <translation>PRESTADA en %1 — un programa tiene la línea. Ningún límite de recorrido ni otra comprobación del panel protege los motores; PARAR TODO actúa.</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — no program yet.</source>
-        <translation>PRESTADA en %1 — todavía ningún programa.</translation>
-    </message>
-    <message>
-        <source>The motor did not stay within the arrival tolerance of its axis.</source>
-        <translation>El motor no permaneció dentro de la tolerancia de llegada de su eje.</translation>
-    </message>
-    <message>
-        <source>This pin is not set as an output. Make it an output first.</source>
-        <translation>Este pin no está configurado como salida. Configúrelo primero como salida.</translation>
-    </message>
-    <message>
-        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
-        <translation>Las salidas de este módulo, o sus direcciones, son desconocidas. Establézcalas primero una vez.</translation>
-    </message>
-    <message>
-        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
-        <translation>Varios ejes tienen este nombre. Use el número del eje o dé a cada uno su propio nombre.</translation>
     </message>
 </context>
 <context>

@@ -2,113 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR" sourcelanguage="en">
 <context>
-    <name>Chain</name>
-    <message>
-        <source>Not connected: the state of the chain is unknown.</source>
-        <translation>Non connecté&#xa0;: l’état de la chaîne est inconnu.</translation>
-    </message>
-    <message>
-        <source>Chain OK: %1.</source>
-        <translation>Chaîne OK&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>No module answered.</source>
-        <translation>Aucun module n’a répondu.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
-        <translation>Modules ayant répondu&#xa0;: %1 sur %2&#x202f;; l’extrémité de la chaîne manque.</translation>
-    </message>
-    <message>
-        <source>%1 is not the expected module.</source>
-        <translation>%1 n’est pas le module attendu.</translation>
-    </message>
-    <message>
-        <source>More modules than expected: %1 instead of %2.</source>
-        <translation>Plus de modules que prévu&#xa0;: %1 au lieu de %2.</translation>
-    </message>
-    <message>
-        <source>%1 stopped answering. Motor state unknown.</source>
-        <translation>%1 ne répond plus. État du moteur inconnu.</translation>
-    </message>
-    <message>
-        <source>%1 restarted: its position and gains are lost.</source>
-        <translation>%1 a redémarré&#xa0;: sa position et ses gains sont perdus.</translation>
-    </message>
-    <message>
-        <source>Choose a port and connect.</source>
-        <translation>Choisissez un port et connectez-vous.</translation>
-    </message>
-    <message>
-        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
-        <translation>Vérifiez dans cet ordre&#xa0;: l’alimentation des modules&#x202f;; chaque câble de la chaîne, car un seul câble débranché masque tous les modules&#x202f;; le cavalier ADDR_IN du module le plus éloigné du PC.</translation>
-    </message>
-    <message>
-        <source>Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.</source>
-        <translation>La numérotation commence à l’extrémité de la chaîne. Contrôlez donc le module qui suit %1 en direction du PC&#xa0;: d’abord son alimentation, puis le connecteur entre les deux. Relancez ensuite la recherche.</translation>
-    </message>
-    <message>
-        <source>Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.</source>
-        <translation>Seuls les modules les plus proches du PC ont répondu, et leurs numéros ont changé. Vérifiez le câble du module à l’extrémité de la chaîne, et qu’aucun autre ADDR_IN n’est à la masse. Tant que le problème persiste, les réglages ne correspondent pas aux modules.</translation>
-    </message>
-    <message>
-        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
-        <translation>Le nom, l’unité, les limites, les vitesses et les points du module attendu sont utilisés pour lui&#x202f;; les gains et paramètres d’un fichier machine ne lui sont pas envoyés. Si vous avez remplacé le module volontairement, vérifiez ces réglages, puis acceptez la chaîne telle quelle.</translation>
-    </message>
-    <message>
-        <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>
-        <translation>Les modules à partir de %1 sont nouveaux. S’ils sont à leur place, acceptez la chaîne telle quelle.</translation>
-    </message>
-    <message>
-        <source>Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.</source>
-        <translation>Vérifiez son alimentation et son câble&#x202f;; utilisez l’arrêt câblé si son moteur bouge. Le programme réessaie de temps en temps.</translation>
-    </message>
-    <message>
-        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
-        <translation>Les modules entre lui et le PC peuvent ne pas répondre tant qu’il n’a pas retrouvé son adresse. Redémarrez le réseau dès que tous les moteurs peuvent s’arrêter et perdre leur position.</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>OK</translation>
-    </message>
-    <message>
-        <source>new</source>
-        <translation>nouveau</translation>
-    </message>
-    <message>
-        <source>different module</source>
-        <translation>autre module</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>absent</translation>
-    </message>
-    <message>
-        <source>does not answer</source>
-        <translation>ne répond pas</translation>
-    </message>
-    <message>
-        <source>restarted</source>
-        <translation>redémarré</translation>
-    </message>
-    <message>
-        <source>no group</source>
-        <translation>aucun groupe</translation>
-    </message>
-    <message>
-        <source>This chain is new: it has %1.</source>
-        <translation>Cette chaîne est nouvelle&#xa0;: elle comporte %1.</translation>
-    </message>
-    <message>
-        <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
-        <translation>Comparez la liste aux étiquettes des modules, en commençant par le plus éloigné du PC. Si elle est juste, acceptez la chaîne telle quelle&#xa0;: dès lors, les modules absents ou remplacés sont signalés.</translation>
-    </message>
-    <message>
-        <source>Looking for modules…</source>
-        <translation>Recherche des modules…</translation>
-    </message>
-</context>
-<context>
     <name>CommandLine</name>
     <message>
         <source>Control panel for Networked Modular Control motor modules.</source>
@@ -1058,53 +951,6 @@
     <message>
         <source>%1 from %2 to %3</source>
         <translation>%1 de %2 à %3</translation>
-    </message>
-</context>
-<context>
-    <name>HomeTexts</name>
-    <message>
-        <source>Home: %1</source>
-        <translation>Origine&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Home: unknown</source>
-        <translation>Origine&#xa0;: inconnue</translation>
-    </message>
-    <message>
-        <source>Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.</source>
-        <translation>L’origine est inconnue. Lancez la prise d’origine, ou amenez l’axe à l’origine et choisissez «&#xa0;Enregistrer comme origine&#xa0;». Un redémarrage du module fait de nouveau perdre l’origine.</translation>
-    </message>
-    <message>
-        <source>Home is at %1. A search found it %2 min ago.</source>
-        <translation>L’origine est à %1. Une recherche l’a trouvée il y a %2&#xa0;min.</translation>
-    </message>
-    <message>
-        <source>Home is at %1. It was saved %2 min ago.</source>
-        <translation>L’origine est à %1. Elle a été enregistrée il y a %2&#xa0;min.</translation>
-    </message>
-    <message>
-        <source>Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.</source>
-        <translation>Met la position actuelle à 0. Le moteur ne bouge pas. L’ancien zéro est perdu&#xa0;: toutes les positions sont ensuite comptées à partir d’ici.</translation>
-    </message>
-    <message>
-        <source>This moves home from %1 to %2.</source>
-        <translation>L’origine passe ainsi de %1 à %2.</translation>
-    </message>
-    <message>
-        <source>The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.</source>
-        <translation>Dernière position capturée ou enregistrée par la puce. Un arrêt sur fin de course la modifie aussi&#x202f;; «&#xa0;Zéro ici&#xa0;» ne la modifie pas. «&#xa0;Aller à l’origine&#xa0;» ne l’utilise pas.</translation>
-    </message>
-    <message>
-        <source>Home: %1, not verified</source>
-        <translation>Origine&#xa0;: %1, non vérifiée</translation>
-    </message>
-    <message>
-        <source>Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.</source>
-        <translation>L’origine est à %1, non vérifiée&#xa0;: rétablie il y a %2&#xa0;min d’après la dernière position connue. Lancez la prise d’origine pour la vérifier.</translation>
-    </message>
-    <message>
-        <source>Home is at %1. You confirmed the position %2 min ago.</source>
-        <translation>L’origine est à %1. Vous avez confirmé la position il y a %2&#xa0;min.</translation>
     </message>
 </context>
 <context>
@@ -5383,9 +5229,154 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>It is sent as soon as you connect to the same modules again.</source>
         <translation>Il sera envoyé dès que vous serez de nouveau connecté aux mêmes modules.</translation>
     </message>
-</context>
-<context>
-    <name>TravelTexts</name>
+    <message>
+        <source>Not connected: the state of the chain is unknown.</source>
+        <translation>Non connecté&#xa0;: l’état de la chaîne est inconnu.</translation>
+    </message>
+    <message>
+        <source>Chain OK: %1.</source>
+        <translation>Chaîne OK&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>No module answered.</source>
+        <translation>Aucun module n’a répondu.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
+        <translation>Modules ayant répondu&#xa0;: %1 sur %2&#x202f;; l’extrémité de la chaîne manque.</translation>
+    </message>
+    <message>
+        <source>%1 is not the expected module.</source>
+        <translation>%1 n’est pas le module attendu.</translation>
+    </message>
+    <message>
+        <source>More modules than expected: %1 instead of %2.</source>
+        <translation>Plus de modules que prévu&#xa0;: %1 au lieu de %2.</translation>
+    </message>
+    <message>
+        <source>%1 stopped answering. Motor state unknown.</source>
+        <translation>%1 ne répond plus. État du moteur inconnu.</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its position and gains are lost.</source>
+        <translation>%1 a redémarré&#xa0;: sa position et ses gains sont perdus.</translation>
+    </message>
+    <message>
+        <source>Choose a port and connect.</source>
+        <translation>Choisissez un port et connectez-vous.</translation>
+    </message>
+    <message>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
+        <translation>Vérifiez dans cet ordre&#xa0;: l’alimentation des modules&#x202f;; chaque câble de la chaîne, car un seul câble débranché masque tous les modules&#x202f;; le cavalier ADDR_IN du module le plus éloigné du PC.</translation>
+    </message>
+    <message>
+        <source>Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.</source>
+        <translation>La numérotation commence à l’extrémité de la chaîne. Contrôlez donc le module qui suit %1 en direction du PC&#xa0;: d’abord son alimentation, puis le connecteur entre les deux. Relancez ensuite la recherche.</translation>
+    </message>
+    <message>
+        <source>Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.</source>
+        <translation>Seuls les modules les plus proches du PC ont répondu, et leurs numéros ont changé. Vérifiez le câble du module à l’extrémité de la chaîne, et qu’aucun autre ADDR_IN n’est à la masse. Tant que le problème persiste, les réglages ne correspondent pas aux modules.</translation>
+    </message>
+    <message>
+        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
+        <translation>Le nom, l’unité, les limites, les vitesses et les points du module attendu sont utilisés pour lui&#x202f;; les gains et paramètres d’un fichier machine ne lui sont pas envoyés. Si vous avez remplacé le module volontairement, vérifiez ces réglages, puis acceptez la chaîne telle quelle.</translation>
+    </message>
+    <message>
+        <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>
+        <translation>Les modules à partir de %1 sont nouveaux. S’ils sont à leur place, acceptez la chaîne telle quelle.</translation>
+    </message>
+    <message>
+        <source>Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.</source>
+        <translation>Vérifiez son alimentation et son câble&#x202f;; utilisez l’arrêt câblé si son moteur bouge. Le programme réessaie de temps en temps.</translation>
+    </message>
+    <message>
+        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
+        <translation>Les modules entre lui et le PC peuvent ne pas répondre tant qu’il n’a pas retrouvé son adresse. Redémarrez le réseau dès que tous les moteurs peuvent s’arrêter et perdre leur position.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>nouveau</translation>
+    </message>
+    <message>
+        <source>different module</source>
+        <translation>autre module</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>absent</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>ne répond pas</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>redémarré</translation>
+    </message>
+    <message>
+        <source>no group</source>
+        <translation>aucun groupe</translation>
+    </message>
+    <message>
+        <source>This chain is new: it has %1.</source>
+        <translation>Cette chaîne est nouvelle&#xa0;: elle comporte %1.</translation>
+    </message>
+    <message>
+        <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
+        <translation>Comparez la liste aux étiquettes des modules, en commençant par le plus éloigné du PC. Si elle est juste, acceptez la chaîne telle quelle&#xa0;: dès lors, les modules absents ou remplacés sont signalés.</translation>
+    </message>
+    <message>
+        <source>Looking for modules…</source>
+        <translation>Recherche des modules…</translation>
+    </message>
+    <message>
+        <source>Home: %1</source>
+        <translation>Origine&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Home: unknown</source>
+        <translation>Origine&#xa0;: inconnue</translation>
+    </message>
+    <message>
+        <source>Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.</source>
+        <translation>L’origine est inconnue. Lancez la prise d’origine, ou amenez l’axe à l’origine et choisissez «&#xa0;Enregistrer comme origine&#xa0;». Un redémarrage du module fait de nouveau perdre l’origine.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. A search found it %2 min ago.</source>
+        <translation>L’origine est à %1. Une recherche l’a trouvée il y a %2&#xa0;min.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. It was saved %2 min ago.</source>
+        <translation>L’origine est à %1. Elle a été enregistrée il y a %2&#xa0;min.</translation>
+    </message>
+    <message>
+        <source>Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.</source>
+        <translation>Met la position actuelle à 0. Le moteur ne bouge pas. L’ancien zéro est perdu&#xa0;: toutes les positions sont ensuite comptées à partir d’ici.</translation>
+    </message>
+    <message>
+        <source>This moves home from %1 to %2.</source>
+        <translation>L’origine passe ainsi de %1 à %2.</translation>
+    </message>
+    <message>
+        <source>The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.</source>
+        <translation>Dernière position capturée ou enregistrée par la puce. Un arrêt sur fin de course la modifie aussi&#x202f;; «&#xa0;Zéro ici&#xa0;» ne la modifie pas. «&#xa0;Aller à l’origine&#xa0;» ne l’utilise pas.</translation>
+    </message>
+    <message>
+        <source>Home: %1, not verified</source>
+        <translation>Origine&#xa0;: %1, non vérifiée</translation>
+    </message>
+    <message>
+        <source>Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.</source>
+        <translation>L’origine est à %1, non vérifiée&#xa0;: rétablie il y a %2&#xa0;min d’après la dernière position connue. Lancez la prise d’origine pour la vérifier.</translation>
+    </message>
+    <message>
+        <source>Home is at %1. You confirmed the position %2 min ago.</source>
+        <translation>L’origine est à %1. Vous avez confirmé la position il y a %2&#xa0;min.</translation>
+    </message>
     <message>
         <source>That is %1; the highest velocity of this axis is %2 (Axis page).</source>
         <translation>Cela fait %1&#x202f;; la vitesse maximale de cet axe est %2 (page Axe).</translation>
@@ -5466,9 +5457,22 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>The max jog speed and the highest velocity are set on the Axis page.</source>
         <translation>La vitesse de jog max. et la vitesse maximale se règlent sur la page Axe.</translation>
     </message>
-</context>
-<context>
-    <name>Units</name>
+    <message>
+        <source>from &quot;%1&quot;</source>
+        <translation>depuis «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 by the counter</source>
+        <translation>%1 d’après le compteur</translation>
+    </message>
+    <message>
+        <source>Positions count from &quot;%1&quot;.</source>
+        <translation>Les positions sont comptées depuis «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
+        <translation>On ne sait plus où se trouve «&#xa0;%1&#xa0;». Choisissez de nouveau le décalage de travail ou effacez-le (page Axe).</translation>
+    </message>
     <message>
         <source>steps/s²</source>
         <translation>pas/s²</translation>
@@ -5529,24 +5533,165 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
         <translation>À %1 de la position à maintenir : un frottement, une charge ou un obstacle est plus fort. Un Kp plus grand, ou une intégrale (Ki, IL), pousse davantage.</translation>
     </message>
-</context>
-<context>
-    <name>WorkTexts</name>
     <message>
-        <source>from &quot;%1&quot;</source>
-        <translation>depuis «&#xa0;%1&#xa0;»</translation>
+        <source>The parameter &quot;%1&quot; is missing.</source>
+        <translation>Le paramètre «&#xa0;%1&#xa0;» manque.</translation>
     </message>
     <message>
-        <source>%1 by the counter</source>
-        <translation>%1 d’après le compteur</translation>
+        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
+        <translation>Le paramètre «&#xa0;%1&#xa0;» est d’un mauvais type ou hors de ses limites.</translation>
     </message>
     <message>
-        <source>Positions count from &quot;%1&quot;.</source>
-        <translation>Les positions sont comptées depuis «&#xa0;%1&#xa0;».</translation>
+        <source>There is no such axis.</source>
+        <translation>Cet axe n’existe pas.</translation>
     </message>
     <message>
-        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
-        <translation>On ne sait plus où se trouve «&#xa0;%1&#xa0;». Choisissez de nouveau le décalage de travail ou effacez-le (page Axe).</translation>
+        <source>There is no sequence or point of that name.</source>
+        <translation>Il n’y a ni séquence ni point de ce nom.</translation>
+    </message>
+    <message>
+        <source>This program may not move motors now: call request_control first.</source>
+        <translation>Ce programme ne peut pas déplacer les moteurs pour l’instant&#xa0;: appelez d’abord request_control.</translation>
+    </message>
+    <message>
+        <source>Call hello first.</source>
+        <translation>Appelez d’abord hello.</translation>
+    </message>
+    <message>
+        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
+        <translation>Ce panneau parle la version %1 du protocole, et le programme la version %2.</translation>
+    </message>
+    <message>
+        <source>It was cancelled by a stop or by another command.</source>
+        <translation>Un arrêt ou une autre commande l’a annulé.</translation>
+    </message>
+    <message>
+        <source>Motors were stopped.</source>
+        <translation>Des moteurs ont été arrêtés.</translation>
+    </message>
+    <message>
+        <source>The user has taken control back.</source>
+        <translation>L’utilisateur a repris le contrôle.</translation>
+    </message>
+    <message>
+        <source>The user has commanded a motor.</source>
+        <translation>L’utilisateur a commandé un moteur.</translation>
+    </message>
+    <message>
+        <source>The chain is no longer connected.</source>
+        <translation>La chaîne n’est plus connectée.</translation>
+    </message>
+    <message>
+        <source>Other programs cannot connect.</source>
+        <translation>D’autres programmes ne peuvent pas se connecter.</translation>
+    </message>
+    <message>
+        <source>Another panel already lets programs in at %1.</source>
+        <translation>Un autre panneau laisse déjà entrer des programmes par %1.</translation>
+    </message>
+    <message>
+        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
+        <translation>%1 est un lien, appartient à un autre utilisateur ou est ouvert à d’autres. Supprimez-le et réessayez.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created.</source>
+        <translation>%1 ne peut pas être créé.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
+        <translation>Le programme «&#xa0;%1&#xa0;» s’est connecté. Il peut lire, mais pas déplacer les moteurs.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
+        <translation>Le programme «&#xa0;%1&#xa0;» s’est déconnecté&#xa0;; les moteurs qu’il a déplacés sont arrêtés.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected.</source>
+        <translation>Le programme «&#xa0;%1&#xa0;» s’est déconnecté.</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot;: %2</source>
+        <translation>Programme «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>This line is not JSON.</source>
+        <translation>Cette ligne n’est pas du JSON.</translation>
+    </message>
+    <message>
+        <source>A request is an object with method, params (an object) and id.</source>
+        <translation>Une requête est un objet avec method, params (un objet) et id.</translation>
+    </message>
+    <message>
+        <source>There is no such method.</source>
+        <translation>Cette méthode n’existe pas.</translation>
+    </message>
+    <message>
+        <source>The line is lent at %1. No program has used it yet.</source>
+        <translation>La ligne est prêtée sur %1. Aucun programme ne l’a encore utilisée.</translation>
+    </message>
+    <message>
+        <source>A program has the line, at %1.</source>
+        <translation>Un programme a la ligne, sur %1.</translation>
+    </message>
+    <message>
+        <source>All motors were commanded to stop, and the program is held off.</source>
+        <translation>L’arrêt a été commandé à tous les moteurs, et le programme est tenu à l’écart.</translation>
+    </message>
+    <message>
+        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
+        <translation>Ce qu’il envoie est ignoré. Laisser continuer lui rend la ligne&#xa0;; il ne sait pas ce qu’il a manqué.</translation>
+    </message>
+    <message>
+        <source>The program has closed %1, and the line is no longer lent.</source>
+        <translation>Le programme a fermé %1, et la ligne n’est plus prêtée.</translation>
+    </message>
+    <message>
+        <source>The line is no longer lent.</source>
+        <translation>La ligne n’est plus prêtée.</translation>
+    </message>
+    <message>
+        <source>The line was not lent.</source>
+        <translation>La ligne n’a pas été prêtée.</translation>
+    </message>
+    <message>
+        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
+        <translation>La chaîne était occupée, ou un moteur était en mouvement. Arrêtez les moteurs et réessayez.</translation>
+    </message>
+    <message>
+        <source>There is something at %1 already. Choose another path.</source>
+        <translation>Il y a déjà quelque chose sur %1. Choisissez un autre chemin.</translation>
+    </message>
+    <message>
+        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
+        <translation>Aucun terminal ne peut être créé sur %1. Choisissez un chemin dans un de vos dossiers.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — stopped; the program is held off.</source>
+        <translation>PRÊTÉE sur %1 — arrêté&#xa0;; le programme est tenu à l’écart.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
+        <translation>PRÊTÉE sur %1 — un programme a la ligne. Aucune limite de course ni autre contrôle du panneau ne protège les moteurs&#xa0;; TOUT ARRÊTER agit.</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — no program yet.</source>
+        <translation>PRÊTÉE sur %1 — aucun programme pour l’instant.</translation>
+    </message>
+    <message>
+        <source>The motor did not stay within the arrival tolerance of its axis.</source>
+        <translation>Le moteur n’est pas resté dans la tolérance d’arrivée de son axe.</translation>
+    </message>
+    <message>
+        <source>This pin is not set as an output. Make it an output first.</source>
+        <translation>Cette broche n’est pas réglée en sortie. Réglez-la d’abord en sortie.</translation>
+    </message>
+    <message>
+        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
+        <translation>Les sorties de ce module, ou leurs directions, sont inconnues. Réglez-les d’abord une fois.</translation>
+    </message>
+    <message>
+        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
+        <translation>Plusieurs axes portent ce nom. Utilisez le numéro de l’axe, ou donnez à chacun son propre nom.</translation>
     </message>
 </context>
 <context>
@@ -5774,169 +5919,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Choose what the limit inputs do.</source>
         <translation>Choisissez l’effet des entrées de fin de course.</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ApiWords</name>
-    <message>
-        <source>The parameter &quot;%1&quot; is missing.</source>
-        <translation>Le paramètre «&#xa0;%1&#xa0;» manque.</translation>
-    </message>
-    <message>
-        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
-        <translation>Le paramètre «&#xa0;%1&#xa0;» est d’un mauvais type ou hors de ses limites.</translation>
-    </message>
-    <message>
-        <source>There is no such axis.</source>
-        <translation>Cet axe n’existe pas.</translation>
-    </message>
-    <message>
-        <source>There is no sequence or point of that name.</source>
-        <translation>Il n’y a ni séquence ni point de ce nom.</translation>
-    </message>
-    <message>
-        <source>This program may not move motors now: call request_control first.</source>
-        <translation>Ce programme ne peut pas déplacer les moteurs pour l’instant&#xa0;: appelez d’abord request_control.</translation>
-    </message>
-    <message>
-        <source>Call hello first.</source>
-        <translation>Appelez d’abord hello.</translation>
-    </message>
-    <message>
-        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
-        <translation>Ce panneau parle la version %1 du protocole, et le programme la version %2.</translation>
-    </message>
-    <message>
-        <source>It was cancelled by a stop or by another command.</source>
-        <translation>Un arrêt ou une autre commande l’a annulé.</translation>
-    </message>
-    <message>
-        <source>Motors were stopped.</source>
-        <translation>Des moteurs ont été arrêtés.</translation>
-    </message>
-    <message>
-        <source>The user has taken control back.</source>
-        <translation>L’utilisateur a repris le contrôle.</translation>
-    </message>
-    <message>
-        <source>The user has commanded a motor.</source>
-        <translation>L’utilisateur a commandé un moteur.</translation>
-    </message>
-    <message>
-        <source>The chain is no longer connected.</source>
-        <translation>La chaîne n’est plus connectée.</translation>
-    </message>
-    <message>
-        <source>Other programs cannot connect.</source>
-        <translation>D’autres programmes ne peuvent pas se connecter.</translation>
-    </message>
-    <message>
-        <source>Another panel already lets programs in at %1.</source>
-        <translation>Un autre panneau laisse déjà entrer des programmes par %1.</translation>
-    </message>
-    <message>
-        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
-        <translation>%1 est un lien, appartient à un autre utilisateur ou est ouvert à d’autres. Supprimez-le et réessayez.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be created.</source>
-        <translation>%1 ne peut pas être créé.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
-        <translation>Le programme «&#xa0;%1&#xa0;» s’est connecté. Il peut lire, mais pas déplacer les moteurs.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
-        <translation>Le programme «&#xa0;%1&#xa0;» s’est déconnecté&#xa0;; les moteurs qu’il a déplacés sont arrêtés.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has disconnected.</source>
-        <translation>Le programme «&#xa0;%1&#xa0;» s’est déconnecté.</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot;: %2</source>
-        <translation>Programme «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>This line is not JSON.</source>
-        <translation>Cette ligne n’est pas du JSON.</translation>
-    </message>
-    <message>
-        <source>A request is an object with method, params (an object) and id.</source>
-        <translation>Une requête est un objet avec method, params (un objet) et id.</translation>
-    </message>
-    <message>
-        <source>There is no such method.</source>
-        <translation>Cette méthode n’existe pas.</translation>
-    </message>
-    <message>
-        <source>The line is lent at %1. No program has used it yet.</source>
-        <translation>La ligne est prêtée sur %1. Aucun programme ne l’a encore utilisée.</translation>
-    </message>
-    <message>
-        <source>A program has the line, at %1.</source>
-        <translation>Un programme a la ligne, sur %1.</translation>
-    </message>
-    <message>
-        <source>All motors were commanded to stop, and the program is held off.</source>
-        <translation>L’arrêt a été commandé à tous les moteurs, et le programme est tenu à l’écart.</translation>
-    </message>
-    <message>
-        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
-        <translation>Ce qu’il envoie est ignoré. Laisser continuer lui rend la ligne&#xa0;; il ne sait pas ce qu’il a manqué.</translation>
-    </message>
-    <message>
-        <source>The program has closed %1, and the line is no longer lent.</source>
-        <translation>Le programme a fermé %1, et la ligne n’est plus prêtée.</translation>
-    </message>
-    <message>
-        <source>The line is no longer lent.</source>
-        <translation>La ligne n’est plus prêtée.</translation>
-    </message>
-    <message>
-        <source>The line was not lent.</source>
-        <translation>La ligne n’a pas été prêtée.</translation>
-    </message>
-    <message>
-        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
-        <translation>La chaîne était occupée, ou un moteur était en mouvement. Arrêtez les moteurs et réessayez.</translation>
-    </message>
-    <message>
-        <source>There is something at %1 already. Choose another path.</source>
-        <translation>Il y a déjà quelque chose sur %1. Choisissez un autre chemin.</translation>
-    </message>
-    <message>
-        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
-        <translation>Aucun terminal ne peut être créé sur %1. Choisissez un chemin dans un de vos dossiers.</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — stopped; the program is held off.</source>
-        <translation>PRÊTÉE sur %1 — arrêté&#xa0;; le programme est tenu à l’écart.</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
-        <translation>PRÊTÉE sur %1 — un programme a la ligne. Aucune limite de course ni autre contrôle du panneau ne protège les moteurs&#xa0;; TOUT ARRÊTER agit.</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — no program yet.</source>
-        <translation>PRÊTÉE sur %1 — aucun programme pour l’instant.</translation>
-    </message>
-    <message>
-        <source>The motor did not stay within the arrival tolerance of its axis.</source>
-        <translation>Le moteur n’est pas resté dans la tolérance d’arrivée de son axe.</translation>
-    </message>
-    <message>
-        <source>This pin is not set as an output. Make it an output first.</source>
-        <translation>Cette broche n’est pas réglée en sortie. Réglez-la d’abord en sortie.</translation>
-    </message>
-    <message>
-        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
-        <translation>Les sorties de ce module, ou leurs directions, sont inconnues. Réglez-les d’abord une fois.</translation>
-    </message>
-    <message>
-        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
-        <translation>Plusieurs axes portent ce nom. Utilisez le numéro de l’axe, ou donnez à chacun son propre nom.</translation>
     </message>
 </context>
 <context>

@@ -2,113 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja_JP" sourcelanguage="en">
 <context>
-    <name>Chain</name>
-    <message>
-        <source>Not connected: the state of the chain is unknown.</source>
-        <translation>未接続：チェーンの状態は不明です。</translation>
-    </message>
-    <message>
-        <source>Chain OK: %1.</source>
-        <translation>チェーン正常：%1。</translation>
-    </message>
-    <message>
-        <source>No module answered.</source>
-        <translation>応答したモジュールはありません。</translation>
-    </message>
-    <message>
-        <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
-        <translation>%2台中%1台のモジュールが応答しました。チェーンの遠端側が見つかりません。</translation>
-    </message>
-    <message>
-        <source>%1 is not the expected module.</source>
-        <translation>%1は想定と異なるモジュールです。</translation>
-    </message>
-    <message>
-        <source>More modules than expected: %1 instead of %2.</source>
-        <translation>モジュールが想定より多く見つかりました：%2に対して%1。</translation>
-    </message>
-    <message>
-        <source>%1 stopped answering. Motor state unknown.</source>
-        <translation>%1が応答しなくなりました。モーターの状態は不明です。</translation>
-    </message>
-    <message>
-        <source>%1 restarted: its position and gains are lost.</source>
-        <translation>%1が再起動しました。位置とゲインは失われました。</translation>
-    </message>
-    <message>
-        <source>Choose a port and connect.</source>
-        <translation>ポートを選択して接続してください。</translation>
-    </message>
-    <message>
-        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
-        <translation>次の順に確認してください：モジュールの電源、チェーンの全ケーブル（1本の緩みですべてのモジュールが見えなくなります）、PCから最も遠いモジュールのADDR_INジャンパー。</translation>
-    </message>
-    <message>
-        <source>Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.</source>
-        <translation>番号は遠端から始まります。%1の次の、PC側のモジュールを調べてください。まずその電源、次に両者の間のプラグです。その後、再スキャンしてください。</translation>
-    </message>
-    <message>
-        <source>Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.</source>
-        <translation>PCに近いモジュールだけが応答し、番号が変わっています。遠端のモジュールへのケーブルと、ほかのADDR_INが接地されていないことを確認してください。修復するまで、設定とモジュールは一致しません。</translation>
-    </message>
-    <message>
-        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
-        <translation>想定モジュールの名前、単位、リミット、速度、ポイントがこのモジュールにも使われます。マシンファイルのゲインとパラメーターは送信されません。意図して交換した場合は、これらの設定を確認してから、検出結果を採用してください。</translation>
-    </message>
-    <message>
-        <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>
-        <translation>%1以降のモジュールは新規です。これが正しい場合は、検出結果を採用してください。</translation>
-    </message>
-    <message>
-        <source>Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.</source>
-        <translation>電源とケーブルを確認してください。モーターが動く場合はハードウェア停止装置を使用してください。パネルは時々再試行します。</translation>
-    </message>
-    <message>
-        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
-        <translation>このモジュールとPCの間にあるモジュールは、アドレスが戻るまで応答しないことがあります。すべてのモーターを停止でき、位置を失ってもよい状態になったら、ネットワークを再起動してください。</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>正常</translation>
-    </message>
-    <message>
-        <source>new</source>
-        <translation>新規</translation>
-    </message>
-    <message>
-        <source>different module</source>
-        <translation>別のモジュール</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>なし</translation>
-    </message>
-    <message>
-        <source>does not answer</source>
-        <translation>応答なし</translation>
-    </message>
-    <message>
-        <source>restarted</source>
-        <translation>再起動</translation>
-    </message>
-    <message>
-        <source>no group</source>
-        <translation>グループなし</translation>
-    </message>
-    <message>
-        <source>This chain is new: it has %1.</source>
-        <translation>新しいチェーンです：%1。</translation>
-    </message>
-    <message>
-        <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
-        <translation>PCから最も遠いモジュールから順に、一覧とモジュールのラベルを照合してください。正しければ検出結果を採用してください。以後、モジュールの欠落や交換が通知されます。</translation>
-    </message>
-    <message>
-        <source>Looking for modules…</source>
-        <translation>モジュールを検索中…</translation>
-    </message>
-</context>
-<context>
     <name>CommandLine</name>
     <message>
         <source>Control panel for Networked Modular Control motor modules.</source>
@@ -1058,53 +951,6 @@
     <message>
         <source>%1 from %2 to %3</source>
         <translation>%1 %2→%3</translation>
-    </message>
-</context>
-<context>
-    <name>HomeTexts</name>
-    <message>
-        <source>Home: %1</source>
-        <translation>原点：%1</translation>
-    </message>
-    <message>
-        <source>Home: unknown</source>
-        <translation>原点：不明</translation>
-    </message>
-    <message>
-        <source>Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.</source>
-        <translation>原点は不明です。原点サーチを行うか、原点に移動して「原点として保存」を選択してください。モジュールが再起動すると、原点は再び失われます。</translation>
-    </message>
-    <message>
-        <source>Home is at %1. A search found it %2 min ago.</source>
-        <translation>原点は%1にあります。%2分前に原点サーチで検出しました。</translation>
-    </message>
-    <message>
-        <source>Home is at %1. It was saved %2 min ago.</source>
-        <translation>原点は%1にあります。%2分前に保存しました。</translation>
-    </message>
-    <message>
-        <source>Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.</source>
-        <translation>現在位置を0にします。モーターは動きません。元の0は失われ、以後の位置はすべてここから数えます。</translation>
-    </message>
-    <message>
-        <source>This moves home from %1 to %2.</source>
-        <translation>原点が%1から%2に移ります。</translation>
-    </message>
-    <message>
-        <source>The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.</source>
-        <translation>チップが最後に取り込んだ、または保存した位置です。リミット停止でも変わりますが、「現在位置を0に」では変わりません。「原点へ移動」では使用しません。</translation>
-    </message>
-    <message>
-        <source>Home: %1, not verified</source>
-        <translation>原点：%1、未確認</translation>
-    </message>
-    <message>
-        <source>Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.</source>
-        <translation>原点は%1です（未確認）：最後に分かっていた位置から%2分前に復元しました。確認するには原点サーチを行ってください。</translation>
-    </message>
-    <message>
-        <source>Home is at %1. You confirmed the position %2 min ago.</source>
-        <translation>原点は%1にあります。%2分前に位置を確認済みです。</translation>
     </message>
 </context>
 <context>
@@ -5366,9 +5212,154 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>It is sent as soon as you connect to the same modules again.</source>
         <translation>同じモジュールに再び接続すると、すぐに送信されます。</translation>
     </message>
-</context>
-<context>
-    <name>TravelTexts</name>
+    <message>
+        <source>Not connected: the state of the chain is unknown.</source>
+        <translation>未接続：チェーンの状態は不明です。</translation>
+    </message>
+    <message>
+        <source>Chain OK: %1.</source>
+        <translation>チェーン正常：%1。</translation>
+    </message>
+    <message>
+        <source>No module answered.</source>
+        <translation>応答したモジュールはありません。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 modules answered; the far end of the chain is missing.</source>
+        <translation>%2台中%1台のモジュールが応答しました。チェーンの遠端側が見つかりません。</translation>
+    </message>
+    <message>
+        <source>%1 is not the expected module.</source>
+        <translation>%1は想定と異なるモジュールです。</translation>
+    </message>
+    <message>
+        <source>More modules than expected: %1 instead of %2.</source>
+        <translation>モジュールが想定より多く見つかりました：%2に対して%1。</translation>
+    </message>
+    <message>
+        <source>%1 stopped answering. Motor state unknown.</source>
+        <translation>%1が応答しなくなりました。モーターの状態は不明です。</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its position and gains are lost.</source>
+        <translation>%1が再起動しました。位置とゲインは失われました。</translation>
+    </message>
+    <message>
+        <source>Choose a port and connect.</source>
+        <translation>ポートを選択して接続してください。</translation>
+    </message>
+    <message>
+        <source>Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.</source>
+        <translation>次の順に確認してください：モジュールの電源、チェーンの全ケーブル（1本の緩みですべてのモジュールが見えなくなります）、PCから最も遠いモジュールのADDR_INジャンパー。</translation>
+    </message>
+    <message>
+        <source>Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.</source>
+        <translation>番号は遠端から始まります。%1の次の、PC側のモジュールを調べてください。まずその電源、次に両者の間のプラグです。その後、再スキャンしてください。</translation>
+    </message>
+    <message>
+        <source>Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.</source>
+        <translation>PCに近いモジュールだけが応答し、番号が変わっています。遠端のモジュールへのケーブルと、ほかのADDR_INが接地されていないことを確認してください。修復するまで、設定とモジュールは一致しません。</translation>
+    </message>
+    <message>
+        <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
+        <translation>想定モジュールの名前、単位、リミット、速度、ポイントがこのモジュールにも使われます。マシンファイルのゲインとパラメーターは送信されません。意図して交換した場合は、これらの設定を確認してから、検出結果を採用してください。</translation>
+    </message>
+    <message>
+        <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>
+        <translation>%1以降のモジュールは新規です。これが正しい場合は、検出結果を採用してください。</translation>
+    </message>
+    <message>
+        <source>Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.</source>
+        <translation>電源とケーブルを確認してください。モーターが動く場合はハードウェア停止装置を使用してください。パネルは時々再試行します。</translation>
+    </message>
+    <message>
+        <source>Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.</source>
+        <translation>このモジュールとPCの間にあるモジュールは、アドレスが戻るまで応答しないことがあります。すべてのモーターを停止でき、位置を失ってもよい状態になったら、ネットワークを再起動してください。</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>新規</translation>
+    </message>
+    <message>
+        <source>different module</source>
+        <translation>別のモジュール</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>応答なし</translation>
+    </message>
+    <message>
+        <source>restarted</source>
+        <translation>再起動</translation>
+    </message>
+    <message>
+        <source>no group</source>
+        <translation>グループなし</translation>
+    </message>
+    <message>
+        <source>This chain is new: it has %1.</source>
+        <translation>新しいチェーンです：%1。</translation>
+    </message>
+    <message>
+        <source>Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.</source>
+        <translation>PCから最も遠いモジュールから順に、一覧とモジュールのラベルを照合してください。正しければ検出結果を採用してください。以後、モジュールの欠落や交換が通知されます。</translation>
+    </message>
+    <message>
+        <source>Looking for modules…</source>
+        <translation>モジュールを検索中…</translation>
+    </message>
+    <message>
+        <source>Home: %1</source>
+        <translation>原点：%1</translation>
+    </message>
+    <message>
+        <source>Home: unknown</source>
+        <translation>原点：不明</translation>
+    </message>
+    <message>
+        <source>Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.</source>
+        <translation>原点は不明です。原点サーチを行うか、原点に移動して「原点として保存」を選択してください。モジュールが再起動すると、原点は再び失われます。</translation>
+    </message>
+    <message>
+        <source>Home is at %1. A search found it %2 min ago.</source>
+        <translation>原点は%1にあります。%2分前に原点サーチで検出しました。</translation>
+    </message>
+    <message>
+        <source>Home is at %1. It was saved %2 min ago.</source>
+        <translation>原点は%1にあります。%2分前に保存しました。</translation>
+    </message>
+    <message>
+        <source>Makes the present position 0. The motor does not move. The old zero is lost: from then on all positions count from here.</source>
+        <translation>現在位置を0にします。モーターは動きません。元の0は失われ、以後の位置はすべてここから数えます。</translation>
+    </message>
+    <message>
+        <source>This moves home from %1 to %2.</source>
+        <translation>原点が%1から%2に移ります。</translation>
+    </message>
+    <message>
+        <source>The position that the chip captured or saved last. A limit stop changes it, too; Zero here does not. Go home does not use it.</source>
+        <translation>チップが最後に取り込んだ、または保存した位置です。リミット停止でも変わりますが、「現在位置を0に」では変わりません。「原点へ移動」では使用しません。</translation>
+    </message>
+    <message>
+        <source>Home: %1, not verified</source>
+        <translation>原点：%1、未確認</translation>
+    </message>
+    <message>
+        <source>Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.</source>
+        <translation>原点は%1です（未確認）：最後に分かっていた位置から%2分前に復元しました。確認するには原点サーチを行ってください。</translation>
+    </message>
+    <message>
+        <source>Home is at %1. You confirmed the position %2 min ago.</source>
+        <translation>原点は%1にあります。%2分前に位置を確認済みです。</translation>
+    </message>
     <message>
         <source>That is %1; the highest velocity of this axis is %2 (Axis page).</source>
         <translation>この値は%1です。この軸の最高速度は%2です（「軸」ページ）。</translation>
@@ -5449,9 +5440,22 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>The max jog speed and the highest velocity are set on the Axis page.</source>
         <translation>最高ジョグ速度と最高速度は「軸」ページで設定します。</translation>
     </message>
-</context>
-<context>
-    <name>Units</name>
+    <message>
+        <source>from &quot;%1&quot;</source>
+        <translation>「%1」から</translation>
+    </message>
+    <message>
+        <source>%1 by the counter</source>
+        <translation>カウンター値%1</translation>
+    </message>
+    <message>
+        <source>Positions count from &quot;%1&quot;.</source>
+        <translation>位置は「%1」から数えます。</translation>
+    </message>
+    <message>
+        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
+        <translation>「%1」の位置が不明になりました。ワークオフセットを選択し直すか、解除してください（軸ページ）。</translation>
+    </message>
     <message>
         <source>steps/s²</source>
         <translation>ステップ/s²</translation>
@@ -5512,24 +5516,165 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more.</source>
         <translation>保持すべき位置から%1ずれています。摩擦、負荷、または障害物の力が上回っています。Kpを上げるか、積分（Ki、IL）を使うと、より強く押します。</translation>
     </message>
-</context>
-<context>
-    <name>WorkTexts</name>
     <message>
-        <source>from &quot;%1&quot;</source>
-        <translation>「%1」から</translation>
+        <source>The parameter &quot;%1&quot; is missing.</source>
+        <translation>パラメーター「%1」がありません。</translation>
     </message>
     <message>
-        <source>%1 by the counter</source>
-        <translation>カウンター値%1</translation>
+        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
+        <translation>パラメーター「%1」の型が正しくないか、範囲外です。</translation>
     </message>
     <message>
-        <source>Positions count from &quot;%1&quot;.</source>
-        <translation>位置は「%1」から数えます。</translation>
+        <source>There is no such axis.</source>
+        <translation>そのような軸はありません。</translation>
     </message>
     <message>
-        <source>It is not known any more where &quot;%1&quot; is. Choose the work offset again, or clear it (Axis page).</source>
-        <translation>「%1」の位置が不明になりました。ワークオフセットを選択し直すか、解除してください（軸ページ）。</translation>
+        <source>There is no sequence or point of that name.</source>
+        <translation>その名前のシーケンスまたはポイントはありません。</translation>
+    </message>
+    <message>
+        <source>This program may not move motors now: call request_control first.</source>
+        <translation>このプログラムは現在モーターを動かせません。先にrequest_controlを呼び出してください。</translation>
+    </message>
+    <message>
+        <source>Call hello first.</source>
+        <translation>先にhelloを呼び出してください。</translation>
+    </message>
+    <message>
+        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
+        <translation>このパネルのプロトコルはバージョン%1、プログラムのプロトコルはバージョン%2です。</translation>
+    </message>
+    <message>
+        <source>It was cancelled by a stop or by another command.</source>
+        <translation>停止または別のコマンドによって取り消されました。</translation>
+    </message>
+    <message>
+        <source>Motors were stopped.</source>
+        <translation>モーターが停止されました。</translation>
+    </message>
+    <message>
+        <source>The user has taken control back.</source>
+        <translation>ユーザーが操作権を取り戻しました。</translation>
+    </message>
+    <message>
+        <source>The user has commanded a motor.</source>
+        <translation>ユーザーがモーターに指令しました。</translation>
+    </message>
+    <message>
+        <source>The chain is no longer connected.</source>
+        <translation>チェーンはもう接続されていません。</translation>
+    </message>
+    <message>
+        <source>Other programs cannot connect.</source>
+        <translation>他のプログラムは接続できません。</translation>
+    </message>
+    <message>
+        <source>Another panel already lets programs in at %1.</source>
+        <translation>別のパネルが、すでに%1でプログラムの接続を許可しています。</translation>
+    </message>
+    <message>
+        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
+        <translation>%1はリンクであるか、他のユーザーの所有であるか、他のユーザーに公開されています。削除してから、もう一度お試しください。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be created.</source>
+        <translation>%1を作成できません。</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
+        <translation>プログラム「%1」が接続しました。読み取りはできますが、モーターは動かせません。</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
+        <translation>プログラム「%1」が切断しました。このプログラムが動かしたモーターを停止します。</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot; has disconnected.</source>
+        <translation>プログラム「%1」が切断しました。</translation>
+    </message>
+    <message>
+        <source>Program &quot;%1&quot;: %2</source>
+        <translation>プログラム「%1」：%2</translation>
+    </message>
+    <message>
+        <source>This line is not JSON.</source>
+        <translation>この行は JSON ではありません。</translation>
+    </message>
+    <message>
+        <source>A request is an object with method, params (an object) and id.</source>
+        <translation>リクエストは method、params(オブジェクト)、id を持つオブジェクトです。</translation>
+    </message>
+    <message>
+        <source>There is no such method.</source>
+        <translation>そのメソッドはありません。</translation>
+    </message>
+    <message>
+        <source>The line is lent at %1. No program has used it yet.</source>
+        <translation>回線を %1 で貸しています。まだプログラムは使用していません。</translation>
+    </message>
+    <message>
+        <source>A program has the line, at %1.</source>
+        <translation>プログラムが %1 で回線を使用しています。</translation>
+    </message>
+    <message>
+        <source>All motors were commanded to stop, and the program is held off.</source>
+        <translation>すべてのモーターに停止を指令し、プログラムを保留しました。</translation>
+    </message>
+    <message>
+        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
+        <translation>送信内容は破棄されます。「続行させる」で再開しますが、プログラムは抜けた分を知りません。</translation>
+    </message>
+    <message>
+        <source>The program has closed %1, and the line is no longer lent.</source>
+        <translation>プログラムが %1 を閉じたので、回線の貸出は終わりました。</translation>
+    </message>
+    <message>
+        <source>The line is no longer lent.</source>
+        <translation>回線の貸出は終わりました。</translation>
+    </message>
+    <message>
+        <source>The line was not lent.</source>
+        <translation>回線は貸し出されませんでした。</translation>
+    </message>
+    <message>
+        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
+        <translation>チェーンが使用中か、モーターが動いていました。モーターを停止してやり直してください。</translation>
+    </message>
+    <message>
+        <source>There is something at %1 already. Choose another path.</source>
+        <translation>%1 には既に何かがあります。別のパスを選んでください。</translation>
+    </message>
+    <message>
+        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
+        <translation>%1 に端末を作れません。自分のフォルダー内のパスを選んでください。</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — stopped; the program is held off.</source>
+        <translation>貸出中 %1 — 停止しました。プログラムは保留中です。</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
+        <translation>貸出中 %1 — プログラムが回線を使用しています。移動範囲などパネルの確認はモーターを保護しません。全停止は有効です。</translation>
+    </message>
+    <message>
+        <source>LENT at %1 — no program yet.</source>
+        <translation>貸出中 %1 — まだプログラムはありません。</translation>
+    </message>
+    <message>
+        <source>The motor did not stay within the arrival tolerance of its axis.</source>
+        <translation>モーターが軸の到着許容差内にとどまりませんでした。</translation>
+    </message>
+    <message>
+        <source>This pin is not set as an output. Make it an output first.</source>
+        <translation>このピンは出力に設定されていません。先に出力に設定してください。</translation>
+    </message>
+    <message>
+        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
+        <translation>このモジュールの出力またはその方向が不明です。先に一度設定してください。</translation>
+    </message>
+    <message>
+        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
+        <translation>同じ名前の軸が複数あります。軸の番号を使うか、それぞれに別の名前を付けてください。</translation>
     </message>
 </context>
 <context>
@@ -5757,169 +5902,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Choose what the limit inputs do.</source>
         <translation>リミット入力の動作を選択してください。</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::ApiWords</name>
-    <message>
-        <source>The parameter &quot;%1&quot; is missing.</source>
-        <translation>パラメーター「%1」がありません。</translation>
-    </message>
-    <message>
-        <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
-        <translation>パラメーター「%1」の型が正しくないか、範囲外です。</translation>
-    </message>
-    <message>
-        <source>There is no such axis.</source>
-        <translation>そのような軸はありません。</translation>
-    </message>
-    <message>
-        <source>There is no sequence or point of that name.</source>
-        <translation>その名前のシーケンスまたはポイントはありません。</translation>
-    </message>
-    <message>
-        <source>This program may not move motors now: call request_control first.</source>
-        <translation>このプログラムは現在モーターを動かせません。先にrequest_controlを呼び出してください。</translation>
-    </message>
-    <message>
-        <source>Call hello first.</source>
-        <translation>先にhelloを呼び出してください。</translation>
-    </message>
-    <message>
-        <source>This panel speaks version %1 of the protocol, and the program version %2.</source>
-        <translation>このパネルのプロトコルはバージョン%1、プログラムのプロトコルはバージョン%2です。</translation>
-    </message>
-    <message>
-        <source>It was cancelled by a stop or by another command.</source>
-        <translation>停止または別のコマンドによって取り消されました。</translation>
-    </message>
-    <message>
-        <source>Motors were stopped.</source>
-        <translation>モーターが停止されました。</translation>
-    </message>
-    <message>
-        <source>The user has taken control back.</source>
-        <translation>ユーザーが操作権を取り戻しました。</translation>
-    </message>
-    <message>
-        <source>The user has commanded a motor.</source>
-        <translation>ユーザーがモーターに指令しました。</translation>
-    </message>
-    <message>
-        <source>The chain is no longer connected.</source>
-        <translation>チェーンはもう接続されていません。</translation>
-    </message>
-    <message>
-        <source>Other programs cannot connect.</source>
-        <translation>他のプログラムは接続できません。</translation>
-    </message>
-    <message>
-        <source>Another panel already lets programs in at %1.</source>
-        <translation>別のパネルが、すでに%1でプログラムの接続を許可しています。</translation>
-    </message>
-    <message>
-        <source>%1 is a link, belongs to another user, or is open to others. Remove it, and try again.</source>
-        <translation>%1はリンクであるか、他のユーザーの所有であるか、他のユーザーに公開されています。削除してから、もう一度お試しください。</translation>
-    </message>
-    <message>
-        <source>%1 cannot be created.</source>
-        <translation>%1を作成できません。</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
-        <translation>プログラム「%1」が接続しました。読み取りはできますが、モーターは動かせません。</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>
-        <translation>プログラム「%1」が切断しました。このプログラムが動かしたモーターを停止します。</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot; has disconnected.</source>
-        <translation>プログラム「%1」が切断しました。</translation>
-    </message>
-    <message>
-        <source>Program &quot;%1&quot;: %2</source>
-        <translation>プログラム「%1」：%2</translation>
-    </message>
-    <message>
-        <source>This line is not JSON.</source>
-        <translation>この行は JSON ではありません。</translation>
-    </message>
-    <message>
-        <source>A request is an object with method, params (an object) and id.</source>
-        <translation>リクエストは method、params(オブジェクト)、id を持つオブジェクトです。</translation>
-    </message>
-    <message>
-        <source>There is no such method.</source>
-        <translation>そのメソッドはありません。</translation>
-    </message>
-    <message>
-        <source>The line is lent at %1. No program has used it yet.</source>
-        <translation>回線を %1 で貸しています。まだプログラムは使用していません。</translation>
-    </message>
-    <message>
-        <source>A program has the line, at %1.</source>
-        <translation>プログラムが %1 で回線を使用しています。</translation>
-    </message>
-    <message>
-        <source>All motors were commanded to stop, and the program is held off.</source>
-        <translation>すべてのモーターに停止を指令し、プログラムを保留しました。</translation>
-    </message>
-    <message>
-        <source>What it sends is dropped. Release lets it continue; it does not know what it has missed.</source>
-        <translation>送信内容は破棄されます。「続行させる」で再開しますが、プログラムは抜けた分を知りません。</translation>
-    </message>
-    <message>
-        <source>The program has closed %1, and the line is no longer lent.</source>
-        <translation>プログラムが %1 を閉じたので、回線の貸出は終わりました。</translation>
-    </message>
-    <message>
-        <source>The line is no longer lent.</source>
-        <translation>回線の貸出は終わりました。</translation>
-    </message>
-    <message>
-        <source>The line was not lent.</source>
-        <translation>回線は貸し出されませんでした。</translation>
-    </message>
-    <message>
-        <source>The chain was busy, or a motor was moving. Stop the motors, and try again.</source>
-        <translation>チェーンが使用中か、モーターが動いていました。モーターを停止してやり直してください。</translation>
-    </message>
-    <message>
-        <source>There is something at %1 already. Choose another path.</source>
-        <translation>%1 には既に何かがあります。別のパスを選んでください。</translation>
-    </message>
-    <message>
-        <source>No terminal can be made at %1. Choose a path in a folder of your own.</source>
-        <translation>%1 に端末を作れません。自分のフォルダー内のパスを選んでください。</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — stopped; the program is held off.</source>
-        <translation>貸出中 %1 — 停止しました。プログラムは保留中です。</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.</source>
-        <translation>貸出中 %1 — プログラムが回線を使用しています。移動範囲などパネルの確認はモーターを保護しません。全停止は有効です。</translation>
-    </message>
-    <message>
-        <source>LENT at %1 — no program yet.</source>
-        <translation>貸出中 %1 — まだプログラムはありません。</translation>
-    </message>
-    <message>
-        <source>The motor did not stay within the arrival tolerance of its axis.</source>
-        <translation>モーターが軸の到着許容差内にとどまりませんでした。</translation>
-    </message>
-    <message>
-        <source>This pin is not set as an output. Make it an output first.</source>
-        <translation>このピンは出力に設定されていません。先に出力に設定してください。</translation>
-    </message>
-    <message>
-        <source>The outputs of this module, or their directions, are unknown. Set them once first.</source>
-        <translation>このモジュールの出力またはその方向が不明です。先に一度設定してください。</translation>
-    </message>
-    <message>
-        <source>Several axes have this name. Use the number of the axis, or give each its own name.</source>
-        <translation>同じ名前の軸が複数あります。軸の番号を使うか、それぞれに別の名前を付けてください。</translation>
     </message>
 </context>
 <context>

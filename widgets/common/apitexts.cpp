@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/apitexts.h"
 
-#include <QCoreApplication>
-
+#include "widgets/common/textparts.h"
 #include "widgets/common/words.h"
 
 namespace nmc::texts {
@@ -10,10 +9,6 @@ namespace nmc::texts {
 using namespace Qt::StringLiterals;
 
 namespace {
-class ApiWords {
-    Q_DECLARE_TR_FUNCTIONS(nmc::ApiWords)
-};
-
 /// Messages about one program replace one another.
 [[nodiscard]] Message aboutProgram(const QString& program, const QString& headline) {
     return {.key = u"program/"_s + program, .headline = headline, .replaces = true};
@@ -25,27 +20,26 @@ QString apiProblem(const api::Problem& problem) {
     const QString field = QString::fromStdString(problem.field);
     switch (problem.kind) {
         case NotJson:
-            return ApiWords::tr("This line is not JSON.");
+            return Texts::tr("This line is not JSON.");
         case InvalidRequest:
-            return ApiWords::tr("A request is an object with method, params (an object) and id.");
+            return Texts::tr("A request is an object with method, params (an object) and id.");
         case NoMethod:
-            return ApiWords::tr("There is no such method.");
+            return Texts::tr("There is no such method.");
         case FieldMissing:
-            return ApiWords::tr("The parameter \"%1\" is missing.").arg(field);
+            return Texts::tr("The parameter \"%1\" is missing.").arg(field);
         case FieldWrong:
-            return ApiWords::tr("The parameter \"%1\" has the wrong type, or is out of its range.")
-                .arg(field);
+            return Texts::tr("The parameter \"%1\" has the wrong type, or is out of its range.").arg(field);
         case AxisUnknown:
-            return ApiWords::tr("There is no such axis.");
+            return Texts::tr("There is no such axis.");
         case AxisAmbiguous:
-            return ApiWords::tr(
+            return Texts::tr(
                 "Several axes have this name. Use the number of the axis, or give each its own name.");
         case SequenceUnknown:
-            return ApiWords::tr("There is no sequence or point of that name.");
+            return Texts::tr("There is no sequence or point of that name.");
         case NotAnOutput:
-            return ApiWords::tr("This pin is not set as an output. Make it an output first.");
+            return Texts::tr("This pin is not set as an output. Make it an output first.");
         case OutputsUnknown:
-            return ApiWords::tr(
+            return Texts::tr(
                 "The outputs of this module, or their directions, are unknown. Set them once first.");
         case Refused:
             return refusal(problem.refusal.value());
@@ -54,36 +48,36 @@ QString apiProblem(const api::Problem& problem) {
 }
 
 QString noControl() {
-    return ApiWords::tr("This program may not move motors now: call request_control first.");
+    return Texts::tr("This program may not move motors now: call request_control first.");
 }
 
 QString helloFirst() {
-    return ApiWords::tr("Call hello first.");
+    return Texts::tr("Call hello first.");
 }
 
 QString otherProtocol(const QString& theirs, const QString& ours) {
-    return ApiWords::tr("This panel speaks version %1 of the protocol, and the program version %2.")
+    return Texts::tr("This panel speaks version %1 of the protocol, and the program version %2.")
         .arg(ours, theirs);
 }
 
 QString wasCancelled() {
-    return ApiWords::tr("It was cancelled by a stop or by another command.");
+    return Texts::tr("It was cancelled by a stop or by another command.");
 }
 
 QString didNotSettle() {
-    return ApiWords::tr("The motor did not stay within the arrival tolerance of its axis.");
+    return Texts::tr("The motor did not stay within the arrival tolerance of its axis.");
 }
 
 QString controlLost(ControlLost why) {
     switch (why) {
         case ControlLost::Stopped:
-            return ApiWords::tr("Motors were stopped.");
+            return Texts::tr("Motors were stopped.");
         case ControlLost::TakenBack:
-            return ApiWords::tr("The user has taken control back.");
+            return Texts::tr("The user has taken control back.");
         case ControlLost::Commanded:
-            return ApiWords::tr("The user has commanded a motor.");
+            return Texts::tr("The user has commanded a motor.");
         case ControlLost::Disconnected:
-            return ApiWords::tr("The chain is no longer connected.");
+            return Texts::tr("The chain is no longer connected.");
     }
     return {};
 }
@@ -91,20 +85,20 @@ QString controlLost(ControlLost why) {
 Message apiClosed(const ApiServerProblem& problem) {
     Message message{.key = u"api"_s,
                     .severity = Severity::Attention,
-                    .headline = ApiWords::tr("Other programs cannot connect."),
+                    .headline = Texts::tr("Other programs cannot connect."),
                     .replaces = true};
     switch (problem.kind) {
         case ApiServerProblem::Kind::InUse:
-            message.body = ApiWords::tr("Another panel already lets programs in at %1.").arg(problem.path);
+            message.body = Texts::tr("Another panel already lets programs in at %1.").arg(problem.path);
             break;
         case ApiServerProblem::Kind::NotPrivate:
             message.body =
-                ApiWords::tr(
+                Texts::tr(
                     "%1 is a link, belongs to another user, or is open to others. Remove it, and try again.")
                     .arg(problem.path);
             break;
         case ApiServerProblem::Kind::System:
-            message.body = ApiWords::tr("%1 cannot be created.").arg(problem.path);
+            message.body = Texts::tr("%1 cannot be created.").arg(problem.path);
             message.details = problem.reason;
             break;
     }
@@ -113,23 +107,21 @@ Message apiClosed(const ApiServerProblem& problem) {
 
 Message programConnected(const QString& program) {
     return aboutProgram(
-        program,
-        ApiWords::tr("Program \"%1\" has connected. It may read, but not move motors.").arg(program));
+        program, Texts::tr("Program \"%1\" has connected. It may read, but not move motors.").arg(program));
 }
 
 Message programGone(const QString& program, bool stops) {
     Message message = aboutProgram(
-        program,
-        (stops ? ApiWords::tr("Program \"%1\" has disconnected; the motors that it moved are stopped.")
-               : ApiWords::tr("Program \"%1\" has disconnected."))
-            .arg(program));
+        program, (stops ? Texts::tr("Program \"%1\" has disconnected; the motors that it moved are stopped.")
+                        : Texts::tr("Program \"%1\" has disconnected."))
+                     .arg(program));
     if (stops)
         message.severity = Severity::Attention;
     return message;
 }
 
 Message programCalled(const QString& program, const QString& call) {
-    return aboutProgram(program, ApiWords::tr("Program \"%1\": %2").arg(program, call));
+    return aboutProgram(program, Texts::tr("Program \"%1\": %2").arg(program, call));
 }
 
 Message lineLent(const LineLent& lent) {
@@ -137,24 +129,23 @@ Message lineLent(const LineLent& lent) {
     Message message{.key = u"lent"_s, .replaces = true};
     switch (lent.state) {
         case LineLent::State::Waiting:
-            message.headline = ApiWords::tr("The line is lent at %1. No program has used it yet.").arg(path);
+            message.headline = Texts::tr("The line is lent at %1. No program has used it yet.").arg(path);
             break;
         case LineLent::State::InUse:
-            message.headline = ApiWords::tr("A program has the line, at %1.").arg(path);
+            message.headline = Texts::tr("A program has the line, at %1.").arg(path);
             break;
         case LineLent::State::HeldOff:
             message.severity = Severity::Attention;
-            message.headline =
-                ApiWords::tr("All motors were commanded to stop, and the program is held off.");
-            message.body = ApiWords::tr(
+            message.headline = Texts::tr("All motors were commanded to stop, and the program is held off.");
+            message.body = Texts::tr(
                 "What it sends is dropped. Release lets it continue; it does not know what it has missed.");
             break;
         case LineLent::State::Left:
             message.headline =
-                ApiWords::tr("The program has closed %1, and the line is no longer lent.").arg(path);
+                Texts::tr("The program has closed %1, and the line is no longer lent.").arg(path);
             break;
         case LineLent::State::Ended:
-            message.headline = ApiWords::tr("The line is no longer lent.");
+            message.headline = Texts::tr("The line is no longer lent.");
             break;
     }
     return message;
@@ -164,20 +155,19 @@ Message notLent(const LendingProblem& problem) {
     const QString path = QString::fromStdString(problem.path);
     Message message{.key = u"lent"_s,
                     .severity = Severity::Attention,
-                    .headline = ApiWords::tr("The line was not lent."),
+                    .headline = Texts::tr("The line was not lent."),
                     .replaces = true};
     switch (problem.kind) {
         case LendingProblem::Kind::NotNow:
             message.body =
-                ApiWords::tr("The chain was busy, or a motor was moving. Stop the motors, and try again.");
+                Texts::tr("The chain was busy, or a motor was moving. Stop the motors, and try again.");
             break;
         case LendingProblem::Kind::Taken:
-            message.body = ApiWords::tr("There is something at %1 already. Choose another path.").arg(path);
+            message.body = Texts::tr("There is something at %1 already. Choose another path.").arg(path);
             break;
         case LendingProblem::Kind::System:
             message.body =
-                ApiWords::tr("No terminal can be made at %1. Choose a path in a folder of your own.")
-                    .arg(path);
+                Texts::tr("No terminal can be made at %1. Choose a path in a folder of your own.").arg(path);
             message.details = QString::fromStdString(problem.reason);
             break;
     }
@@ -186,12 +176,12 @@ Message notLent(const LendingProblem& problem) {
 
 QString lentTo(const LentLine& lent) {
     const QString path = QString::fromStdString(lent.path);
-    return lent.heldOff ? ApiWords::tr("LENT at %1 — stopped; the program is held off.").arg(path)
+    return lent.heldOff ? Texts::tr("LENT at %1 — stopped; the program is held off.").arg(path)
            : lent.inUse
-               ? ApiWords::tr(
+               ? Texts::tr(
                      "LENT at %1 — a program has the line. No travel limit or other check of the panel protects the motors; STOP ALL does.")
                      .arg(path)
-               : ApiWords::tr("LENT at %1 — no program yet.").arg(path);
+               : Texts::tr("LENT at %1 — no program yet.").arg(path);
 }
 
 }  // namespace nmc::texts

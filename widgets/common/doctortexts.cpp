@@ -11,10 +11,6 @@ using Finding = ChainDiagnosis::Finding;
 using State = ChainPlace::State;
 
 namespace {
-class DoctorTexts {
-    Q_DECLARE_TR_FUNCTIONS(Chain)
-};
-
 /// The name of the module `at`, which the finding must have.
 QString concernedModule(const ChainDiagnosis& chain) {
     return moduleName(chain.at.value_or(ModuleIndex(0)));
@@ -24,33 +20,32 @@ QString concernedModule(const ChainDiagnosis& chain) {
 QString chainFinding(const ChainDiagnosis& chain) {
     switch (chain.finding) {
         case Finding::NotConnected:
-            return DoctorTexts::tr("Not connected: the state of the chain is unknown.");
+            return Texts::tr("Not connected: the state of the chain is unknown.");
         case Finding::Looking:
-            return DoctorTexts::tr("Looking for modules…");
+            return Texts::tr("Looking for modules…");
         case Finding::Fine:
-            return DoctorTexts::tr("Chain OK: %1.").arg(countOfModules(static_cast<int>(chain.found)));
+            return Texts::tr("Chain OK: %1.").arg(countOfModules(static_cast<int>(chain.found)));
         case Finding::NothingExpected:
-            return DoctorTexts::tr("This chain is new: it has %1.")
+            return Texts::tr("This chain is new: it has %1.")
                 .arg(countOfModules(static_cast<int>(chain.found)));
         case Finding::NobodyAnswers:
-            return DoctorTexts::tr("No module answered.");
+            return Texts::tr("No module answered.");
         case Finding::BreakBehind:
             return Common::tr("%1 of %2 modules answered.").arg(chain.found).arg(chain.expected);
         case Finding::FarEndMissing:
-            return DoctorTexts::tr("%1 of %2 modules answered; the far end of the chain is missing.")
+            return Texts::tr("%1 of %2 modules answered; the far end of the chain is missing.")
                 .arg(chain.found)
                 .arg(chain.expected);
         case Finding::OtherHardware:
-            return DoctorTexts::tr("%1 is not the expected module.").arg(concernedModule(chain));
+            return Texts::tr("%1 is not the expected module.").arg(concernedModule(chain));
         case Finding::MoreThanBefore:
-            return DoctorTexts::tr("More modules than expected: %1 instead of %2.")
+            return Texts::tr("More modules than expected: %1 instead of %2.")
                 .arg(chain.found)
                 .arg(chain.expected);
         case Finding::Unresponsive:
-            return DoctorTexts::tr("%1 stopped answering. Motor state unknown.").arg(concernedModule(chain));
+            return Texts::tr("%1 stopped answering. Motor state unknown.").arg(concernedModule(chain));
         case Finding::Restarted:
-            return DoctorTexts::tr("%1 restarted: its position and gains are lost.")
-                .arg(concernedModule(chain));
+            return Texts::tr("%1 restarted: its position and gains are lost.").arg(concernedModule(chain));
     }
     return {};
 }
@@ -58,35 +53,34 @@ QString chainFinding(const ChainDiagnosis& chain) {
 QString chainAdvice(const ChainDiagnosis& chain) {
     switch (chain.finding) {
         case Finding::NotConnected:
-            return DoctorTexts::tr("Choose a port and connect.");
+            return Texts::tr("Choose a port and connect.");
         case Finding::Looking:
         case Finding::Fine:
             return {};
         case Finding::NothingExpected:
-            return DoctorTexts::tr(
+            return Texts::tr(
                 "Compare the list with the labels on the modules, starting with the module farthest from the PC. If it is right, accept the chain as found: from then on, missing and replaced modules are reported.");
         case Finding::NobodyAnswers:
-            return DoctorTexts::tr(
+            return Texts::tr(
                 "Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC.");
         case Finding::BreakBehind:
-            return DoctorTexts::
+            return Texts::
                 tr("Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two. Then scan again.")
                     .arg(concernedModule(chain));
         case Finding::FarEndMissing:
-            return DoctorTexts::tr(
+            return Texts::tr(
                 "Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.");
         case Finding::OtherHardware:
-            return DoctorTexts::tr(
+            return Texts::tr(
                 "Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.");
         case Finding::MoreThanBefore:
-            return DoctorTexts::tr(
-                       "Modules from %1 on are new. If they belong there, accept the chain as found.")
+            return Texts::tr("Modules from %1 on are new. If they belong there, accept the chain as found.")
                 .arg(concernedModule(chain));
         case Finding::Unresponsive:
-            return DoctorTexts::tr(
+            return Texts::tr(
                 "Check its power and cable; use the hardware stop if its motor moves. The panel retries from time to time.");
         case Finding::Restarted:
-            return DoctorTexts::tr(
+            return Texts::tr(
                 "Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.");
     }
     return {};
@@ -95,17 +89,17 @@ QString chainAdvice(const ChainDiagnosis& chain) {
 QString chainVerdict(State state) {
     switch (state) {
         case State::Fine:
-            return DoctorTexts::tr("OK");
+            return Texts::tr("OK");
         case State::New:
-            return DoctorTexts::tr("new");
+            return Texts::tr("new");
         case State::Different:
-            return DoctorTexts::tr("different module");
+            return Texts::tr("different module");
         case State::Missing:
-            return DoctorTexts::tr("missing");
+            return Texts::tr("missing");
         case State::Unresponsive:
-            return DoctorTexts::tr("does not answer");
+            return Texts::tr("does not answer");
         case State::Restarted:
-            return DoctorTexts::tr("restarted");
+            return Texts::tr("restarted");
     }
     return {};
 }
@@ -148,7 +142,7 @@ Severity severityOf(Finding finding) {
 QString groupName(std::uint8_t group) {
     constexpr std::uint8_t kEverybody = 0xFF;
     if (group == kEverybody)
-        return DoctorTexts::tr("no group");
+        return Texts::tr("no group");
     return Common::tr("Group %1").arg(QString::number(group, 16).toUpper());
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the parts of the table of texts share; for widgets/common/*texts.cpp and words.cpp only.
+// What the parts of the table of texts share; for widgets/common/*texts.cpp and *words.cpp only.
 
 #include <QCoreApplication>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/unitwords.h"
 
-#include <QCoreApplication>
 #include <cmath>
 #include <cstdlib>
 
 #include "model/module/holding.h"
 #include "model/module/modulestate.h"
 #include "widgets/common/sharedwords.h"
+#include "widgets/common/textparts.h"
 #include "widgets/common/words.h"
 
 namespace nmc::texts {
@@ -15,10 +15,6 @@ namespace nmc::texts {
 using namespace Qt::StringLiterals;
 
 namespace {
-
-class Units {
-    Q_DECLARE_TR_FUNCTIONS(Units)
-};
 
 QString equal(std::optional<double> value, const QString& unit) {
     return u"= %1 %2"_s.arg(value ? readout(*value) : u"–"_s, unit);
@@ -37,7 +33,7 @@ QString nativeVelocityUnit(const AxisScale& scale) {
 }
 
 QString nativeAccelerationUnit(const AxisScale& scale) {
-    return scale.steps() ? Units::tr("steps/s²") : unitAcceleration();
+    return scale.steps() ? Texts::tr("steps/s²") : unitAcceleration();
 }
 
 }  // namespace
@@ -51,7 +47,7 @@ QString unitOf(const AxisScale& scale) {
         case UnitKind::Degrees:
             return u"°"_s;
         case UnitKind::Millimetres:
-            return Units::tr("mm");
+            return Texts::tr("mm");
         case UnitKind::Own:
             return QString::fromStdString(scale.unit().ownSymbol);
     }
@@ -109,21 +105,21 @@ QString distance(const AxisScale& scale, double counts) {
 QString swing(const SwingWatch::Swing& swing, const AxisScale& scale) {
     const QString far = readout(scale.distance(swing.amplitude), 2) + u' ' + unitOf(scale);
     if (swing.hunts)
-        return Units::tr("Hunting ± %1 every %2 s. Lower Ki.").arg(far, readout(1 / *swing.hertz, 2));
-    return swing.hertz ? Units::tr("Oscillating ± %1 at about %2 Hz").arg(far, readout(*swing.hertz, 2))
-                       : Units::tr("Oscillating ± %1").arg(far);
+        return Texts::tr("Hunting ± %1 every %2 s. Lower Ki.").arg(far, readout(1 / *swing.hertz, 2));
+    return swing.hertz ? Texts::tr("Oscillating ± %1 at about %2 Hz").arg(far, readout(*swing.hertz, 2))
+                       : Texts::tr("Oscillating ± %1").arg(far);
 }
 
 QString activity(const ModuleState& module, const AxisScale& scale) {
     const QString word = activity(module.activity());
     const auto& swing = module.swing.swing();
     if (module.activity() == Activity::Holding && swing)
-        return (swing->hunts ? Units::tr("%1, hunting") : Units::tr("%1, oscillating")).arg(word);
+        return (swing->hunts ? Texts::tr("%1, hunting") : Texts::tr("%1, oscillating")).arg(word);
     const auto holding = holdingOf(module);
     if (!holding)
         return word;
-    return holding->atLimit ? Units::tr("%1, pushing at OL").arg(word)
-                            : Units::tr("%1, %2 off").arg(word, offBy(*holding, scale));
+    return holding->atLimit ? Texts::tr("%1, pushing at OL").arg(word)
+                            : Texts::tr("%1, %2 off").arg(word, offBy(*holding, scale));
 }
 
 QString activityMeaning(const ModuleState& module, const AxisScale& scale) {
@@ -131,15 +127,15 @@ QString activityMeaning(const ModuleState& module, const AxisScale& scale) {
         if (const auto& swing = module.swing.swing())
             return texts::swing(*swing, scale);
         if (module.isServo() && module.gains && module.gains->kp == 0)
-            return Units::tr("Kp is 0: the servo brakes the motor but holds no position.");
+            return Texts::tr("Kp is 0: the servo brakes the motor but holds no position.");
     }
     const auto holding = holdingOf(module);
     if (!holding)
         return activityMeaning(module.activity());
     return (holding->atLimit
-                ? Units::tr(
+                ? Texts::tr(
                       "%1 off the position to hold, and pushing with up to the full output limit. Something may be in the way.")
-                : Units::tr(
+                : Texts::tr(
                       "%1 off the position to hold: friction, a load or an obstacle is stronger. A higher Kp, or an integral (Ki, IL), pushes more."))
         .arg(offBy(*holding, scale));
 }
@@ -154,7 +150,7 @@ QString otherVelocity(const AxisScale& scale, double nativeVelocity) {
     const auto perSecond = scale.perSecond();
     return scale.steps() ? QString()
                          : equal(perSecond ? std::optional(nativeVelocity * *perSecond) : std::nullopt,
-                                 Units::tr("counts/s"));
+                                 Texts::tr("counts/s"));
 }
 
 QString otherAcceleration(const AxisScale& scale, double nativeAcceleration) {
@@ -164,7 +160,7 @@ QString otherAcceleration(const AxisScale& scale, double nativeAcceleration) {
     return scale.steps()
                ? QString()
                : equal(perSecond ? std::optional(nativeAcceleration * *perSecond * *perSecond) : std::nullopt,
-                       Units::tr("counts/s²"));
+                       Texts::tr("counts/s²"));
 }
 
 QString analog(const AnalogScale& scale, int value) {
@@ -172,7 +168,7 @@ QString analog(const AnalogScale& scale, int value) {
 }
 
 QString analogReading(const AnalogScale& scale, int value) {
-    return Units::tr("%1 (%2 of 255)").arg(analog(scale, value)).arg(value);
+    return Texts::tr("%1 (%2 of 255)").arg(analog(scale, value)).arg(value);
 }
 
 }  // namespace nmc::texts

@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/workwords.h"
 
-#include <QCoreApplication>
-
+#include "widgets/common/textparts.h"
 #include "widgets/common/unitwords.h"
 
 namespace nmc::texts {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-
-class WorkTexts {
-    Q_DECLARE_TR_FUNCTIONS(WorkTexts)
-};
-
-}  // namespace
-
 QString from(const WorkZero& zero) {
-    return WorkTexts::tr("from \"%1\"").arg(QString::fromStdString(zero.offset.name));
+    return Texts::tr("from \"%1\"").arg(QString::fromStdString(zero.offset.name));
 }
 
 QString place(const Zero& zero, const AxisScale& scale, double counts) {
@@ -28,7 +19,7 @@ QString place(const Zero& zero, const AxisScale& scale, double counts) {
 
 QString byCounter(const Zero& zero, const AxisScale& scale, double counts) {
     const QString where = position(scale, counts);
-    return zero ? WorkTexts::tr("%1 by the counter").arg(where) : where;
+    return zero ? Texts::tr("%1 by the counter").arg(where) : where;
 }
 
 QString marked(const Zero& zero, const AxisScale& scale, double counts) {
@@ -40,8 +31,8 @@ QString zeroInUse(const Zero& zero) {
     if (!zero)
         return {};
     return (zero->counts
-                ? WorkTexts::tr("Positions count from \"%1\".")
-                : WorkTexts::tr(
+                ? Texts::tr("Positions count from \"%1\".")
+                : Texts::tr(
                       "It is not known any more where \"%1\" is. Choose the work offset again, or clear it (Axis page)."))
         .arg(QString::fromStdString(zero->offset.name));
 }
