@@ -834,36 +834,13 @@
         <source>A sequence is already running.</source>
         <translation>Ein Ablauf läuft schon.</translation>
     </message>
-</context>
-<context>
-    <name>FirstSteps</name>
     <message>
-        <source>Fill in gains</source>
-        <translation>Reglerwerte eintragen</translation>
+        <source>Its name on this machine. Sends nothing.</source>
+        <translation>Sein Name an dieser Maschine. Sendet nichts.</translation>
     </message>
     <message>
-        <source>Apply gains</source>
-        <translation>Reglerwerte anwenden</translation>
-    </message>
-    <message>
-        <source>Enable servo</source>
-        <translation>Servo einschalten</translation>
-    </message>
-    <message>
-        <source>Take the starting values, or type your own. Nothing is sent yet.</source>
-        <translation>Startwerte nehmen oder eigene eingeben. Noch wird nichts gesendet.</translation>
-    </message>
-    <message>
-        <source>Sends the gains to the module. The motor does not move.</source>
-        <translation>Sendet die Reglerwerte an das Modul. Der Motor bewegt sich nicht.</translation>
-    </message>
-    <message>
-        <source>New wiring? Run the direction check on the Axis page first.</source>
-        <translation>Neu verdrahtet? Zuerst die Richtungsprüfung auf der Seite Achse ausführen.</translation>
-    </message>
-    <message>
-        <source>The motor moves while you hold the button. Esc stops it from anywhere.</source>
-        <translation>Der Motor bewegt sich, solange die Taste gehalten wird. Esc stoppt ihn von überall.</translation>
+        <source>name</source>
+        <translation>Name</translation>
     </message>
 </context>
 <context>
@@ -6327,17 +6304,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
 </context>
 <context>
-    <name>nmc::BoxParts</name>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Sein Name an dieser Maschine. Sendet nichts.</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>Name</translation>
-    </message>
-</context>
-<context>
     <name>nmc::ChainDialog</name>
     <message>
         <source>Doctor, groups and baud rate</source>
@@ -7579,6 +7545,34 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Step %1 of %2: %3</source>
         <translation>Schritt %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Fill in gains</source>
+        <translation>Reglerwerte eintragen</translation>
+    </message>
+    <message>
+        <source>Apply gains</source>
+        <translation>Reglerwerte anwenden</translation>
+    </message>
+    <message>
+        <source>Enable servo</source>
+        <translation>Servo einschalten</translation>
+    </message>
+    <message>
+        <source>Take the starting values, or type your own. Nothing is sent yet.</source>
+        <translation>Startwerte nehmen oder eigene eingeben. Noch wird nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Sends the gains to the module. The motor does not move.</source>
+        <translation>Sendet die Reglerwerte an das Modul. Der Motor bewegt sich nicht.</translation>
+    </message>
+    <message>
+        <source>New wiring? Run the direction check on the Axis page first.</source>
+        <translation>Neu verdrahtet? Zuerst die Richtungsprüfung auf der Seite Achse ausführen.</translation>
+    </message>
+    <message>
+        <source>The motor moves while you hold the button. Esc stops it from anywhere.</source>
+        <translation>Der Motor bewegt sich, solange die Taste gehalten wird. Esc stoppt ihn von überall.</translation>
     </message>
 </context>
 <context>

@@ -834,36 +834,13 @@
         <source>A sequence is already running.</source>
         <translation>Ya hay una secuencia en ejecución.</translation>
     </message>
-</context>
-<context>
-    <name>FirstSteps</name>
     <message>
-        <source>Fill in gains</source>
-        <translation>Rellenar ganancias</translation>
+        <source>Its name on this machine. Sends nothing.</source>
+        <translation>Su nombre en esta máquina. No envía nada.</translation>
     </message>
     <message>
-        <source>Apply gains</source>
-        <translation>Aplicar ganancias</translation>
-    </message>
-    <message>
-        <source>Enable servo</source>
-        <translation>Habilitar servo</translation>
-    </message>
-    <message>
-        <source>Take the starting values, or type your own. Nothing is sent yet.</source>
-        <translation>Tome los valores iniciales o escriba los suyos. Aún no se envía nada.</translation>
-    </message>
-    <message>
-        <source>Sends the gains to the module. The motor does not move.</source>
-        <translation>Envía las ganancias al módulo. El motor no se mueve.</translation>
-    </message>
-    <message>
-        <source>New wiring? Run the direction check on the Axis page first.</source>
-        <translation>¿Cableado nuevo? Haga primero la prueba de sentido en la página Eje.</translation>
-    </message>
-    <message>
-        <source>The motor moves while you hold the button. Esc stops it from anywhere.</source>
-        <translation>El motor se mueve mientras mantiene pulsado el botón. Esc lo para desde cualquier lugar.</translation>
+        <source>name</source>
+        <translation>nombre</translation>
     </message>
 </context>
 <context>
@@ -6327,17 +6304,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
 </context>
 <context>
-    <name>nmc::BoxParts</name>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Su nombre en esta máquina. No envía nada.</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>nombre</translation>
-    </message>
-</context>
-<context>
     <name>nmc::ChainDialog</name>
     <message>
         <source>Doctor, groups and baud rate</source>
@@ -7579,6 +7545,34 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Step %1 of %2: %3</source>
         <translation>Paso %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>Fill in gains</source>
+        <translation>Rellenar ganancias</translation>
+    </message>
+    <message>
+        <source>Apply gains</source>
+        <translation>Aplicar ganancias</translation>
+    </message>
+    <message>
+        <source>Enable servo</source>
+        <translation>Habilitar servo</translation>
+    </message>
+    <message>
+        <source>Take the starting values, or type your own. Nothing is sent yet.</source>
+        <translation>Tome los valores iniciales o escriba los suyos. Aún no se envía nada.</translation>
+    </message>
+    <message>
+        <source>Sends the gains to the module. The motor does not move.</source>
+        <translation>Envía las ganancias al módulo. El motor no se mueve.</translation>
+    </message>
+    <message>
+        <source>New wiring? Run the direction check on the Axis page first.</source>
+        <translation>¿Cableado nuevo? Haga primero la prueba de sentido en la página Eje.</translation>
+    </message>
+    <message>
+        <source>The motor moves while you hold the button. Esc stops it from anywhere.</source>
+        <translation>El motor se mueve mientras mantiene pulsado el botón. Esc lo para desde cualquier lugar.</translation>
     </message>
 </context>
 <context>

@@ -834,36 +834,13 @@
         <source>A sequence is already running.</source>
         <translation>Une séquence est déjà en cours.</translation>
     </message>
-</context>
-<context>
-    <name>FirstSteps</name>
     <message>
-        <source>Fill in gains</source>
-        <translation>Remplir les gains</translation>
+        <source>Its name on this machine. Sends nothing.</source>
+        <translation>Son nom sur cette machine. N’envoie rien.</translation>
     </message>
     <message>
-        <source>Apply gains</source>
-        <translation>Appliquer les gains</translation>
-    </message>
-    <message>
-        <source>Enable servo</source>
-        <translation>Activer le servo</translation>
-    </message>
-    <message>
-        <source>Take the starting values, or type your own. Nothing is sent yet.</source>
-        <translation>Reprenez les valeurs de départ, ou saisissez les vôtres. Rien n’est encore envoyé.</translation>
-    </message>
-    <message>
-        <source>Sends the gains to the module. The motor does not move.</source>
-        <translation>Envoie les gains au module. Le moteur ne bouge pas.</translation>
-    </message>
-    <message>
-        <source>New wiring? Run the direction check on the Axis page first.</source>
-        <translation>Nouveau câblage&#x202f;? Faites d’abord le contrôle de sens sur la page Axe.</translation>
-    </message>
-    <message>
-        <source>The motor moves while you hold the button. Esc stops it from anywhere.</source>
-        <translation>Le moteur bouge tant que vous maintenez le bouton. Esc l’arrête depuis n’importe où.</translation>
+        <source>name</source>
+        <translation>nom</translation>
     </message>
 </context>
 <context>
@@ -6327,17 +6304,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
 </context>
 <context>
-    <name>nmc::BoxParts</name>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>Son nom sur cette machine. N’envoie rien.</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>nom</translation>
-    </message>
-</context>
-<context>
     <name>nmc::ChainDialog</name>
     <message>
         <source>Doctor, groups and baud rate</source>
@@ -7579,6 +7545,34 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Step %1 of %2: %3</source>
         <translation>Étape %1 sur %2&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>Fill in gains</source>
+        <translation>Remplir les gains</translation>
+    </message>
+    <message>
+        <source>Apply gains</source>
+        <translation>Appliquer les gains</translation>
+    </message>
+    <message>
+        <source>Enable servo</source>
+        <translation>Activer le servo</translation>
+    </message>
+    <message>
+        <source>Take the starting values, or type your own. Nothing is sent yet.</source>
+        <translation>Reprenez les valeurs de départ, ou saisissez les vôtres. Rien n’est encore envoyé.</translation>
+    </message>
+    <message>
+        <source>Sends the gains to the module. The motor does not move.</source>
+        <translation>Envoie les gains au module. Le moteur ne bouge pas.</translation>
+    </message>
+    <message>
+        <source>New wiring? Run the direction check on the Axis page first.</source>
+        <translation>Nouveau câblage&#x202f;? Faites d’abord le contrôle de sens sur la page Axe.</translation>
+    </message>
+    <message>
+        <source>The motor moves while you hold the button. Esc stops it from anywhere.</source>
+        <translation>Le moteur bouge tant que vous maintenez le bouton. Esc l’arrête depuis n’importe où.</translation>
     </message>
 </context>
 <context>

@@ -834,36 +834,13 @@
         <source>A sequence is already running.</source>
         <translation>シーケンスはすでに運転中です。</translation>
     </message>
-</context>
-<context>
-    <name>FirstSteps</name>
     <message>
-        <source>Fill in gains</source>
-        <translation>ゲインを入力</translation>
+        <source>Its name on this machine. Sends nothing.</source>
+        <translation>このマシンでの名前です。何も送信しません。</translation>
     </message>
     <message>
-        <source>Apply gains</source>
-        <translation>ゲインを適用</translation>
-    </message>
-    <message>
-        <source>Enable servo</source>
-        <translation>サーボオン</translation>
-    </message>
-    <message>
-        <source>Take the starting values, or type your own. Nothing is sent yet.</source>
-        <translation>初期値を使うか、値を入力してください。まだ何も送信しません。</translation>
-    </message>
-    <message>
-        <source>Sends the gains to the module. The motor does not move.</source>
-        <translation>ゲインをモジュールに送信します。モーターは動きません。</translation>
-    </message>
-    <message>
-        <source>New wiring? Run the direction check on the Axis page first.</source>
-        <translation>新しい配線の場合は、先に「軸」ページで方向チェックを行ってください。</translation>
-    </message>
-    <message>
-        <source>The motor moves while you hold the button. Esc stops it from anywhere.</source>
-        <translation>ボタンを押している間、モーターが動きます。Escを押せば、どの画面からでも停止します。</translation>
+        <source>name</source>
+        <translation>名前</translation>
     </message>
 </context>
 <context>
@@ -6310,17 +6287,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
 </context>
 <context>
-    <name>nmc::BoxParts</name>
-    <message>
-        <source>Its name on this machine. Sends nothing.</source>
-        <translation>このマシンでの名前です。何も送信しません。</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>名前</translation>
-    </message>
-</context>
-<context>
     <name>nmc::ChainDialog</name>
     <message>
         <source>Doctor, groups and baud rate</source>
@@ -7562,6 +7528,34 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Step %1 of %2: %3</source>
         <translation>手順%1 / %2：%3</translation>
+    </message>
+    <message>
+        <source>Fill in gains</source>
+        <translation>ゲインを入力</translation>
+    </message>
+    <message>
+        <source>Apply gains</source>
+        <translation>ゲインを適用</translation>
+    </message>
+    <message>
+        <source>Enable servo</source>
+        <translation>サーボオン</translation>
+    </message>
+    <message>
+        <source>Take the starting values, or type your own. Nothing is sent yet.</source>
+        <translation>初期値を使うか、値を入力してください。まだ何も送信しません。</translation>
+    </message>
+    <message>
+        <source>Sends the gains to the module. The motor does not move.</source>
+        <translation>ゲインをモジュールに送信します。モーターは動きません。</translation>
+    </message>
+    <message>
+        <source>New wiring? Run the direction check on the Axis page first.</source>
+        <translation>新しい配線の場合は、先に「軸」ページで方向チェックを行ってください。</translation>
+    </message>
+    <message>
+        <source>The motor moves while you hold the button. Esc stops it from anywhere.</source>
+        <translation>ボタンを押している間、モーターが動きます。Escを押せば、どの画面からでも停止します。</translation>
     </message>
 </context>
 <context>

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/boxparts.h"
 
-#include <QCoreApplication>
-
 #include "widgets/common/form.h"
+#include "widgets/common/sharedwords.h"
 
 namespace nmc {
-
-namespace {
-class BoxParts {
-    Q_DECLARE_TR_FUNCTIONS(nmc::BoxParts)
-};
-}  // namespace
 
 QLineEdit* newNameField(const QString& objectName, const QString& accessibleName, QWidget* box) {
     return form::newText({.name = objectName,
                           .accessible = accessibleName,
                           .maxLength = kMaxNameLength,
-                          .meaning = BoxParts::tr("Its name on this machine. Sends nothing."),
-                          .example = BoxParts::tr("name")},
+                          .meaning = Common::tr("Its name on this machine. Sends nothing."),
+                          .example = Common::tr("name")},
                          box);
 }
 

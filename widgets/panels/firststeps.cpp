@@ -17,35 +17,25 @@ namespace {
 
 constexpr int kRoomForAllSteps = 46;  ///< width, in heights of a text line, from which all steps have room
 
-class FirstStepTexts {
-    Q_DECLARE_TR_FUNCTIONS(FirstSteps)
+struct StepWords {
+    QString title;
+    QString hint;
 };
 
-QString stepTitle(FirstStep step) {
+StepWords wordsOf(FirstStep step) {
     switch (step) {
         case FirstStep::FillInGains:
-            return FirstStepTexts::tr("Fill in gains");
+            return {FirstSteps::tr("Fill in gains"),
+                    FirstSteps::tr("Take the starting values, or type your own. Nothing is sent yet.")};
         case FirstStep::ApplyGains:
-            return FirstStepTexts::tr("Apply gains");
+            return {FirstSteps::tr("Apply gains"),
+                    FirstSteps::tr("Sends the gains to the module. The motor does not move.")};
         case FirstStep::Enable:
-            return FirstStepTexts::tr("Enable servo");
+            return {FirstSteps::tr("Enable servo"),
+                    FirstSteps::tr("New wiring? Run the direction check on the Axis page first.")};
         case FirstStep::Jog:
-            return Common::tr("Jog");
-    }
-    return {};
-}
-
-QString hintFor(FirstStep step) {
-    switch (step) {
-        case FirstStep::FillInGains:
-            return FirstStepTexts::tr("Take the starting values, or type your own. Nothing is sent yet.");
-        case FirstStep::ApplyGains:
-            return FirstStepTexts::tr("Sends the gains to the module. The motor does not move.");
-        case FirstStep::Enable:
-            return FirstStepTexts::tr("New wiring? Run the direction check on the Axis page first.");
-        case FirstStep::Jog:
-            return FirstStepTexts::tr(
-                "The motor moves while you hold the button. Esc stops it from anywhere.");
+            return {Common::tr("Jog"),
+                    FirstSteps::tr("The motor moves while you hold the button. Esc stops it from anywhere.")};
     }
     return {};
 }
@@ -114,18 +104,19 @@ void FirstSteps::refreshSteps(FirstStep next) {
         const QString mark = step < next    ? u"✓"_s
                              : step == next ? u"▸ %1."_s.arg(i + 1)
                                             : u"%1."_s.arg(i + 1);
-        look::setText(m_steps[i], mark + u' ' + stepTitle(step));
+        look::setText(m_steps[i], mark + u' ' + wordsOf(step).title);
         QFont font = this->font();
         font.setBold(step == next);
         if (m_steps[i]->font().bold() != font.bold())
             m_steps[i]->setFont(font);
         m_steps[i]->setVisible(wide || step == next);
     }
-    look::setText(m_hint, hintFor(next));
+    const StepWords words = wordsOf(next);
+    look::setText(m_hint, words.hint);
     m_hint->setVisible(wide);
-    setToolTip(hintFor(next));
+    setToolTip(words.hint);
     setAccessibleDescription(
-        tr("Step %1 of %2: %3").arg(static_cast<int>(next) + 1).arg(m_steps.size()).arg(stepTitle(next)));
+        tr("Step %1 of %2: %3").arg(static_cast<int>(next) + 1).arg(m_steps.size()).arg(words.title));
 }
 
 }  // namespace nmc
