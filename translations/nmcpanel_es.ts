@@ -5899,6 +5899,13 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
 </context>
 <context>
+    <name>nmc::AskDialog</name>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+</context>
+<context>
     <name>nmc::AxesPage</name>
     <message>
         <source>All axes</source>
@@ -7158,10 +7165,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Prueba de sentido</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Cancelar</translation>
-    </message>
-    <message>
         <source>&amp;Pulse motor</source>
         <translation>Em&amp;pujar el motor</translation>
     </message>
@@ -7761,10 +7764,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>&amp;Aplicar estas ganancias</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Cancelar</translation>
-    </message>
-    <message>
         <source>Step response…</source>
         <translation>Respuesta al escalón…</translation>
     </message>
@@ -8033,10 +8032,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Set positions to 0</source>
         <translation>Poner posiciones a 0</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Cancelar</translation>
     </message>
     <message>
         <source>&amp;Set positions to 0</source>
@@ -8925,10 +8920,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Motors are moving</source>
         <translation>Motores en movimiento</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Cancelar</translation>
     </message>
     <message>
         <source>Restart the network</source>
@@ -10438,10 +10429,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Ejecutar la trayectoria</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Cancelar</translation>
-    </message>
-    <message>
         <source>&amp;Run path</source>
         <translation>&amp;Ejecutar trayectoria</translation>
     </message>
@@ -10518,10 +10505,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Switch %1 off?</source>
         <translation>¿Desactivar %1?</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Cancelar</translation>
     </message>
     <message>
         <source>&amp;Switch on</source>
@@ -13135,10 +13118,6 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
     <message>
         <source>Confirm the position</source>
         <translation>Confirmar la posición</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Cancelar</translation>
     </message>
     <message>
         <source>Position &amp;is right</source>

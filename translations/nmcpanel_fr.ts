@@ -5899,6 +5899,13 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
 </context>
 <context>
+    <name>nmc::AskDialog</name>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+</context>
+<context>
     <name>nmc::AxesPage</name>
     <message>
         <source>All axes</source>
@@ -7158,10 +7165,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Contrôle de sens</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
-    </message>
-    <message>
         <source>&amp;Pulse motor</source>
         <translation>Lancer les im&amp;pulsions</translation>
     </message>
@@ -7761,10 +7764,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>&amp;Appliquer ces gains</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
-    </message>
-    <message>
         <source>Step response…</source>
         <translation>Réponse indicielle…</translation>
     </message>
@@ -8033,10 +8032,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Set positions to 0</source>
         <translation>Mettre les positions à 0</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>&amp;Set positions to 0</source>
@@ -8925,10 +8920,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Motors are moving</source>
         <translation>Moteurs en mouvement</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>Restart the network</source>
@@ -10438,10 +10429,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Exécuter la trajectoire</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
-    </message>
-    <message>
         <source>&amp;Run path</source>
         <translation>&amp;Exécuter la trajectoire</translation>
     </message>
@@ -10518,10 +10505,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Switch %1 off?</source>
         <translation>Désactiver %1&#x202f;?</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>&amp;Switch on</source>
@@ -13135,10 +13118,6 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
     <message>
         <source>Confirm the position</source>
         <translation>Confirmer la position</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>Position &amp;is right</source>

@@ -5882,6 +5882,13 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
 </context>
 <context>
+    <name>nmc::AskDialog</name>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
+    </message>
+</context>
+<context>
     <name>nmc::AxesPage</name>
     <message>
         <source>All axes</source>
@@ -7141,10 +7148,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>方向チェック</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>キャンセル(&amp;C)</translation>
-    </message>
-    <message>
         <source>&amp;Pulse motor</source>
         <translation>モーターを駆動(&amp;P)</translation>
     </message>
@@ -7744,10 +7747,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>このゲインを適用(&amp;A)</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>キャンセル(&amp;C)</translation>
-    </message>
-    <message>
         <source>Step response…</source>
         <translation>ステップ応答…</translation>
     </message>
@@ -8016,10 +8015,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Set positions to 0</source>
         <translation>位置を0に設定</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Set positions to 0</source>
@@ -8907,10 +8902,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Motors are moving</source>
         <translation>モーターが動いています</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
         <source>Restart the network</source>
@@ -10419,10 +10410,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>パスの運転</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>キャンセル(&amp;C)</translation>
-    </message>
-    <message>
         <source>&amp;Run path</source>
         <translation>パスを運転(&amp;R)</translation>
     </message>
@@ -10499,10 +10486,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Switch %1 off?</source>
         <translation>%1をオフにしますか？</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Switch on</source>
@@ -13115,10 +13098,6 @@ It works only while the link works: fit a hardware stop as well.</source>
     <message>
         <source>Confirm the position</source>
         <translation>位置の確認</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>キャンセル(&amp;C)</translation>
     </message>
     <message>
         <source>Position &amp;is right</source>

@@ -315,9 +315,7 @@ void GroupsPage::askBeforeReset() {
     AskDialog::ask({.name = u"groupResetDialog"_s,
                     .title = tr("Set positions to 0"),
                     .text = [this, asked] { return asked == group() ? questionBeforeReset() : QString(); },
-                    .stay = tr("&Cancel"),
-                    .stayName = u"cancelGroupResetButton"_s,
-                    .stayIsDefault = true},
+                    .stayName = u"cancelGroupResetButton"_s},
                    {{tr("&Set positions to 0"), u"confirmGroupResetButton"_s,
                      [this] { command(bus::GroupCommand::Action::ResetPosition); }}},
                    this);

@@ -65,7 +65,7 @@ AskDialog::AskDialog(const Question& question, std::initializer_list<Choice> cho
     auto* stay = form::newPush({question.stayName, question.stay}, this);
     connect(stay, &QPushButton::clicked, this, &QDialog::reject);
     m_buttons->addWidget(stay);
-    (question.stayIsDefault ? stay : qobject_cast<QPushButton*>(m_buttons->itemAt(1)->widget()))
+    (question.goIsDefault ? qobject_cast<QPushButton*>(m_buttons->itemAt(1)->widget()) : stay)
         ->setDefault(true);
 
     form::fill(this, form::newColumn(this, {form::newLine(this, {glyph, {m_label, 1}}), m_buttons}, 2), 2);

@@ -22,9 +22,9 @@ public:
         QString title;
         /// Returns the present text; empty if there is nothing left to ask, which withdraws the question.
         std::function<QString()> text;
-        QString stay;  ///< the button that leaves everything as it is
+        QString stay = AskDialog::tr("&Cancel");  ///< the button that leaves everything as it is
         QString stayName;
-        bool stayIsDefault = false;                      ///< otherwise the first choice is the default
+        bool goIsDefault = false;                        ///< the first choice; otherwise `stay` is
         QString textName = QStringLiteral("closeText");  ///< object name of the text
     };
     struct Choice {

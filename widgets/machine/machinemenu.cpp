@@ -171,6 +171,7 @@ void MachineMenu::ask(const QString& saveText, const QString& goOnText, const Go
          .text = text,
          .stay = tr("Ca&ncel"),
          .stayName = u"stayUnsavedButton"_s,
+         .goIsDefault = true,
          .textName = u"unsavedText"_s},
         {{saveText, u"saveFirstButton"_s, [this, go] { save(go); }}, {goOnText, u"goOnUnsavedButton"_s, go}},
         m_window);
@@ -183,7 +184,8 @@ void MachineMenu::waitForSave(const Go& close) {
          .title = tr("Saving"),
          .text = [this] { return m_file.saving ? texts::beingSaved(m_file.title()) : QString(); },
          .stay = tr("Ca&ncel"),
-         .stayName = u"staySavingButton"_s},
+         .stayName = u"staySavingButton"_s,
+         .goIsDefault = true},
         {{tr("&Close: the changes can be restored at the next start"), u"closeUnsavedButton"_s, close}},
         m_window);
     // If the question is withdrawn because the file has been saved, the window closes.

@@ -340,8 +340,7 @@ void MainWindow::askForControl(const QString& program, const std::function<bool(
                             : QString();
              },
          .stay = tr("Refuse"),
-         .stayName = u"refuseControlButton"_s,
-         .stayIsDefault = true},
+         .stayName = u"refuseControlButton"_s},
         {{tr("Let it move motors"), u"grantControlButton"_s, [decided] { decided(true); }}}, this);
     // Queued: the choice that closes the dialog is carried out after this.
     connect(
@@ -925,8 +924,8 @@ void MainWindow::askBeforeStopping(const QString& name, const QString& stopText,
     AskDialog::ask({.name = name,
                     .title = tr("Motors are moving"),
                     .text = m_session.whileOpen(texts::closing),
-                    .stay = tr("&Cancel"),
-                    .stayName = u"stayButton"_s},
+                    .stayName = u"stayButton"_s,
+                    .goIsDefault = true},
                    {{stopText, u"stopAndCloseButton"_s,
                      [this, go] {
                          emit stopAllRequested();
@@ -963,9 +962,7 @@ void MainWindow::askBeforeRestart() {
     AskDialog::ask({.name = u"restartDialog"_s,
                     .title = tr("Restart the network"),
                     .text = m_session.whileOpen(texts::beforeRestart),
-                    .stay = tr("&Cancel"),
-                    .stayName = u"cancelRestartButton"_s,
-                    .stayIsDefault = true},
+                    .stayName = u"cancelRestartButton"_s},
                    {{tr("&Restart the network: positions and gains are lost"), u"restartButton"_s,
                      [this] { emit restartNetworkRequested(); }}},
                    this);

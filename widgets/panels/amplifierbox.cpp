@@ -244,8 +244,7 @@ void AmplifierBox::question(const QString& name, const QString& title, const Com
                     .title = title,
                     .text = shown,
                     .stay = Common::tr("Cancel"),
-                    .stayName = name + u"Cancel"_s,
-                    .stayIsDefault = true},
+                    .stayName = name + u"Cancel"_s},
                    {{verb, name + u"Go"_s, go}}, window());
 }
 

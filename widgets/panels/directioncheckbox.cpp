@@ -79,9 +79,7 @@ void DirectionCheckBox::ask() {
     AskDialog::ask({.name = u"directionCheckDialog"_s,
                     .title = tr("Direction check"),
                     .text = text,
-                    .stay = tr("&Cancel"),
-                    .stayName = u"stayDirectionCheckButton"_s,
-                    .stayIsDefault = true},
+                    .stayName = u"stayDirectionCheckButton"_s},
                    {{tr("&Pulse motor"), u"startDirectionCheckButton"_s, go}}, window());
 }
 

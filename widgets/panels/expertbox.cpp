@@ -388,8 +388,7 @@ void ExpertBox::askBeforeReset() {
                     .title = tr("Reset module"),
                     .text = text,
                     .stay = Common::tr("Cancel"),
-                    .stayName = u"resetModuleCancel"_s,
-                    .stayIsDefault = true},
+                    .stayName = u"resetModuleCancel"_s},
                    {{tr("Reset the module"), u"resetModuleGo"_s, go}}, window());
 }
 

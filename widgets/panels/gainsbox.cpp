@@ -259,9 +259,7 @@ void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList
     AskDialog::ask({.name = u"largeStepDialog"_s,
                     .title = tr("Gains while the servo is on"),
                     .text = text,
-                    .stay = tr("&Cancel"),
-                    .stayName = u"cancelLargeStepButton"_s,
-                    .stayIsDefault = true},
+                    .stayName = u"cancelLargeStepButton"_s},
                    {{tr("&Apply these gains"), u"applyLargeStepButton"_s, go}}, window());
 }
 

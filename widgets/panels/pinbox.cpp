@@ -149,13 +149,9 @@ void PinBox::askBefore(unsigned pin, bool high) {
         if (self)
             self->m_context.ask(iointent::SetOutput{pin, high});
     };
-    AskDialog::ask({.name = u"outputDialog"_s,
-                    .title = tr("Output"),
-                    .text = text,
-                    .stay = tr("&Cancel"),
-                    .stayName = u"cancelOutputButton"_s,
-                    .stayIsDefault = true},
-                   {{high ? tr("&Switch on") : tr("&Switch off"), u"switchOutputButton"_s, go}}, window());
+    AskDialog::ask(
+        {.name = u"outputDialog"_s, .title = tr("Output"), .text = text, .stayName = u"cancelOutputButton"_s},
+        {{high ? tr("&Switch on") : tr("&Switch off"), u"switchOutputButton"_s, go}}, window());
 }
 
 void PinBox::showModule() {

@@ -240,9 +240,7 @@ void TravelBox::askToDeclare() {
     AskDialog::ask({.name = u"declarePositionDialog"_s,
                     .title = tr("Confirm the position"),
                     .text = text,
-                    .stay = tr("&Cancel"),
-                    .stayName = u"stayDeclareButton"_s,
-                    .stayIsDefault = true},
+                    .stayName = u"stayDeclareButton"_s},
                    {{tr("Position &is right"), u"positionIsRightButton"_s, go}}, window());
 }
 

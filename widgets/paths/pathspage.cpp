@@ -404,9 +404,7 @@ void PathsPage::ask() {
     AskDialog::ask({.name = u"runPathDialog"_s,
                     .title = tr("Run the path"),
                     .text = [this, path = m_path] { return path == m_path ? question() : QString(); },
-                    .stay = tr("&Cancel"),
                     .stayName = u"cancelPathButton"_s,
-                    .stayIsDefault = true,
                     .textName = u"runPathText"_s},
                    {{tr("&Run path"), u"runPathGo"_s, [this] { run(); }}}, this);
 }

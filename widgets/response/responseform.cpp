@@ -359,7 +359,8 @@ void ResponseForm::askWhichGains(const intent::StepSeries& wanted, const std::ve
                     .title = tr("Gains not sent"),
                     .text = text,
                     .stay = tr("&Cancel"),
-                    .stayName = u"cancelStepButton"_s},
+                    .stayName = u"cancelStepButton"_s,
+                    .goIsDefault = true},
                    {{tr("&Apply and step"), u"applyAndStepButton"_s, ask(applied)},
                     {tr("Step with &present gains"), u"stepWithoutButton"_s, ask(wanted)}},
                    window());
