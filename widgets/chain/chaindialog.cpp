@@ -28,7 +28,6 @@ ChainDialog::ChainDialog(Requests& requests, QWidget* parent)
       m_rate(new RatePage(requests, this)) {
     look::name(this, u"chainDialog"_s, Common::tr("Chain"));
     setWindowTitle(Common::tr("Chain"));
-    setModal(false);
     look::name(m_pages, u"chainPages"_s, tr("Doctor, groups and baud rate"));
     m_pages->tabBar()->setObjectName(u"chainPagesBar"_s);
     m_pages->tabBar()->setAccessibleName(m_pages->accessibleName());

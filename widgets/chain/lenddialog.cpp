@@ -23,7 +23,6 @@ LendDialog::LendDialog(Requests& requests, QWidget* window)
       m_lend(form::newPush({u"lendButton"_s, tr("&Lend the line")}, this)) {
     look::name(this, u"lendDialog"_s, tr("Lend the line to a program"));
     setWindowTitle(tr("Lend the line to a program"));
-    setModal(false);
     auto* text = form::newParagraph(u"lendText"_s, {}, this);
     text->setText(tr(
         "The program opens this path in place of the serial port, and has the modules for itself. The panel shows and records what they report, and sends nothing: your travel limits, stops at limits and other checks do not protect the motors. STOP ALL works, and holds the program off."));

@@ -22,7 +22,6 @@ QFileDialog* newFileDialog(QWidget* window, const FileQuestion& question) {
     dialog->setNameFilters(question.filters);
     dialog->setDirectory(question.folder.isEmpty() ? QDir::homePath() : question.folder);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setModal(false);
     return dialog;
 }
 

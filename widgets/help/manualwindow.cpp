@@ -82,7 +82,6 @@ ManualWindow::ManualWindow(const Manual& manual, QWidget* parent)
     : QDialog(parent), m_manual(manual), m_pages(new QListWidget(this)), m_browser(new ManualBrowser(this)) {
     look::name(this, u"manualWindow"_s, tr("Manual"));
     setWindowTitle(tr("NMC Panel - Manual"));
-    setModal(false);
     look::name(m_pages, u"manualPageList"_s, tr("Pages of the manual"));
     look::name(m_browser, u"manualBrowser"_s, tr("Page of the manual"));
     for (const Manual::Page& page : m_manual.pages())

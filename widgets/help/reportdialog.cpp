@@ -28,7 +28,6 @@ ReportDialog::ReportDialog(const QString& report, Requests& requests, QWidget* p
     look::name(this, u"reportDialog"_s, tr("Report a problem"));
     setWindowTitle(tr("Report a problem"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setModal(false);
     auto* advice =
         new QLabel(tr("Nothing is sent. Read the report below, save it, and attach the file where you "
                       "describe the problem. It contains neither your PIN nor the name of your home folder."),

@@ -69,7 +69,6 @@ DifferencesDialog::DifferencesDialog(QWidget* parent)
       m_cancel(form::newPush({u"cancelDifferencesButton"_s, tr("&Cancel"), Common::tr("Cancel")}, this)) {
     setObjectName(u"differencesDialog"_s);
     setAttribute(Qt::WA_DeleteOnClose);
-    setModal(false);
     build();
     connect(m_table, &QTreeWidget::itemChanged, this, &DifferencesDialog::summarise);
     connect(m_all, &QPushButton::clicked, this, [this] { tickAll(true); });

@@ -29,7 +29,6 @@ CommandPalette::CommandPalette(QWidget* parent)
       m_reason(new ElidedLabel(2, this)) {
     look::name(this, u"commandPalette"_s, tr("Find a command"));
     setWindowTitle(tr("Find a command"));
-    setModal(false);
     look::name(m_words, u"commandWords"_s, tr("Search commands"));
     m_words->setPlaceholderText(tr("Type what to do, for example: go home"));
     m_words->setClearButtonEnabled(true);

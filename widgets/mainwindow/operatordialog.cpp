@@ -23,7 +23,6 @@ constexpr qsizetype kShortestPin = 4;
 OperatorDialog::OperatorDialog(QWidget* window) : QDialog(window) {
     look::name(this, u"operatorDialog"_s, Common::tr("Operator mode"));
     setWindowTitle(Common::tr("Operator mode"));
-    setModal(false);
     setAttribute(Qt::WA_DeleteOnClose);
     const int unit = look::gridUnit(this);
     auto* layout = new QVBoxLayout(this);
