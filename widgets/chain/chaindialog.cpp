@@ -50,9 +50,7 @@ bool ChainDialog::focusNextPrevChild(bool next) {
 
 void ChainDialog::openAt(Page page) {
     m_pages->setCurrentIndex(page);
-    show();
-    raise();
-    activateWindow();
+    look::showInFront(this);
 }
 
 void ChainDialog::showChain(const Machine& machine, const LinkState& link) {

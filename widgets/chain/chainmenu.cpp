@@ -8,6 +8,7 @@
 #include "widgets/chain/chaindialog.h"
 #include "widgets/chain/copydialog.h"
 #include "widgets/chain/lenddialog.h"
+#include "widgets/common/look.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
@@ -105,18 +106,14 @@ std::optional<Refusal> ChainMenu::whyNoCopy() const {
 void ChainMenu::openCopy() {
     if (m_copyDialog == nullptr)
         m_copyDialog = new CopyDialog(m_machine, m_link, m_selected, m_requests, m_window);
-    m_copyDialog->show();
-    m_copyDialog->raise();
-    m_copyDialog->activateWindow();
+    look::showInFront(m_copyDialog);
 }
 
 void ChainMenu::openLending() {
     if (m_lendDialog == nullptr)
         m_lendDialog = new LendDialog(m_requests, m_window);
     m_lendDialog->showLink(m_link);
-    m_lendDialog->show();
-    m_lendDialog->raise();
-    m_lendDialog->activateWindow();
+    look::showInFront(m_lendDialog);
 }
 
 void ChainMenu::openDoctor() {

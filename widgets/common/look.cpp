@@ -215,6 +215,12 @@ void keepRoom(QWidget* widget) {
     widget->setSizePolicy(policy);
 }
 
+void showInFront(QWidget* window) {
+    window->show();
+    window->raise();
+    window->activateWindow();
+}
+
 void name(QWidget* widget, const QString& objectName, const QString& accessibleName) {
     widget->setObjectName(objectName);
     widget->setAccessibleName(accessibleName);

@@ -58,6 +58,8 @@ void setOld(QLabel* label, bool old);
 
 /// Keeps the space of the widget while it is hidden, so that nothing moves when it comes or goes.
 void keepRoom(QWidget* widget);
+/// Shows a window in front of the others, and gives it the keyboard.
+void showInFront(QWidget* window);
 
 /// Names a control for tests and for assistive technology in one go.
 void name(QWidget* widget, const QString& objectName, const QString& accessibleName);

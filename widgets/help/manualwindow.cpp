@@ -152,9 +152,7 @@ void ManualWindow::openAt(const QString& page) {
         m_browser->setPlainText(tr("The manual is not installed. It belongs in %1.").arg(m_manual.folder()));
     else
         m_browser->follow(urlOf(page));
-    show();
-    raise();
-    activateWindow();
+    look::showInFront(this);
     m_browser->setFocus();
 }
 

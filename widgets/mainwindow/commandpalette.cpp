@@ -70,9 +70,7 @@ void CommandPalette::showEntries(std::vector<Entry> entries) {
     }
     m_words->clear();
     filter();
-    show();
-    raise();
-    activateWindow();
+    look::showInFront(this);
     m_words->setFocus();
 }
 

@@ -1024,9 +1024,7 @@ void MainWindow::openProblemReport() {
              QString::fromStdString(messageText({m_model->entries().begin(), m_model->entries().end()}))});
         dialog = new ReportDialog(report, *m_requests, this);
     }
-    dialog->show();
-    dialog->raise();
-    dialog->activateWindow();
+    look::showInFront(dialog);
 }
 
 // ---- tuning report ----

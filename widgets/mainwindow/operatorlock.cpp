@@ -8,6 +8,7 @@
 #include <QStringList>
 #include <iterator>
 
+#include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/mainwindow/operatordialog.h"
 #include "widgets/mainwindow/settingskeys.h"
@@ -98,9 +99,7 @@ void OperatorLock::open() {
         connect(m_dialog, &OperatorDialog::unlocked, this, &OperatorLock::leave);
         connect(m_dialog, &QDialog::finished, this, [this] { m_dialog.clear(); });
     }
-    m_dialog->show();
-    m_dialog->raise();
-    m_dialog->activateWindow();
+    look::showInFront(m_dialog);
 }
 
 void OperatorLock::begin(const OperatorRights& rights, const QString& pin) {

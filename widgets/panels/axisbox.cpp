@@ -165,9 +165,7 @@ void AxisBox::workOutUnit() {
     auto* dialog = findChild<UnitDialog*>();
     if (dialog == nullptr)
         dialog = new UnitDialog(m_context, this);
-    dialog->show();
-    dialog->raise();
-    dialog->activateWindow();
+    look::showInFront(dialog);
 }
 
 UnitKind AxisBox::kind() const {
