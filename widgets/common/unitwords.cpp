@@ -167,8 +167,8 @@ QString analog(const AnalogScale& scale, int value) {
     return readout(scale.atZero + scale.perCount * value, 3) + u' ' + QString::fromStdString(scale.unit);
 }
 
-QString analogReading(const AnalogScale& scale, int value) {
-    return Texts::tr("%1 (%2 of 255)").arg(analog(scale, value)).arg(value);
+QString analogReading(const AnalogScale& scale, std::optional<int> value) {
+    return value ? Texts::tr("%1 (%2 of 255)").arg(analog(scale, *value)).arg(*value) : u"–"_s;
 }
 
 }  // namespace nmc::texts

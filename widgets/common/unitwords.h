@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "model/module/swingwatch.h"
 #include "model/settings/axisscale.h"
@@ -51,7 +52,7 @@ namespace nmc::texts {
 
 /// "1.98 V": what an A/D value stands for.
 [[nodiscard]] QString analog(const AnalogScale& scale, int value);
-/// What an A/D value stands for, with the value itself: "1.98 V (101 of 255)".
-[[nodiscard]] QString analogReading(const AnalogScale& scale, int value);
+/// What an A/D value stands for, with the value itself: "1.98 V (101 of 255)", or "–".
+[[nodiscard]] QString analogReading(const AnalogScale& scale, std::optional<int> value);
 
 }  // namespace nmc::texts

@@ -174,8 +174,7 @@ void IoBox::refresh() {
     show(m_index, index, tr("at the index"), tr("not at the index"));
     show(m_power, status([](auto s) { return s.powerOn(); }), tr("present"), tr("missing"));
     const StatusReport report = module.latest.value_or(StatusReport{});
-    look::setText(m_analog,
-                  report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : u"–"_s);
+    look::setText(m_analog, texts::analogReading(m_context.settings().analog, report.analog));
     const QSignalBlocker blocker(m_amplifier);
     const auto amplifier = module.amplifierEnabled;
     m_amplifier->setTristate(!amplifier);

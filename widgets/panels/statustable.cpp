@@ -97,8 +97,7 @@ void StatusTable::showStatus(const QString& aux) {
     const StatusReport report = latest.value_or(StatusReport{});
     showBits(Byte::First, latest ? std::optional(report.status) : std::nullopt);
     showBits(Byte::Second, report.aux);
-    look::setText(m_analog,
-                  report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : dash);
+    look::setText(m_analog, texts::analogReading(m_context.settings().analog, report.analog));
     look::setText(m_home, report.home ? texts::position(m_context.scale(), *report.home) : dash);
     QString raw = latest ? Common::tr("status %1").arg(report.status, 2, 16, QChar(u'0')) : dash;
     if (report.aux)

@@ -208,8 +208,7 @@ void StepperIoBox::refresh() {
         if (input.effect != nullptr)
             look::setText(input.effect, inputs ? effectOf(i, active) : QString());
     }
-    look::setText(m_analog,
-                  report.analog ? texts::analogReading(m_context.settings().analog, *report.analog) : u"–"_s);
+    look::setText(m_analog, texts::analogReading(m_context.settings().analog, report.analog));
 }
 
 }  // namespace nmc
