@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/words.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QByteArray>
-#include <QStringList>
 #include <QWidget>
 
 class QLabel;
