@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/axes/axesdock.h"
 
-#include <QScrollArea>
-
-#include "widgets/common/scrolled.h"
-
 namespace nmc {
 
 using namespace Qt::StringLiterals;
 
 AxesDock::AxesDock(Requests& requests, QWidget* parent)
-    : LazyDock(u"axesDock"_s, AxesPage::tr("All axes"), Qt::Key_F4, parent), m_requests(requests) {}
+    : PageDock(u"axesDock"_s, AxesPage::tr("All axes"), Qt::Key_F4, requests, parent) {}
 
-AxesPage& AxesDock::page() {
-    if (m_page == nullptr) {
-        m_page = new AxesPage(m_requests, this);
-        m_page->setHoldInterval(m_holdInterval);
-        m_page->showSequence(m_sequenceRuns);
-        setWidget(scrolled(m_page));
-    }
-    return *m_page;
+void AxesDock::showSoFar() {
+    m_page->setHoldInterval(m_holdInterval);
+    m_page->showSequence(m_sequenceRuns);
 }
 
 void AxesDock::showModules(const std::vector<PanelView>& views, const Machine& machine) {

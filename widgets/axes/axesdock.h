@@ -6,10 +6,8 @@
 
 namespace nmc {
 
-class Requests;
-
 /// The dock of the table of all axes, closed initially; its content is built when it is first seen.
-class AxesDock : public LazyDock {
+class AxesDock : public PageDock<AxesPage> {
     Q_OBJECT
 
 public:
@@ -23,11 +21,8 @@ public:
     void showSequence(bool running);
 
 private:
-    void build() override { page(); }
-    AxesPage& page();
+    void showSoFar() override;
 
-    Requests& m_requests;
-    AxesPage* m_page = nullptr;
     int m_holdInterval = 100;
     bool m_sequenceRuns = false;
 };

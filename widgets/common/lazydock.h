@@ -3,8 +3,13 @@
 
 #include <QDockWidget>
 #include <QKeySequence>
+#include <QScrollArea>
+
+#include "widgets/common/scrolled.h"
 
 namespace nmc {
+
+class Requests;
 
 /// A dock whose content is built when it is seen for the first time. Its key shows it, brings it to the front
 /// if it is behind another's tab, and closes it if it can be seen.
@@ -31,6 +36,36 @@ protected:
 private:
     bool m_seen = false;
     bool m_wasSeen = false;  ///< before the event being handled
+};
+
+/// A dock whose content is one page, scrolled if there is little room.
+template <typename Page>
+class PageDock : public LazyDock {
+public:
+    /// The content, which is built if necessary.
+    Page& page() {
+        if (m_page == nullptr) {
+            m_page = new Page(m_requests, this);
+            showSoFar();
+            setWidget(scrolled(m_page));
+        }
+        return *m_page;
+    }
+
+protected:
+    PageDock(const QString& objectName, const QString& title, const QKeySequence& key, Requests& requests,
+             QWidget* parent)
+        : LazyDock(objectName, title, key, parent), m_requests(requests) {}
+
+    /// Shows the page, which is new, what was reported before it was built.
+    virtual void showSoFar() = 0;
+
+    Page* m_page = nullptr;
+
+private:
+    void build() override { page(); }
+
+    Requests& m_requests;
 };
 
 }  // namespace nmc

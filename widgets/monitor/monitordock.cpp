@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/monitordock.h"
 
-#include <QScrollArea>
 #include <utility>
 
-#include "widgets/common/scrolled.h"
-#include "widgets/monitor/packetmonitor.h"
 #include "widgets/monitor/packetsaving.h"
 
 namespace nmc {
@@ -13,23 +10,18 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 MonitorDock::MonitorDock(Requests& requests, QWidget* parent)
-    : LazyDock(u"monitorDock"_s, PacketMonitor::tr("Packet monitor"), {}, parent), m_requests(requests) {
+    : PageDock(u"monitorDock"_s, PacketMonitor::tr("Packet monitor"), {}, requests, parent) {
     connect(this, &QDockWidget::visibilityChanged, this, [this](bool seen) {
         if (m_page != nullptr)
             m_page->setSeen(seen);
     });
 }
 
-PacketMonitor& MonitorDock::page() {
-    if (m_page == nullptr) {
-        m_page = new PacketMonitor(m_requests, this);
-        connect(m_page, &PacketMonitor::recordingChanged, this, &MonitorDock::recordingChanged);
-        m_page->begin(m_session);
-        m_page->offerModules(m_modules);
-        m_page->showFigures(m_figures);
-        setWidget(scrolled(m_page));
-    }
-    return *m_page;
+void MonitorDock::showSoFar() {
+    connect(m_page, &PacketMonitor::recordingChanged, this, &MonitorDock::recordingChanged);
+    m_page->begin(m_session);
+    m_page->offerModules(m_modules);
+    m_page->showFigures(m_figures);
 }
 
 bool MonitorDock::recording() const {

@@ -7,14 +7,12 @@
 #include "model/module/linkstate.h"
 #include "model/packets/packetlog.h"
 #include "widgets/common/lazydock.h"
+#include "widgets/monitor/packetmonitor.h"
 
 namespace nmc {
 
-class PacketMonitor;
-class Requests;
-
 /// The dock of the packet monitor. Its content starts with the present state of the connection.
-class MonitorDock : public LazyDock {
+class MonitorDock : public PageDock<PacketMonitor> {
     Q_OBJECT
 
 public:
@@ -30,17 +28,12 @@ public:
     /// The last packets, at most `most`, as text; empty: none were recorded.
     [[nodiscard]] QString lastPackets(int most) const;
 
-    /// The content, which is built if necessary.
-    PacketMonitor& page();
-
 signals:
     void recordingChanged(bool recording);
 
 private:
-    void build() override { page(); }
+    void showSoFar() override;
 
-    Requests& m_requests;
-    PacketMonitor* m_page = nullptr;
     PacketSession m_session;
     LinkFigures m_figures;
     int m_modules = 0;  ///< the largest number in a chain so far

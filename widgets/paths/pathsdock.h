@@ -6,10 +6,8 @@
 
 namespace nmc {
 
-class Requests;
-
 /// The dock of paths, closed initially; its content is built when it is first seen.
-class PathsDock : public LazyDock {
+class PathsDock : public PageDock<PathsPage> {
     Q_OBJECT
 
 public:
@@ -17,13 +15,10 @@ public:
 
     void showSession(const LinkState& link, const Machine& machine, const Session::Procedures& procedures);
     void showSequence(bool running);
-    [[nodiscard]] PathsPage& page();
 
 private:
-    void build() override { std::ignore = page(); }
+    void showSoFar() override { m_page->showSequence(m_sequenceRuns); }
 
-    Requests& m_requests;
-    PathsPage* m_page = nullptr;
     bool m_sequenceRuns = false;
 };
 

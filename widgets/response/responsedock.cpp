@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/response/responsedock.h"
 
-#include <QScrollArea>
 #include <utility>
 
-#include "widgets/common/scrolled.h"
 #include "widgets/common/sharedwords.h"
 
 namespace nmc {
@@ -12,16 +10,11 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 ResponseDock::ResponseDock(Requests& requests, QWidget* parent)
-    : LazyDock(u"responseDock"_s, Common::tr("Step response"), Qt::Key_F9, parent), m_requests(requests) {}
+    : PageDock(u"responseDock"_s, Common::tr("Step response"), Qt::Key_F9, requests, parent) {}
 
-ResponsePage& ResponseDock::page() {
-    if (m_page == nullptr) {
-        m_page = new ResponsePage(m_requests, this);
-        setWidget(scrolled(m_page));
-        if (!m_waiting.empty())
-            m_page->showKept(std::exchange(m_waiting, {}));
-    }
-    return *m_page;
+void ResponseDock::showSoFar() {
+    if (!m_waiting.empty())
+        m_page->showKept(std::exchange(m_waiting, {}));
 }
 
 void ResponseDock::showModule(const PanelView& view) {

@@ -6,10 +6,8 @@
 
 namespace nmc {
 
-class Requests;
-
 /// The dock of the step responses, closed at first: its content is built when it is first shown or needed.
-class ResponseDock : public LazyDock {
+class ResponseDock : public PageDock<ResponsePage> {
     Q_OBJECT
 
 public:
@@ -31,15 +29,11 @@ public:
 
     /// As in ResponsePage; does nothing until the content is built.
     void takeFormBack();
-    /// The content, built if necessary.
-    ResponsePage& page();
 
 private:
-    void build() override { page(); }
+    void showSoFar() override;
     [[nodiscard]] bool inUse() const { return seen() || (m_page != nullptr && m_page->lends()); }
 
-    Requests& m_requests;
-    ResponsePage* m_page = nullptr;
     std::vector<KeptResponse> m_waiting;
 };
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/sequences/sequencesdock.h"
 
-#include <QScrollArea>
-
-#include "widgets/common/scrolled.h"
 #include "widgets/common/sequencetexts.h"
 #include "widgets/common/sharedwords.h"
 
@@ -12,17 +9,11 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 SequencesDock::SequencesDock(Requests& requests, QWidget* parent)
-    : LazyDock(u"sequencesDock"_s, Common::tr("Points and sequences"), Qt::Key_F3, parent),
-      m_requests(requests) {}
+    : PageDock(u"sequencesDock"_s, Common::tr("Points and sequences"), Qt::Key_F3, requests, parent) {}
 
-SequencesPage& SequencesDock::page() {
-    if (m_page == nullptr) {
-        m_page = new SequencesPage(m_requests, this);
-        if (m_run)
-            m_page->showRun(*m_run);
-        setWidget(scrolled(m_page));
-    }
-    return *m_page;
+void SequencesDock::showSoFar() {
+    if (m_run)
+        m_page->showRun(*m_run);
 }
 
 void SequencesDock::showSession(const LinkState& link, const Machine& machine) {

@@ -6,10 +6,8 @@
 
 namespace nmc {
 
-class Requests;
-
 /// The dock of points and sequences, closed initially; its content is built when it is first seen.
-class SequencesDock : public LazyDock {
+class SequencesDock : public PageDock<SequencesPage> {
     Q_OBJECT
 
 public:
@@ -24,18 +22,13 @@ public:
             m_page->forgetEdits();
     }
 
-    /// The content; built if necessary.
-    SequencesPage& page();
-
 signals:
     /// A run has ended, and neither the user nor a stop of all modules ended it.
     void ended();
 
 private:
-    void build() override { page(); }
+    void showSoFar() override;
 
-    Requests& m_requests;
-    SequencesPage* m_page = nullptr;
     std::optional<SequenceReport> m_run;
 };
 
