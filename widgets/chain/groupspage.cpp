@@ -41,8 +41,7 @@ GroupsPage::GroupsPage(Requests& requests, QWidget* parent) : QWidget(parent), m
         tr("A module listens to one group besides its own address. All members carry out a group command in the same tick; the leader, if any, answers for them, and the panel then checks each member. Status requests go to single modules."),
         this);
     remark->setWordWrap(true);
-    m_none = look::newMutedLabel(tr("No modules yet: connect first."), this);
-    m_none->setObjectName(u"noGroupsLabel"_s);
+    m_none = look::newMutedLabel(tr("No modules yet: connect first."), this, u"noGroupsLabel"_s);
     m_addressReason = new QLabel(this);
     m_addressReason->setObjectName(u"addressReason"_s);
     m_addressReason->setWordWrap(true);
@@ -113,8 +112,7 @@ void GroupsPage::addMember() {
     member.group->addItem(titleOf(kOtherGroup), kOtherGroup);
     member.leader = new QCheckBox(tr("leader"), this);
     look::name(member.leader, u"leader%1Box"_s.arg(number), tr("Leader of its group: module %1").arg(number));
-    member.load = look::newMutedLabel({}, this);
-    member.load->setObjectName(u"load%1Label"_s.arg(number));
+    member.load = look::newMutedLabel({}, this, u"load%1Label"_s.arg(number));
     m_grid->addWidget(member.name, number, Name);
     m_grid->addWidget(member.addressLabel, number, AddressLabel);
     m_grid->addWidget(member.address, number, Address);

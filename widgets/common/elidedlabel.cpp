@@ -56,8 +56,9 @@ void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {
                           visibleText(), foregroundRole());
 }
 
-ElidedLabel* newMutedLine(QWidget* parent) {
+ElidedLabel* newMutedLine(QWidget* parent, const QString& objectName) {
     auto* label = new ElidedLabel(1, parent);
+    label->setObjectName(objectName);
     label->setForegroundRole(QPalette::PlaceholderText);
     return label;
 }

@@ -27,6 +27,6 @@ private:
 };
 
 /// Makes a label for one line of muted secondary text, which shrinks in favour of its neighbours.
-[[nodiscard]] ElidedLabel* newMutedLine(QWidget* parent);
+[[nodiscard]] ElidedLabel* newMutedLine(QWidget* parent, const QString& objectName = {});
 
 }  // namespace nmc

@@ -203,8 +203,9 @@ void setReadout(QLabel* label, const QString& text) {
     label->setText(text);
 }
 
-QLabel* newMutedLabel(const QString& text, QWidget* parent) {
+QLabel* newMutedLabel(const QString& text, QWidget* parent, const QString& objectName) {
     auto* label = new MutedLabel(text, parent);
+    label->setObjectName(objectName);
     label->setTextFormat(Qt::PlainText);
     return label;
 }

@@ -54,7 +54,7 @@ void setReadout(QLabel* label, const QString& text);
 /// `old`: the value is out of date, and is shown struck out and pale.
 void setOld(QLabel* label, bool old);
 /// Makes a label for muted secondary text that follows the palette.
-[[nodiscard]] QLabel* newMutedLabel(const QString& text, QWidget* parent);
+[[nodiscard]] QLabel* newMutedLabel(const QString& text, QWidget* parent, const QString& objectName = {});
 
 /// Keeps the space of the widget while it is hidden, so that nothing moves when it comes or goes.
 void keepRoom(QWidget* widget);

@@ -117,8 +117,7 @@ QHBoxLayout* ManualWindow::buildTop() {
     m_search->setToolTip(tr("Enter finds the next match, Shift+Enter the previous one (Ctrl+F)."));
     m_search->setMinimumWidth(fontMetrics().height() * kSearchWidth);
     m_search->installEventFilter(this);
-    m_found = look::newMutedLabel({}, this);
-    m_found->setObjectName(u"manualFoundLabel"_s);
+    m_found = look::newMutedLabel({}, this, u"manualFoundLabel"_s);
     connect(m_back, &QPushButton::clicked, m_browser, &QTextBrowser::backward);
     connect(m_forward, &QPushButton::clicked, m_browser, &QTextBrowser::forward);
     connect(m_browser, &QTextBrowser::backwardAvailable, m_back, &QWidget::setEnabled);

@@ -39,7 +39,7 @@ PacketMonitor::PacketMonitor(Requests& requests, QWidget* parent)
           {u"packetModuleBox"_s, tr("Filter packets by module"), {{Common::tr("All modules"), {}}}}, this)),
       m_kind(form::newChoice(
           {u"packetKindBox"_s, tr("Filter packets by kind"), {{Common::tr("All kinds"), -1}}}, this)),
-      m_summary(look::newMutedLabel({}, this)) {
+      m_summary(look::newMutedLabel({}, this, u"packetSummary"_s)) {
     look::name(this, u"packetMonitor"_s, tr("Packet monitor"));
     buildControls();
     buildContent();
@@ -87,7 +87,6 @@ void PacketMonitor::buildControls() {
     for (auto& [key, box] : {std::pair{Qt::Key_M, m_module}, std::pair{Qt::Key_T, m_kind}})
         connect(new QShortcut(QKeySequence(Qt::CTRL | key), this), &QShortcut::activated, box,
                 [box = box] { box->setFocus(Qt::ShortcutFocusReason); });
-    m_summary->setObjectName(u"packetSummary"_s);
 }
 
 void PacketMonitor::buildContent() {

@@ -48,7 +48,7 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
                          .accessible = tr("Set and restart the timer or counter")},
                         this, [this] { setMode(); })),
       m_count(new QLabel(this)),
-      m_rate(look::newMutedLabel({}, this)),
+      m_rate(look::newMutedLabel({}, this, u"counterRate"_s)),
       m_latched(new QLabel(this)),
       m_synchInput(new Command({.name = u"synchInputButton"_s,
                                 .text = tr("Latch inputs"),
@@ -71,7 +71,7 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
                                  .text = tr("Apply"),
                                  .accessible = tr("Apply the stored outputs")},
                                 this, [this] { m_context.ask(iointent::SynchOutput{}); })),
-      m_stored(look::newMutedLabel({}, this)) {
+      m_stored(look::newMutedLabel({}, this, u"storedOutputs"_s)) {
     look::name(this, u"counterBox"_s, tr("Counter and synchronous I/O"));
     auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1, .down = 0.5});
     buildTimer(*grid);
@@ -84,7 +84,6 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
 void CounterBox::buildTimer(FormGrid& grid) {
     look::nameText(m_count, u"counterValue"_s, tr("Count"));
     m_count->setFont(look::tabular(look::scaled(font(), 1.5)));
-    m_rate->setObjectName(u"counterRate"_s);
     for (const auto& [text, choice] : {std::pair(tr("Count"), m_mode), {tr("Counts"), m_prescaler}}) {
         grid.addWidget(form::newLabel(text, choice), grid.row(), 0);
         grid.addWide(choice, 1);
@@ -96,7 +95,6 @@ void CounterBox::buildTimer(FormGrid& grid) {
 void CounterBox::buildSynch(FormGrid& grid) {
     look::nameText(m_latched, u"latchedInputs"_s, tr("Latched values"));
     m_latched->setFont(look::tabular(font()));
-    m_stored->setObjectName(u"storedOutputs"_s);
     grid.addLine({new QLabel(tr("Latched"), this), m_synchInput->button(), {m_latched, 1}});
     grid.addRow(Common::tr("Outputs"), m_outputs);
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {

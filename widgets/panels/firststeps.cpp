@@ -45,10 +45,9 @@ StepWords wordsOf(FirstStep step) {
 FirstSteps::FirstSteps(ModuleContext& context, QWidget* parent)
     : QFrame(parent),
       m_context(context),
-      m_hint(newMutedLine(this)),
+      m_hint(newMutedLine(this, u"firstStepHint"_s)),
       m_show(new QPushButton(tr("Show me"), this)) {
     look::name(this, u"firstSteps"_s, tr("First steps"));
-    m_hint->setObjectName(u"firstStepHint"_s);
     look::name(m_show, u"firstStepButton"_s, tr("Show me: the next step"));
     m_show->setToolTip(tr("Shows the control for the next step. Sends nothing."));
     const int unit = look::gridUnit(this);

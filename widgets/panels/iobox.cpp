@@ -58,8 +58,7 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
         isSc(context.state().info.identity)
             ? tr("The Amplifier page sets what the module does when a limit closes.")
             : tr("On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page.");
-    m_remark = look::newMutedLabel({}, this);
-    m_remark->setObjectName(u"limitRemark"_s);
+    m_remark = look::newMutedLabel({}, this, u"limitRemark"_s);
     m_remark->setWordWrap(true);
     grid->addWide(m_remark);
     grid->end();

@@ -21,13 +21,12 @@ IoHead::IoHead(ModuleContext& context, QWidget* parent)
       m_context(context),
       m_glyph(new GlyphLabel(this)),
       m_module(new QLabel(this)),
-      m_type(look::newMutedLabel({}, this)),
+      m_type(look::newMutedLabel({}, this, u"ioModuleType"_s)),
       m_state(new QLabel(this)),
       m_meaning(new QLabel(this)),
       m_name(newNameField(u"ioNameField"_s, tr("Name of this module"), this)) {
     look::name(this, u"ioHead"_s, Common::tr("State of the selected module"));
     m_module->setObjectName(u"ioModuleName"_s);
-    m_type->setObjectName(u"ioModuleType"_s);
     m_state->setObjectName(u"ioStateLabel"_s);
     m_meaning->setObjectName(u"ioStateMeaning"_s);
     m_state->setFont(look::scaled(font(), 1.5));

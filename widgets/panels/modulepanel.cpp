@@ -37,11 +37,10 @@ void keepTabOrder(QWidget* before, QWidget* page) {
 ModulePanel::ModulePanel(Requests& requests, QWidget* parent)
     : QWidget(parent),
       m_requests(requests),
-      m_empty(look::newMutedLabel({}, this)),
+      m_empty(look::newMutedLabel({}, this, u"emptyPanel"_s)),
       m_generic(new GenericPanel(requests, this)),
       m_current(m_empty) {
     look::name(this, u"modulePanel"_s, tr("Selected module"));
-    m_empty->setObjectName(u"emptyPanel"_s);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
     m_generic->hide();

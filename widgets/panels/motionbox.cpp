@@ -88,8 +88,7 @@ void MotionBox::buildMove(FormGrid* grid) {
     form::setBold(grid->addRow(tr("Go to &position"), m_goal, {m_goalKind}));
     grid->addRow(tr("Ve&locity"), m_velocity);
     grid->addRow(tr("Acceleratio&n"), m_acceleration);
-    m_forecast = newMutedLine(this);
-    m_forecast->setObjectName(u"forecastLabel"_s);
+    m_forecast = newMutedLine(this, u"forecastLabel"_s);
     m_nearest = new Command({.name = u"nearestGoalButton"_s,
                              .text = Common::tr("Use nearest"),
                              .accessible = Common::tr("Use nearest allowed position")},

@@ -94,8 +94,7 @@ void MoveByBox::buildRepeat(FormGrid* grid) {
                          .text = tr("End steps"),
                          .accessible = tr("End steps and stop")},
                         this, [this] { m_context.ask(intent::CancelProcedure{}); });
-    m_progress = look::newMutedLabel({}, this);
-    m_progress->setObjectName(m_context.named(u"moveByProgress"_s));
+    m_progress = look::newMutedLabel({}, this, m_context.named(u"moveByProgress"_s));
     auto* repeat =
         new FlowLayout(look::gridUnit(this),
                        {m_rounds, form::newLabel(tr("times, pause"), m_pause), m_pause,

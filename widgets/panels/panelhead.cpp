@@ -36,26 +36,23 @@ PanelHead::PanelHead(ModuleContext& context, QWidget* parent)
       m_context(context),
       m_glyph(new GlyphLabel(this)),
       m_name(new QLabel(this)),
-      m_type(look::newMutedLabel({}, this)),
+      m_type(look::newMutedLabel({}, this, context.named(u"moduleType"_s))),
       m_state(new QLabel(this)),
       m_meaning(new ElidedLabel(1, this)),
       m_procedure(new QLabel(this)),
       m_position(new QLabel(this)),
-      m_positionUnit(look::newMutedLabel({}, this)),
-      m_otherPosition(look::newMutedLabel({}, this)),
+      m_positionUnit(look::newMutedLabel({}, this, context.named(u"positionUnit"_s))),
+      m_otherPosition(look::newMutedLabel({}, this, context.named(u"otherPosition"_s))),
       m_work(new ElidedLabel(1, this)),
       m_velocity(new QLabel(this)),
       m_home(new ElidedLabel(1, this)),
       m_current(new QLabel(this)) {
     look::name(this, m_context.named(u"panelHead"_s), Common::tr("State of the selected module"));
     m_name->setObjectName(m_context.named(u"moduleName"_s));
-    m_type->setObjectName(m_context.named(u"moduleType"_s));
     m_state->setObjectName(m_context.named(u"stateLabel"_s));
     m_meaning->setObjectName(m_context.named(u"stateMeaning"_s));
     look::nameText(m_procedure, m_context.named(u"procedureLabel"_s), tr("Task running on this module"));
     m_position->setObjectName(m_context.named(u"positionLabel"_s));
-    m_positionUnit->setObjectName(m_context.named(u"positionUnit"_s));
-    m_otherPosition->setObjectName(m_context.named(u"otherPosition"_s));
     m_work->setObjectName(m_context.named(u"headWork"_s));
     look::nameText(m_velocity, m_context.named(u"velocityLabel"_s), tr("Measured velocity"));
     m_velocity->setToolTip(tr("Velocity measured from positions over 0.2 s."));

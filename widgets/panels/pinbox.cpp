@@ -29,9 +29,8 @@ PinBox::PinBox(ModuleContext& context, QWidget* parent)
                                .text = tr("Make all pins inputs"),
                                .accessible = tr("Make all pins inputs")},
                               this, [this] { m_context.ask(iointent::SetDirection{io::kAllPins}); })),
-      m_hint(look::newMutedLabel({}, this)) {
+      m_hint(look::newMutedLabel({}, this, u"pinsHint"_s)) {
     look::name(this, u"pinBox"_s, Common::tr("Pins"));
-    m_hint->setObjectName(u"pinsHint"_s);
     m_hint->setWordWrap(true);
     const int unit = look::gridUnit(this);
     auto* grid = new FoldingGrid(this, FoldingGrid::Kind::Table);

@@ -52,10 +52,8 @@ StagedForm::~StagedForm() {
 void StagedForm::add(FormGrid* grid, const Row& row, Field field) {
     field.label = form::newLabel(row.label, field.control);
     field.label->setToolTip(row.meaning);
-    field.remark = look::newMutedLabel({}, this);
-    field.remark->setObjectName(row.object + u"Remark"_s);
-    field.state = look::newMutedLabel({}, this);
-    field.state->setObjectName(row.object + u"State"_s);
+    field.remark = look::newMutedLabel({}, this, row.object + u"Remark"_s);
+    field.state = look::newMutedLabel({}, this, row.object + u"State"_s);
     if (field.number == nullptr) {
         field.remark->hide();
         grid->addWidget(field.control, grid->row(), 1, 1, 2);

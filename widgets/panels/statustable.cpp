@@ -50,8 +50,8 @@ void StatusTable::addBits(Byte byte, const QString& title, const BitNames& names
         bit.glyph = new GlyphLabel(this);
         bit.glyph->showBit(std::nullopt);
         auto* label = new QLabel(name, this);
-        bit.value = look::newMutedLabel(u"–"_s, this);
-        bit.value->setObjectName(m_context.named(u"bit_"_s) + QString(name).replace(u' ', u'_'));
+        bit.value =
+            look::newMutedLabel(u"–"_s, this, m_context.named(u"bit_"_s) + QString(name).replace(u' ', u'_'));
         for (QWidget* widget : {static_cast<QWidget*>(bit.glyph), static_cast<QWidget*>(label),
                                 static_cast<QWidget*>(bit.value)})
             widget->setToolTip(meaning(i));

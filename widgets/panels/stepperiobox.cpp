@@ -37,10 +37,9 @@ StepperIoBox::StepperIoBox(ModuleContext& context, QWidget* parent)
                           .text = tr("Set all outputs"),
                           .accessible = tr("Set all outputs")},
                          this, [this] { sendAll(); })),
-      m_hint(look::newMutedLabel({}, this)),
+      m_hint(look::newMutedLabel({}, this, u"stepperOutputsHint"_s)),
       m_analog(new QLabel(this)) {
     look::name(this, u"stepperIoBox"_s, tr("Inputs and outputs"));
-    m_hint->setObjectName(u"stepperOutputsHint"_s);
     m_hint->setWordWrap(true);
     m_analog->setObjectName(u"stepperIoAnalog"_s);
     auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1});
@@ -69,8 +68,7 @@ void StepperIoBox::buildOutputs(FormGrid* grid) {
                                      .text = u"OUT"_s + number,
                                      .accessible = tr("OUT%1").arg(number)},
                                     this);
-        output.state = look::newMutedLabel({}, this);
-        output.state->setObjectName(u"stepperOutput%1State"_s.arg(number));
+        output.state = look::newMutedLabel({}, this, u"stepperOutput%1State"_s.arg(number));
         output.name =
             newName(u"stepperOutput%1Name"_s.arg(number), tr("Name of output %1").arg(number), outputName, i);
         grid->addLine({output.box, output.state, {output.name, 1}});
@@ -92,16 +90,14 @@ void StepperIoBox::buildInputs(FormGrid* grid) {
         Input& input = m_inputs[i];
         input.glyph = new GlyphLabel(this);
         input.glyph->showBit(std::nullopt);
-        input.state = look::newMutedLabel(u"–"_s, this);
-        input.state->setObjectName(objects[i]);
+        input.state = look::newMutedLabel(u"–"_s, this, objects[i]);
         QWidget* last = nullptr;
         if (i == 1 || i == 2) {
             input.name =
                 newName(u"stepperInput%1Name"_s.arg(i), tr("Name of input %1").arg(i), inputName, i - 1);
             last = input.name;
         } else {
-            input.effect = look::newMutedLabel({}, this);
-            input.effect->setObjectName(objects[i] + u"Effect"_s);
+            input.effect = look::newMutedLabel({}, this, objects[i] + u"Effect"_s);
             last = input.effect;
         }
         grid->addLine({form::newLine(this, {input.glyph, new QLabel(names[i], this), nullptr}, 0.5),

@@ -61,14 +61,11 @@ void StepperMotionBox::buildFields(FormGrid* grid) {
     grid->addRow(tr("&Position"), m_goal);
     grid->addWide(m_relative, 1);
     grid->addRow(tr("Trave&l speed"), m_speed);
-    m_outcome = look::newMutedLabel({}, this);
-    m_outcome->setObjectName(u"stepperSpeedOutcome"_s);
+    m_outcome = look::newMutedLabel({}, this, u"stepperSpeedOutcome"_s);
     m_outcome->setBuddy(m_speed);  // as a label with a buddy, it wraps if there is little room
-    m_ramp = newMutedLine(this);
-    m_ramp->setObjectName(u"stepperRampOutcome"_s);
+    m_ramp = newMutedLine(this, u"stepperRampOutcome"_s);
     grid->addWide(form::newLine(this, {m_outcome, {m_ramp, 1}}), 1);
-    m_forecast = newMutedLine(this);
-    m_forecast->setObjectName(u"stepperForecast"_s);
+    m_forecast = newMutedLine(this, u"stepperForecast"_s);
     m_nearest = new Command({.name = u"stepperNearestGoalButton"_s,
                              .text = Common::tr("Use nearest"),
                              .accessible = Common::tr("Use nearest allowed position")},

@@ -28,8 +28,8 @@ StepperRampBox::StepperRampBox(ModuleContext& context, QWidget* parent)
            .meaning = tr(
                "How long a ramp stays at each speed, in units of 0.25 ms; smaller is steeper. Sent with the next motion that has a ramp, and used by smooth stops after it.")},
           this)),
-      m_acceleration(look::newMutedLabel({}, this)),
-      m_state(look::newMutedLabel({}, this)),
+      m_acceleration(look::newMutedLabel({}, this, u"stepperAccelerationRemark"_s)),
+      m_state(look::newMutedLabel({}, this, u"stepperAccelerationTimeState"_s)),
       m_cap(form::newQuantity(
           {.kind = QuantityField::Kind::Velocity,
            .name = u"stepperHoldCapField"_s,
@@ -37,8 +37,6 @@ StepperRampBox::StepperRampBox(ModuleContext& context, QWidget* parent)
            .step = 100,
            .meaning = tr("Jog is never faster than this. Set a speed that you can react to.")},
           this)) {
-    m_acceleration->setObjectName(u"stepperAccelerationRemark"_s);
-    m_state->setObjectName(u"stepperAccelerationTimeState"_s);
     auto* grid = new FormGrid(this, 5, {.sides = 0, .ends = 0, .across = 1});
     grid->addWide(form::newHeading(tr("With every motion"), this));
     grid->addRow(Common::tr("Acceleration time"), m_time,
