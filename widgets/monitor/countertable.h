@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QTableWidget>
+#include <functional>
+#include <vector>
 
 #include "bus/types.h"
 
@@ -17,8 +19,11 @@ public:
     void showStatistics(const bus::LinkStatistics& statistics);
 
 private:
-    void addRow(const QString& key, const QString& meaning);
-    void setValue(int row, const QString& value);
+    using Value = std::function<QString(const bus::LinkStatistics&)>;
+    void addCount(const QString& meaning, std::uint64_t bus::LinkStatistics::*counter);
+    void addRow(const QString& meaning, Value value);
+
+    std::vector<Value> m_values;  ///< of each row
 };
 
 }  // namespace nmc
