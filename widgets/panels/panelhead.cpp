@@ -266,7 +266,6 @@ void PanelHead::refreshPosition() {
                            : scale.native() ? texts::grouped(static_cast<qint64>(*shown))
                                             : texts::fixedPosition(scale, *shown);
     look::setReadout(m_position, number);
-    m_position->setProperty("counts", position ? QVariant(*position) : QVariant());
     const QString unitAndAge = age ? unit + u", "_s + texts::age(*age, module.positionDoubtful()) : unit;
     const QString from = zero ? texts::from(*zero) : QString();
     m_position->setAccessibleName(!shown ? tr("Position unknown")
