@@ -8322,10 +8322,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ve&amp;rstärker ein (AMP_EN)</translation>
     </message>
     <message>
-        <source>Amplifier enabled (AMP_EN)</source>
-        <translation>Verstärker ein (AMP_EN)</translation>
-    </message>
-    <message>
         <source>On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page.</source>
         <translation>Ein Endschalter allein stoppt den Motor bei diesem Chip nicht. Auf der Seite Referenzfahrt einen Endschalter-Stopp scharf schalten.</translation>
     </message>

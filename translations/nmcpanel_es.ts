@@ -8322,10 +8322,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Ampli&amp;ficador habilitado (AMP_EN)</translation>
     </message>
     <message>
-        <source>Amplifier enabled (AMP_EN)</source>
-        <translation>Amplificador habilitado (AMP_EN)</translation>
-    </message>
-    <message>
         <source>On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page.</source>
         <translation>En este chip, un final de carrera por sí solo no detiene el motor. Arme una parada por límite en la página Referenciado.</translation>
     </message>

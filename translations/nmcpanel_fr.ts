@@ -8322,10 +8322,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>A&amp;mplificateur actif (AMP_EN)</translation>
     </message>
     <message>
-        <source>Amplifier enabled (AMP_EN)</source>
-        <translation>Amplificateur actif (AMP_EN)</translation>
-    </message>
-    <message>
         <source>On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page.</source>
         <translation>Avec cette puce, un fin de course seul n’arrête pas le moteur. Armez un arrêt sur fin de course sur la page Prise d’origine.</translation>
     </message>

@@ -8305,10 +8305,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>アンプ有効 (&amp;AMP_EN)</translation>
     </message>
     <message>
-        <source>Amplifier enabled (AMP_EN)</source>
-        <translation>アンプ有効 (AMP_EN)</translation>
-    </message>
-    <message>
         <source>On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page.</source>
         <translation>このチップでは、リミットスイッチだけではモーターは停止しません。「原点復帰」ページでリミット停止を有効にしてください。</translation>
     </message>

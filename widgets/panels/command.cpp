@@ -9,8 +9,10 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 Command::Command(const Spec& spec, QWidget* box, std::function<void()> act)
-    : QAction(spec.text, box), m_sentence(spec.accessible), m_button(new QPushButton(spec.text, box)) {
-    look::name(m_button, spec.name, spec.accessible);
+    : QAction(spec.text, box),
+      m_sentence(spec.accessible.isEmpty() ? spec.text : spec.accessible),
+      m_button(new QPushButton(spec.text, box)) {
+    look::name(m_button, spec.name, m_sentence);
     if (!spec.icon.isEmpty())
         setIcon(icons::tinted(spec.icon));
     m_button->setIcon(icon());

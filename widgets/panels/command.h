@@ -16,10 +16,11 @@ class Command : public QAction {
 
 public:
     struct Spec {
-        QString name;        ///< object name of its button, for tests and scripts: "goButton"
-        QString icon{};      ///< name in resources/icons; empty for none
-        QString text;        ///< on the button and in the menu
-        QString accessible;  ///< for screen readers and the palette's search: a sentence without full stop
+        QString name;    ///< object name of its button, for tests and scripts: "goButton"
+        QString icon{};  ///< name in resources/icons; empty for none
+        QString text;    ///< on the button and in the menu
+        /// For screen readers and the palette's search: a sentence without full stop; empty: `text`.
+        QString accessible{};
         QKeySequence key{};
     };
 

@@ -49,10 +49,8 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
     m_analog->setToolTip(
         tr("The A/D input; with most amplifiers, the motor current. Set its scale on the Axis page."));
     grid->addLine({new QLabel(Common::tr("A/D"), this), nullptr, {m_analog, 1}});
-    m_amplifier = form::newCheck({.name = u"amplifierBox"_s,
-                                  .text = tr("Amplifier enabled (&AMP_EN)"),
-                                  .accessible = tr("Amplifier enabled (AMP_EN)")},
-                                 this);
+    m_amplifier =
+        form::newCheck({.name = u"amplifierBox"_s, .text = tr("Amplifier enabled (&AMP_EN)")}, this);
     grid->addWide(m_amplifier);
     m_usualRemark =
         isSc(context.state().info.identity)

@@ -61,7 +61,6 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
                             this)),
       m_arm(new Command({.name = u"armLimitStopButton"_s,
                          .text = tr("Arm limit stop"),
-                         .accessible = tr("Arm limit stop"),
                          .key = Qt::CTRL | Qt::SHIFT | Qt::Key_L},
                         this, [this] { m_context.ask(wanted()); })),
       m_disarm(new Command({.name = u"disarmLimitStopButton"_s,

@@ -104,7 +104,6 @@ void MotionBox::buildMove(FormGrid* grid) {
     m_goHome = new Command({.name = u"goHomeButton"_s,
                             .icon = u"home"_s,
                             .text = Common::tr("Go home"),
-                            .accessible = Common::tr("Go home"),
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
                            this, [this] { goHome(); });
     m_load = new Command({.name = u"loadButton"_s,

@@ -24,11 +24,9 @@ using namespace Qt::StringLiterals;
 PinBox::PinBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
       m_context(context),
-      m_allInputs(new Command({.name = u"pinsAllInputsButton"_s,
-                               .icon = u"send"_s,
-                               .text = tr("Make all pins inputs"),
-                               .accessible = tr("Make all pins inputs")},
-                              this, [this] { m_context.ask(iointent::SetDirection{io::kAllPins}); })),
+      m_allInputs(new Command(
+          {.name = u"pinsAllInputsButton"_s, .icon = u"send"_s, .text = tr("Make all pins inputs")}, this,
+          [this] { m_context.ask(iointent::SetDirection{io::kAllPins}); })),
       m_hint(look::newMutedLabel({}, this, u"pinsHint"_s)) {
     look::name(this, u"pinBox"_s, Common::tr("Pins"));
     m_hint->setWordWrap(true);

@@ -32,11 +32,9 @@ std::string& inputName(AxisSettings& axis, std::size_t number) {
 StepperIoBox::StepperIoBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
       m_context(context),
-      m_send(new Command({.name = u"stepperSetOutputsButton"_s,
-                          .icon = u"send"_s,
-                          .text = tr("Set all outputs"),
-                          .accessible = tr("Set all outputs")},
-                         this, [this] { sendAll(); })),
+      m_send(new Command(
+          {.name = u"stepperSetOutputsButton"_s, .icon = u"send"_s, .text = tr("Set all outputs")}, this,
+          [this] { sendAll(); })),
       m_hint(look::newMutedLabel({}, this, u"stepperOutputsHint"_s)),
       m_analog(new QLabel(this)) {
     look::name(this, u"stepperIoBox"_s, tr("Inputs and outputs"));

@@ -84,7 +84,6 @@ void StepperMotionBox::buildButtons(FormGrid* grid) {
         {.name = u"stepperGoHomeButton"_s,
          .icon = u"home"_s,
          .text = Common::tr("Go home"),
-         .accessible = Common::tr("Go home"),
          .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
         this, [this] { m_context.ask(intent::GoHome{paceOf(m_context.state(), m_context.settings())}); });
     m_runReverse = new Command({.name = u"stepperRunReverseButton"_s,
