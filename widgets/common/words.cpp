@@ -14,6 +14,20 @@ using namespace Qt::StringLiterals;
 
 namespace {
 QStringList g_moduleNames;
+
+QString familyMember(ModuleType type) {
+    switch (type) {
+        case ModuleType::Servo:
+            return u"PIC-SERVO"_s;
+        case ModuleType::Adc:
+            return u"PIC-ADC"_s;
+        case ModuleType::Io:
+            return u"PIC-I/O"_s;
+        case ModuleType::Stepper:
+            return u"PIC-STEP"_s;
+    }
+    return Texts::tr("type %1").arg(static_cast<int>(type));
+}
 }  // namespace
 
 QString moduleName(ModuleIndex module) {
@@ -31,24 +45,7 @@ void setModuleNames(const QStringList& names) {
 }
 
 QString moduleType(const ModuleIdentity& identity) {
-    QString type;
-    switch (identity.type) {
-        case ModuleType::Servo:
-            type = u"PIC-SERVO"_s;
-            break;
-        case ModuleType::Adc:
-            type = u"PIC-ADC"_s;
-            break;
-        case ModuleType::Io:
-            type = u"PIC-I/O"_s;
-            break;
-        case ModuleType::Stepper:
-            type = u"PIC-STEP"_s;
-            break;
-    }
-    if (type.isEmpty())
-        type = Texts::tr("type %1").arg(static_cast<int>(identity.type));
-    return Texts::tr("%1 v%2").arg(type).arg(identity.version);
+    return Texts::tr("%1 v%2").arg(familyMember(identity.type)).arg(identity.version);
 }
 
 QString activity(Activity activity) {
