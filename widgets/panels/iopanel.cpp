@@ -15,8 +15,7 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-IoPanel::IoPanel(const PanelView& view, Requests& requests, QWidget* parent)
-    : ModulePage(view, requests, parent) {
+IoPanel::IoPanel(const PanelView& view, Requests& requests) : ModulePage(view, requests) {
     look::name(this, u"ioPanel"_s, tr("I/O module"));
     auto* head = new IoHead(m_context, this);
     auto* pins = new QVBoxLayout;

@@ -10,7 +10,7 @@ class IoPanel : public ModulePage {
     Q_OBJECT
 
 public:
-    IoPanel(const PanelView& view, Requests& requests, QWidget* parent = nullptr);
+    IoPanel(const PanelView& view, Requests& requests);
 };
 
 }  // namespace nmc

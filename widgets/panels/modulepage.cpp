@@ -67,8 +67,7 @@ void letWrap(const QWidget& page, bool may) {
 
 }  // namespace
 
-ModulePage::ModulePage(const PanelView& view, Requests& requests, QWidget* parent)
-    : QWidget(parent), m_context(view, requests, this) {
+ModulePage::ModulePage(const PanelView& view, Requests& requests) : m_context(view, requests, this) {
     // The palette of the window: otherwise, everything on the page would change its palette each time the
     // page appears or disappears.
     look::adoptReadable(this);

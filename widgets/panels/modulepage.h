@@ -24,7 +24,7 @@ class ModulePage : public QWidget {
     Q_OBJECT
 
 public:
-    ModulePage(const PanelView& view, Requests& requests, QWidget* parent = nullptr);
+    ModulePage(const PanelView& view, Requests& requests);
 
     /// Emits nothing, except that a hold ends when it is no longer permitted.
     void showModule(const PanelView& view) { m_context.show(view); }

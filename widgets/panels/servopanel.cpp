@@ -29,8 +29,7 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-ServoPanel::ServoPanel(const PanelView& view, Requests& requests, QWidget* parent)
-    : ModulePage(view, requests, parent) {
+ServoPanel::ServoPanel(const PanelView& view, Requests& requests) : ModulePage(view, requests) {
     look::name(this, u"servoPanel"_s, tr("Servo module"));
     auto* head = new PanelHead(m_context, this);
     auto* motion = new MotionBox(m_context, this);

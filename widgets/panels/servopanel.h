@@ -17,7 +17,7 @@ class ServoPanel : public ModulePage {
     Q_OBJECT
 
 public:
-    ServoPanel(const PanelView& view, Requests& requests, QWidget* parent = nullptr);
+    ServoPanel(const PanelView& view, Requests& requests);
 
     /// Fills the gains into the fields and shows these; sends nothing.
     void stageGains(const servo::SetGain& gains);

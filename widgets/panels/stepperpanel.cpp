@@ -24,8 +24,7 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-StepperPanel::StepperPanel(const PanelView& view, Requests& requests, QWidget* parent)
-    : ModulePage(view, requests, parent) {
+StepperPanel::StepperPanel(const PanelView& view, Requests& requests) : ModulePage(view, requests) {
     look::name(this, u"stepperPanel"_s, tr("Stepper module"));
     auto* head = new PanelHead(m_context, this);
     auto* motion = new StepperMotionBox(m_context, this);

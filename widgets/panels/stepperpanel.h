@@ -11,7 +11,7 @@ class StepperPanel : public ModulePage {
     Q_OBJECT
 
 public:
-    StepperPanel(const PanelView& view, Requests& requests, QWidget* parent = nullptr);
+    StepperPanel(const PanelView& view, Requests& requests);
 };
 
 }  // namespace nmc
