@@ -30,7 +30,7 @@ void MessageActions::act(const Message& message, MessageAction action) {
             return;  // the condition persists
         case MessageAction::Retry:
             // The message ends when the chain is found.
-            return message.key == texts::key::port() ? m_connection.reopen() : m_connection.reopenUnplugged();
+            return message.key == texts::key::kPort ? m_connection.reopen() : m_connection.reopenUnplugged();
         case MessageAction::ScanAgain:
         case MessageAction::Reconnect:
             return m_connection.searchAgain();

@@ -182,7 +182,7 @@ Message portProblem(const PortError& error) {
 
 Message slowAdapter(int updatesPerSecond, int latencyMs) {
     return {
-        .key = key::slowAdapter(),
+        .key = key::kSlowAdapter,
         .severity = Severity::Attention,
         .headline =
             Texts::tr(
