@@ -40,7 +40,7 @@ void LoopTestController::followSteps(const ProcedureReport& report) {
             m_window.showResponse(*run);
     if (report.kind == ProcedureKind::StepSeries && report.stage == ProcedureStage::Done &&
         !report.step->isMove())
-        m_window.stepResponses().page().find(report.module);
+        m_window.stepResponses().page().model().find(report.module);
 }
 
 void LoopTestController::followSquareWave(const ProcedureReport& report) {

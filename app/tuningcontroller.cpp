@@ -14,7 +14,7 @@ TuningController::TuningController(MainWindow& window, QObject* parent)
     connect(&window.requests(), &Requests::identify, this, &TuningController::identify);
     connect(&window.requests(), &Requests::suggest, this, &TuningController::suggest);
     connect(&m_searching, &BackgroundJob::ended, this,
-            [this] { m_dock.showMotor(m_search->module, m_search->found); });
+            [this] { m_dock.page().model().showMotor(m_search->module, m_search->found); });
     connect(&m_advising, &BackgroundJob::ended, this, &TuningController::suggested);
 }
 
@@ -47,7 +47,7 @@ void TuningController::suggested() {
     const Suggestion suggestion = m_advice->suggestion;
     if (const auto next = std::exchange(m_next, std::nullopt))
         suggest(*next);
-    m_dock.showSuggestion(suggestion);
+    m_dock.page().model().showSuggestion(suggestion);
 }
 
 }  // namespace nmc

@@ -22,6 +22,7 @@ protected:
             QCoreApplication::processEvents();
     }
     ResponseDock& dock() { return window->stepResponses(); }
+    ModelBox& model() { return dock().page().model(); }
     [[nodiscard]] static Identified motor() {
         Identified found;
         found.motor.gain = {788, 8};
@@ -44,7 +45,7 @@ protected:
     void find() {
         window->showResponse(ramp());
         click(u"identifyButton"_s);
-        dock().showMotor(ModuleIndex(0), motor());
+        model().showMotor(ModuleIndex(0), motor());
     }
     /// The counts of the steps that were requested last.
     [[nodiscard]] std::vector<std::int32_t> steppedBy() {
@@ -65,7 +66,7 @@ protected:
     }
     void findUncertain() {
         click(u"identifyButton"_s);
-        dock().showMotor(ModuleIndex(0), uncertain());
+        model().showMotor(ModuleIndex(0), uncertain());
     }
     using WindowTest::find;
     QSignalSpy wanted{&window->requests(), &Requests::identify};
@@ -95,7 +96,7 @@ TEST_F(ModelPage, ShowsTheMotorAndFillsInWhatIsSuggested) {
         << text(u"motorModel"_s).toStdString();
     EXPECT_TRUE(text(u"motorModel"_s).contains(u"Time constant 12.9 ± 0.2 ms"_s));
     EXPECT_FALSE(button(u"fillSuggestedButton"_s)->isEnabled());
-    dock().showSuggestion(answerTo(task()));
+    model().showSuggestion(answerTo(task()));
     EXPECT_TRUE(text(u"suggestedGains"_s).startsWith(u"Kp 321"_s));
     click(u"fillSuggestedButton"_s);
     EXPECT_EQ(field(u"kpField"_s)->value(), 321);
@@ -112,7 +113,7 @@ TEST_F(ModelPage, SaysWhatIsBetweenTheChipAndTheLoad) {
     found.motor.play = {3, 0.4};
     found.motor.rigidUpTo = 79.3;
     click(u"identifyButton"_s);
-    dock().showMotor(ModuleIndex(0), found);
+    model().showMotor(ModuleIndex(0), found);
     for (const auto& part : {u"Amplifier deadband 8.0 ± 0.3 of 255 PWM"_s, u"Play 3.0 ± 0.4 counts"_s,
                              u"A resonance above 79 Hz would not show"_s})
         EXPECT_TRUE(text(u"motorModel"_s).contains(part)) << text(u"motorModel"_s).toStdString();
@@ -129,7 +130,7 @@ TEST_F(ModelPage, SaysHowSureAPredictionIs) {
     answer.prediction->errorAtRest = {0, 4};
     answer.prediction->phaseMargin = {46, 9};
     answer.prediction->gainMargin = Measured{3.2, 0.6};
-    dock().showSuggestion(answer);
+    model().showSuggestion(answer);
     const QString words = text(u"suggestedGains"_s);
     for (const auto& part : {u"Overshoot 4 ± 2 %, settling 8 ± 3 ms"_s, u"Steady-state error 0 ± 4 counts"_s,
                              u"In 20 of 100 cases"_s, u"Phase margin 46 ± 9°, gain margin 3.2 ± 0.6"_s})
@@ -181,7 +182,7 @@ TEST_F(ModelPage, StepsOnceMoreWhereAllThatLeavesTheMotorUncertain) {
         made = next;
     }
     click(u"identifyButton"_s);
-    dock().showMotor(ModuleIndex(0), motor());
+    model().showMotor(ModuleIndex(0), motor());
     EXPECT_EQ(button(u"stepAndFindButton"_s)->text(), u"Step 4 times and find model"_s)
         << "this motor is certain";
 }
@@ -204,7 +205,7 @@ TEST_F(ModelPage, IsCarefulWhereTheMotorIsUncertain) {
     EXPECT_EQ(task().wish.phaseMargin, 60);
     click(u"identifyButton"_s);
     EXPECT_EQ(intents.size(), 0) << "a second click moves nothing";
-    dock().showMotor(ModuleIndex(0), motor());
+    model().showMotor(ModuleIndex(0), motor());
     EXPECT_EQ(task().wish.phaseMargin, 45);
 }
 
@@ -223,14 +224,14 @@ TEST_F(ModelPage, OnlyTheAnswerToTheLatestQuestionCounts) {
     QTest::keyClick(slider, Qt::Key_PageDown);
     ASSERT_NE(task().id, first.id);
     EXPECT_LT(task().wish.stiffness, first.wish.stiffness);
-    dock().showSuggestion(answerTo(first));
+    model().showSuggestion(answerTo(first));
     EXPECT_TRUE(text(u"suggestedGains"_s).isEmpty());
-    dock().showSuggestion(answerTo(task()));
+    model().showSuggestion(answerTo(task()));
     EXPECT_FALSE(text(u"suggestedGains"_s).isEmpty());
     Suggestion none;
     QTest::keyClick(slider, Qt::Key_PageDown);
     none.id = task().id;
-    dock().showSuggestion(none);
+    model().showSuggestion(none);
     EXPECT_TRUE(text(u"suggestedGains"_s).startsWith(u"No gains keep"_s));
     EXPECT_FALSE(button(u"fillSuggestedButton"_s)->isEnabled());
 }
@@ -243,7 +244,7 @@ TEST_F(ModelPage, EachFailureHasASentenceOfItsOwn) {
           IdentifyFailure::Obstacle, IdentifyFailure::GainUnclear, IdentifyFailure::TimeConstantUnclear}) {
         window->showResponse(ramp());
         click(u"identifyButton"_s);
-        dock().showMotor(ModuleIndex(0), tl::unexpected(failure));
+        model().showMotor(ModuleIndex(0), tl::unexpected(failure));
         sentences << text(u"motorModel"_s);
     }
     EXPECT_EQ(sentences.size(), 9);
@@ -284,7 +285,7 @@ TEST_F(ModelPage, AMotorOfTheLastConnectionThatComesLateIsNotShown) {
     window->showLink(LinkState{});
     showServo();
     settle();
-    dock().showMotor(ModuleIndex(0), motor());
+    model().showMotor(ModuleIndex(0), motor());
     EXPECT_TRUE(text(u"motorModel"_s).isEmpty());
     window->showResponse(ramp());
     EXPECT_TRUE(button(u"identifyButton"_s)->isEnabled()) << "it is not waited for any more";

@@ -85,10 +85,10 @@ signals:
 
     /// Into the fields of the selected module, which is that of the run they come from; nothing is sent.
     void stageGains(const nmc::servo::SetGain& gains);
-    /// A motor model of the module, which ResponsePage::showMotor() shows.
+    /// A motor model of the module, which ModelBox::showMotor() shows.
     void identify(nmc::ModuleIndex module, const std::vector<nmc::ResponseRecord>& runs);
     /// Emitted with every move of a slider; the calculation takes some tenths of a second.
-    /// ResponsePage::showSuggestion() shows the gains.
+    /// ModelBox::showSuggestion() shows the gains.
     void suggest(const nmc::SuggestionTask& task);
     /// A step response to compare with others.
     void showRun(const nmc::KeptResponse& run);

@@ -1048,7 +1048,7 @@ std::optional<TuningReport> MainWindow::tuningReport() {
     for (const KeptResponse& run : runs)
         if (run.run.module == info.index)
             report.run = run;
-    report.motor = m_response->page().motorWords();
+    report.motor = m_response->page().model().motorWords();
     if (const FrequencyPage::Found* last = m_loopTests->frequency().last())
         report.frequency = *last;
     return report;

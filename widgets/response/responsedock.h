@@ -23,8 +23,6 @@ public:
     [[nodiscard]] std::vector<KeptResponse> runs() const {
         return m_page != nullptr ? m_page->runs() : m_waiting;
     }
-    void showMotor(ModuleIndex module, const FoundMotor& found) { page().showMotor(module, found); }
-    void showSuggestion(const Suggestion& suggestion) { page().showSuggestion(suggestion); }
     void forgetModules();
 
     /// As in ResponsePage; does nothing until the content is built.

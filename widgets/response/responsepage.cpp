@@ -154,10 +154,6 @@ void ResponsePage::step() {
     m_form->step();
 }
 
-void ResponsePage::find(ModuleIndex module) {
-    m_model->find(module);
-}
-
 const KeptResponse* ResponsePage::find(std::optional<int> number) const {
     const auto found = std::find_if(m_kept.begin(), m_kept.end(),
                                     [number](const KeptResponse& kept) { return kept.number == number; });
@@ -248,14 +244,6 @@ void ResponsePage::refreshRuns() {
     m_view->showRuns(a, b, others());
     showModelCurves();
     refreshButtons();
-}
-
-void ResponsePage::showMotor(ModuleIndex module, const FoundMotor& found) {
-    m_model->showMotor(module, found);
-}
-
-void ResponsePage::showSuggestion(const Suggestion& suggestion) {
-    m_model->showSuggestion(suggestion);
 }
 
 void ResponsePage::forgetModules() {

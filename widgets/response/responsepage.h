@@ -39,10 +39,6 @@ public:
     void showKept(std::vector<KeptResponse> runs);
     /// Removes all runs. Call it when the machine is replaced.
     void clearRuns();
-    /// The answer to Requests::identify().
-    void showMotor(ModuleIndex module, const FoundMotor& found);
-    /// The answer to Requests::suggest().
-    void showSuggestion(const Suggestion& suggestion);
     /// Forgets what is known about the modules, which are those of the last connection; the runs stay, but
     /// say nothing about the motors that are connected now.
     void forgetModules();
@@ -53,12 +49,9 @@ public:
     [[nodiscard]] bool lends() const { return m_lent != nullptr; }
     /// Makes a step as the form's button does.
     void step();
-    /// As in ModelBox.
-    void find(ModuleIndex module);
 
     [[nodiscard]] const std::vector<KeptResponse>& runs() const { return m_kept; }
-    /// The constants of the motor model that is shown, one per line; empty if there is none.
-    [[nodiscard]] QStringList motorWords() const { return m_model->motorWords(); }
+    [[nodiscard]] ModelBox& model() { return *m_model; }
 
 private:
     void lay();
