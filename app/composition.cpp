@@ -12,9 +12,11 @@
 #include "widgets/common/askdialog.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
+#include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/operatorlock.h"
 #include "widgets/messages/messagemodel.h"
-#include "widgets/paths/pathsdock.h"
+#include "widgets/monitor/monitordock.h"
+#include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
 
@@ -80,13 +82,13 @@ void Composition::show(const Start& start) {
     m_runs.open({}, m_machine.machine());
     if (start.machine)
         m_machine.openAtStart(QFileInfo(*start.machine).absoluteFilePath());
-    m_window.showPorts(m_ports.ports());
+    m_window.connectionBar().showPorts(m_ports.ports());
     if (start.programs != Start::Programs::KeptOut)
         m_api.letIn(true);
     if (start.programs == Start::Programs::MayMove)
         m_api.grantUnasked();
     if (start.port) {
-        m_window.choosePort(*start.port, start.baud);
+        m_window.connectionBar().choosePort(*start.port, start.baud);
         m_connection.open({*start.port, start.baud, start.readOnly});
     }
 }
@@ -144,9 +146,9 @@ void Composition::wireWindow() {
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_worker, &BusWorker::restart);
     connect(&m_window, &MainWindow::stopAllRequested, &m_worker, &BusWorker::stopAll);
     connect(&m_window, &MainWindow::stopAllRequested, &m_commander, &Commander::endRuns);
-    connect(&m_window, &MainWindow::simulatorLineEntered, &m_worker,
+    connect(&m_window.simulator(), &SimulatorDock::lineEntered, &m_worker,
             [this](const QString& line) { m_worker.ask(ControlLine{line.toStdString()}); });
-    connect(&m_window, &MainWindow::packetRecordingWanted, &m_worker, &BusWorker::setRecording);
+    connect(&m_window.monitor(), &MonitorDock::recordingChanged, &m_worker, &BusWorker::setRecording);
     connect(&m_commander.procedures(), &ProcedureController::reported, &m_window, &MainWindow::showProcedure);
 
     const Requests* requests = &m_window.requests();
@@ -184,8 +186,9 @@ void Composition::wireWindow() {
 }
 
 void Composition::wireConnection() {
-    connect(&m_window, &MainWindow::portsRequested, this, [this] { m_window.showPorts(m_ports.ports()); });
-    connect(&m_ports, &PortController::portsChanged, &m_window, &MainWindow::showPorts);
+    ConnectionBar& bar = m_window.connectionBar();
+    connect(&bar, &ConnectionBar::portsRequested, this, [this, &bar] { bar.showPorts(m_ports.ports()); });
+    connect(&m_ports, &PortController::portsChanged, &bar, &ConnectionBar::showPorts);
     connect(&m_ports, &PortController::ended, &m_window, &MainWindow::endMessage);
     connect(&m_ports, &PortController::reported, &m_window, &MainWindow::showMessage);
     connect(&m_updater, &WindowUpdater::ratesMeasured, &m_ports,
@@ -256,7 +259,7 @@ void Composition::open(const ConnectTarget& target, bool simulated) {
     m_messages.end(texts::key::kPort);
     m_motions.begin(target, owns);
     m_positions.begin(target.port, owns);
-    m_window.beginPackets(packetSession(target.port, simulated));
+    m_window.monitor().begin(packetSession(target.port, simulated));
     m_updater.begin();
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/messageactions.h"
 
+#include <QAction>
+
 #include "protocol/baud.h"
 #include "widgets/common/texts.h"
 #include "widgets/common/words.h"
+#include "widgets/mainwindow/connectionbar.h"
 
 namespace nmc {
 
@@ -35,7 +38,7 @@ void MessageActions::act(const Message& message, MessageAction action) {
         case MessageAction::Reconnect:
             return m_connection.searchAgain();
         case MessageAction::UseSimulator:
-            m_window.choosePort(kSimulatorPort, kPowerUpBaud);
+            m_window.connectionBar().choosePort(kSimulatorPort, kPowerUpBaud);
             return m_connection.open({kSimulatorPort, kPowerUpBaud});
         case MessageAction::LookFirst:
             return lookFirst(message.key);  // until the user has looked, or the motor was seen at rest
@@ -45,7 +48,7 @@ void MessageActions::act(const Message& message, MessageAction action) {
             return m_connection.acceptChain();  // ends the message if this is allowed now
         case MessageAction::ConnectOffered:
             if (const auto& offer = m_ports.offered())
-                m_window.choosePort(offer->port, offer->baud);
+                m_window.connectionBar().choosePort(offer->port, offer->baud);
             m_connection.openOffered();
             break;
         case MessageAction::How:
@@ -94,8 +97,8 @@ void MessageActions::lookFirst(const QString& key) {
     if (m_worker.isOpen())
         return m_messages.report(texts::openAlready());  // closing the open connection might stop the motors
     if (const MotionKeeper::Left* left = m_motions.reportedBy(key))
-        m_window.choosePort(left->port, left->baud);
-    m_window.connectReadOnly();
+        m_window.connectionBar().choosePort(left->port, left->baud);
+    m_window.connectionBar().readOnlyAction()->trigger();
 }
 
 /// Sets home like a search, and therefore requires the operator right for homing.

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "link/clock.h"
+#include "widgets/monitor/monitordock.h"
+#include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
 
@@ -47,11 +49,11 @@ void WindowUpdater::take(const StoreEvent& event) {
     if (std::holds_alternative<bus::ChainFound>(event))
         m_watched.clear();  // the bus has forgotten it
     if (const auto* answer = std::get_if<SimulatorAnswered>(&event))
-        m_window.showSimulatorAnswer(QString::fromStdString(answer->line),
-                                     QByteArray::fromStdString(answer->json));
+        m_window.simulator().showAnswer(QString::fromStdString(answer->line),
+                                        QByteArray::fromStdString(answer->json));
     if (!std::holds_alternative<PortClosed>(event))
         return;
-    m_window.showPackets(m_worker.takeRecords());
+    m_window.monitor().showPackets(m_worker.takeRecords());
     m_flight.keepAll();
     m_frameTimer.stop();
     // The last reported values continue to age.
@@ -84,7 +86,7 @@ WindowUpdater::Shown::Shown(const LinkState& link)
 }
 
 void WindowUpdater::showFrame() {
-    m_window.showPackets(m_worker.takeRecords());
+    m_window.monitor().showPackets(m_worker.takeRecords());
     std::vector<ModuleIndex> watched = m_window.watchedModules();
     for (const ModuleIndex module : m_commander.sequences().parts())
         if (!std::ranges::count(watched, module))

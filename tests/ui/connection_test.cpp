@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/texts.h"
+#include "widgets/mainwindow/connectionbar.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -13,15 +14,15 @@ protected:
 
 TEST_F(Connection, TheSimulatorIsAlwaysThereFirstStartIncluded) {
     EXPECT_GE(ports()->findData(kSimulatorPort), 0);
-    window->showPorts({{u"/dev/ttyUSB0"_s, u"USB Serial Converter"_s}});
+    window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, u"USB Serial Converter"_s}});
     EXPECT_GE(ports()->findData(kSimulatorPort), 0);
     EXPECT_EQ(ports()->itemText(0), u"/dev/ttyUSB0  (USB Serial Converter)"_s);
 }
 
 TEST_F(Connection, ConnectsToTheChosenPortAndRate) {
     QSignalSpy connects(window.get(), &MainWindow::connectRequested);
-    window->showPorts({{u"/dev/ttyUSB0"_s, {}}});
-    window->choosePort(u"/dev/pts/7"_s, 57600);
+    window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, {}}});
+    window->connectionBar().choosePort(u"/dev/pts/7"_s, 57600);
     click(u"connectButton"_s);
     ASSERT_EQ(connects.size(), 1);
     EXPECT_EQ(connects.at(0).at(0).toString(), u"/dev/pts/7"_s);
@@ -30,11 +31,11 @@ TEST_F(Connection, ConnectsToTheChosenPortAndRate) {
 
 TEST_F(Connection, APortCanBeTypedWhilePortsComeAndGo) {
     QSignalSpy connects(window.get(), &MainWindow::connectRequested);
-    window->showPorts({{u"/dev/ttyUSB0"_s, u"USB Serial Converter"_s}});
+    window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, u"USB Serial Converter"_s}});
     auto* field = find<QLineEdit>(u"portField"_s);
     field->selectAll();
     QTest::keyClicks(ports(), u"/dev/serial/by-id/"_s);
-    window->showPorts({{u"/dev/ttyUSB0"_s, {}}, {u"/dev/ttyUSB1"_s, {}}});
+    window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, {}}, {u"/dev/ttyUSB1"_s, {}}});
     QTest::keyClicks(ports(), u"usb-A1 "_s);
     EXPECT_EQ(field->text(), u"/dev/serial/by-id/usb-A1 "_s);
     QTest::keyClick(ports(), Qt::Key_Return);
@@ -60,20 +61,20 @@ TEST_F(Connection, WithoutAPortTheListOpensInstead) {
 }
 
 TEST_F(Connection, AChosenSimulatorChainSaysWhatItIs) {
-    window->choosePort(u"simulator=servo,servo@1"_s, 115200);
+    window->connectionBar().choosePort(u"simulator=servo,servo@1"_s, 115200);
     EXPECT_EQ(ports()->currentData().toString(), u"simulator=servo,servo@1"_s);
     EXPECT_EQ(ports()->currentText(), u"Simulator (servo,servo@1)"_s);
 }
 
 TEST_F(Connection, AChosenPortStaysWhenItIsUnplugged) {
-    window->showPorts({{u"/dev/ttyUSB0"_s, {}}, {u"/dev/ttyUSB1"_s, {}}});
-    window->choosePort(u"/dev/ttyUSB1"_s, 0);
-    window->showPorts({{u"/dev/ttyUSB0"_s, {}}});
+    window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, {}}, {u"/dev/ttyUSB1"_s, {}}});
+    window->connectionBar().choosePort(u"/dev/ttyUSB1"_s, 0);
+    window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, {}}});
     EXPECT_EQ(ports()->currentData().toString(), u"/dev/ttyUSB1"_s);
 }
 
 TEST_F(Connection, OpeningTheListAsksForThePorts) {
-    QSignalSpy asked(window.get(), &MainWindow::portsRequested);
+    QSignalSpy asked(&window->connectionBar(), &ConnectionBar::portsRequested);
     ports()->showPopup();
     EXPECT_EQ(asked.size(), 1);
     ports()->hidePopup();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a user sees who runs the program for the first time: what to connect to, and how to make the motor
 // move.
+#include "widgets/mainwindow/connectionbar.h"
 #include "widgets/panels/holdbutton.h"
 #include "windowtest.h"
 
@@ -14,7 +15,7 @@ protected:
 };
 
 TEST_F(StartPageTest, OffersPortAndSimulatorEachWithWhatItNeeds) {
-    window->showPorts({{u"/dev/ttyUSB0"_s, u"FT232R"_s}});
+    window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, u"FT232R"_s}});
     EXPECT_TRUE(button(u"startSerialButton"_s)->isVisible());
     EXPECT_EQ(text(u"startSerialButtonTitle"_s), u"Connect to /dev/ttyUSB0"_s);
     EXPECT_TRUE(needs(u"startSerialButton"_s).contains(u"FT232R, 115 200 Bd"_s));
@@ -25,7 +26,7 @@ TEST_F(StartPageTest, OffersPortAndSimulatorEachWithWhatItNeeds) {
 }
 
 TEST_F(StartPageTest, ConnectsToWhatItSays) {
-    window->showPorts({{u"/dev/ttyUSB0"_s, {}}, {u"/dev/ttyS0"_s, {}}});
+    window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, {}}, {u"/dev/ttyS0"_s, {}}});
     EXPECT_TRUE(needs(u"startSerialButton"_s).contains(u"Other ports"_s));
     click(u"startSerialButton"_s);
     ASSERT_EQ(connects.size(), 1);
@@ -36,7 +37,7 @@ TEST_F(StartPageTest, ConnectsToWhatItSays) {
 }
 
 TEST_F(StartPageTest, TakesPortAndRateFromTheListAbove) {
-    window->showPorts({{u"/dev/ttyUSB0"_s, {}}, {u"/dev/ttyS0"_s, {}}});
+    window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, {}}, {u"/dev/ttyS0"_s, {}}});
     auto* ports = find<QComboBox>(u"portBox"_s);
     ports->setFocus();
     QTest::keyClick(ports, Qt::Key_Down);
@@ -54,27 +55,27 @@ TEST_F(StartPageTest, TakesPortAndRateFromTheListAbove) {
 
 /// The user may know a path that is not listed.
 TEST_F(StartPageTest, WithoutAnyPortSaysSoAndOpensTheList) {
-    window->showPorts({});
+    window->connectionBar().showPorts({});
     EXPECT_TRUE(needs(u"startSerialButton"_s).contains(u"No serial port found"_s));
     click(u"startSerialButton"_s);
     EXPECT_TRUE(connects.isEmpty());
     QWidget* list = QApplication::activePopupWidget();
     ASSERT_NE(list, nullptr);
     list->close();
-    window->showPorts({{u"/dev/ttyUSB3"_s, {}}});
+    window->connectionBar().showPorts({{u"/dev/ttyUSB3"_s, {}}});
     EXPECT_EQ(text(u"startSerialButtonTitle"_s), u"Connect to /dev/ttyUSB3"_s)
         << "it was plugged in in the meantime";
 }
 
 TEST_F(StartPageTest, KeepsTheSimulatedChainThatWasAskedFor) {
-    window->choosePort(u"simulator=servo,io"_s, 0);
+    window->connectionBar().choosePort(u"simulator=servo,io"_s, 0);
     click(u"startSimulatorButton"_s);
     ASSERT_EQ(connects.size(), 1);
     EXPECT_EQ(connects.at(0).at(0), u"simulator=servo,io"_s);
 }
 
 TEST_F(StartPageTest, IsGoneWhileAPortIsOpen) {
-    window->showPorts({{u"/dev/ttyUSB0"_s, {}}});
+    window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, {}}});
     showServo();
     EXPECT_FALSE(find(u"startPage"_s)->isVisible());
     window->showLink({});
@@ -86,8 +87,8 @@ TEST_F(StartPageTest, IsGoneWhileAPortIsOpen) {
 }
 
 TEST_F(StartPageTest, IsWholeInASmallWindow) {
-    window->showPorts({{u"/dev/serial/by-id/usb-FTDI_FT232R_USB_UART_A9007UX1-if00-port0"_s,
-                        u"FTDI FT232R USB UART, on the machine's left side"_s}});
+    window->connectionBar().showPorts({{u"/dev/serial/by-id/usb-FTDI_FT232R_USB_UART_A9007UX1-if00-port0"_s,
+                                        u"FTDI FT232R USB UART, on the machine's left side"_s}});
     window->resize(800, 600);
     for (int i = 0; i < 5; ++i)
         QApplication::processEvents();

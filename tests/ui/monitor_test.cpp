@@ -14,7 +14,7 @@ using bus::Purpose;
 
 class Monitor : public WindowTest {
 protected:
-    Monitor() { window->beginPackets(session(true)); }
+    Monitor() { window->monitor().begin(session(true)); }
 
     static PacketSession session(bool simulated) {
         return {"NMC Panel 0.3.0", "2025-06-01T12:00:00.000Z", simulated ? "simulator" : "/dev/ttyUSB0",
@@ -37,14 +37,15 @@ protected:
     int rows() { return table()->model()->rowCount(); }
     /// Shows a connect, two polls and an unanswered stop, which the filters distinguish.
     void showFour() {
-        window->showPackets({resetRecord(1, 100), pollRecord(2, 2'000'000), pollRecord(3, 2'500'000, 1),
-                             with(pollRecord(4, 3'000'000), Purpose::Stop, ExchangeEnd::Unresponsive)});
+        window->monitor().showPackets(
+            {resetRecord(1, 100), pollRecord(2, 2'000'000), pollRecord(3, 2'500'000, 1),
+             with(pollRecord(4, 3'000'000), Purpose::Stop, ExchangeEnd::Unresponsive)});
     }
     void showPolls(int count, std::uint64_t from = 1) {
         std::vector<bus::ExchangeRecord> records;
         for (int i = 0; i < count; ++i)
             records.push_back(pollRecord(from + static_cast<std::uint64_t>(i), i));
-        window->showPackets(std::move(records));
+        window->monitor().showPackets(std::move(records));
     }
     /// The content for the file that the user chooses.
     QByteArray saved(const QString& name) {
@@ -56,7 +57,7 @@ protected:
         EXPECT_EQ(saves[0][0].toString(), directory.filePath(name));
         return QByteArray::fromStdString(saves[0][1].value<FileContent>()());
     }
-    QSignalSpy wanted{window.get(), &MainWindow::packetRecordingWanted};
+    QSignalSpy wanted{&window->monitor(), &MonitorDock::recordingChanged};
 };
 
 TEST_F(Monitor, WantsRecordsOnlyWhileItCanBeSeenAndIsNotPaused) {
@@ -78,7 +79,7 @@ TEST_F(Monitor, WantsRecordsOnlyWhileItCanBeSeenAndIsNotPaused) {
 }
 
 TEST_F(Monitor, IsBuiltWhenItIsFirstSeenAndKnowsTheConnectionThen) {
-    window->beginPackets(session(false));
+    window->monitor().begin(session(false));
     LinkState link;
     link.phase = LinkPhase::Connected;
     link.modules.resize(5);
@@ -136,7 +137,7 @@ TEST_F(Monitor, FiltersByModuleAndByKind) {
     EXPECT_EQ(purposesOf(u"Stops"_s), (QStringList{u"stop"_s}));
     EXPECT_EQ(purposesOf(u"Connecting and link"_s), (QStringList{u"connecting"_s}));
     EXPECT_EQ(purposesOf(u"Errors only"_s), (QStringList{u"stop"_s}));
-    window->showPackets({pollRecord(5)});
+    window->monitor().showPackets({pollRecord(5)});
     EXPECT_EQ(rows(), 1) << "what comes later is filtered, too";
     EXPECT_EQ(purposesOf(u"All kinds"_s).size(), 5);
 }
@@ -204,7 +205,7 @@ TEST_F(Monitor, ClearsAndBeginsAnewWithEachConnection) {
     click(u"packetClear"_s);
     EXPECT_EQ(rows(), 0);
     showFour();
-    window->beginPackets(session(false));
+    window->monitor().begin(session(false));
     EXPECT_EQ(rows(), 0);
 }
 
@@ -222,10 +223,10 @@ TEST_F(Monitor, SavesATextForPeople) {
 }
 
 TEST_F(Monitor, SavesALogThatCanBeReplayed) {
-    window->beginPackets(session(false));
+    window->monitor().begin(session(false));
     open();
     box(u"packetKindBox"_s)->setCurrentIndex(1);
-    window->showPackets({resetRecord(1, 100), pollRecord(2, 2'000'000)});
+    window->monitor().showPackets({resetRecord(1, 100), pollRecord(2, 2'000'000)});
     EXPECT_EQ(saved(u"packets.nmclog"_s),
               "# nmcpanel packet log 1\n"
               "# program NMC Panel 0.3.0\n"

@@ -3,6 +3,8 @@
 #include "bus/exchangerecord.h"
 #include "widgets/help/problemreport.h"
 #include "widgets/machine/machinemenu.h"
+#include "widgets/mainwindow/connectionbar.h"
+#include "widgets/monitor/monitordock.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -24,7 +26,7 @@ protected:
 };
 
 TEST_F(Report, SaysWhatIsThere) {
-    window->showPorts({{u"/dev/ttyUSB0"_s, u"FT232R USB UART"_s, u"A10K"_s, 0x0403, 0x6001}});
+    window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, u"FT232R USB UART"_s, u"A10K"_s, 0x0403, 0x6001}});
     Servo lost{.index = 1, .position = -77, .gains = false};
     ModuleState silent = lost.state();
     silent.silent = true;
@@ -54,7 +56,7 @@ TEST_F(Report, HasTheLastPacketsOfTheMonitor) {
     find(u"monitorDock"_s)->show();
     find(u"monitorDock"_s)->raise();
     QApplication::processEvents();
-    window->beginPackets(PacketSession{});
+    window->monitor().begin(PacketSession{});
     std::vector<bus::ExchangeRecord> records;
     constexpr int kMade = 510;
     for (int i = 0; i < kMade; ++i) {
@@ -64,7 +66,7 @@ TEST_F(Report, HasTheLastPacketsOfTheMonitor) {
         record.command = {0xAA, 0x01, 0x0E, 0x0F};
         records.push_back(record);
     }
-    window->showPackets(std::move(records));
+    window->monitor().showPackets(std::move(records));
     const QStringList packets = part(open(), u"Packets"_s);
     ASSERT_EQ(packets.size(), 500);
     EXPECT_TRUE(packets.front().trimmed().startsWith(u"10.000000"_s)) << packets.front().toStdString();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/words.h"
+#include "widgets/simulator/simulatordock.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -85,7 +86,7 @@ protected:
     void answer(const QString& line, const QJsonObject& json) {
         ASSERT_TRUE(eventually([&] { return asked(line); })) << line.toStdString();
         lines.clear();
-        window->showSimulatorAnswer(line, QJsonDocument(json).toJson(QJsonDocument::Compact));
+        window->simulator().showAnswer(line, QJsonDocument(json).toJson(QJsonDocument::Compact));
     }
     bool asked(const QString& line) {
         return std::any_of(lines.cbegin(), lines.cend(),
@@ -106,7 +107,7 @@ protected:
         QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
     }
 
-    QSignalSpy lines{window.get(), &MainWindow::simulatorLineEntered};
+    QSignalSpy lines{&window->simulator(), &SimulatorDock::lineEntered};
 };
 
 TEST_F(Simulator, IsThereOnlyWhileAttachedToTheSimulator) {
@@ -242,7 +243,7 @@ TEST_F(Simulator, AnAnswerFromBeforeTheClickDoesNotUndoIt) {
     answer(u"state 1"_s, servoState());
     ASSERT_TRUE(eventually([&] { return asked(u"state 1"_s); }));
     tick(u"sim_servo_powerBox"_s);
-    window->showSimulatorAnswer(u"state 1"_s, QJsonDocument(servoState()).toJson());
+    window->simulator().showAnswer(u"state 1"_s, QJsonDocument(servoState()).toJson());
     EXPECT_FALSE(button(u"sim_servo_powerBox"_s)->isChecked());
     lines.clear();
     answer(u"state 1"_s, servoState());
@@ -313,19 +314,19 @@ TEST_F(Simulator, ATypedLineGetsItsAnswerWhole) {
     QTest::keyClicks(edit, u"  faults "_s);
     QTest::keyClick(edit, Qt::Key_Return);
     EXPECT_EQ(lastLine(), u"faults"_s);
-    window->showSimulatorAnswer(u"faults"_s, R"({"faults":[],"seed":12345678901234567890})");
+    window->simulator().showAnswer(u"faults"_s, R"({"faults":[],"seed":12345678901234567890})");
     EXPECT_EQ(text(u"simAnswerHead"_s), u"Answer to: faults"_s);
     EXPECT_TRUE(find<QPlainTextEdit>(u"simAnswer"_s)->toPlainText().contains(u"12345678901234567890"_s));
     edit->setText(u"break 1"_s);
     QTest::keyClick(edit, Qt::Key_Return);
-    window->showSimulatorAnswer(u"break 1"_s, R"({"ok":true})");
+    window->simulator().showAnswer(u"break 1"_s, R"({"ok":true})");
     EXPECT_EQ(text(u"simAnswerHead"_s), u"Done: break 1"_s);
 }
 
 TEST_F(Simulator, ARefusalIsShownWhole) {
     attach();
     tick(u"sim_servo_limit1Box"_s);
-    window->showSimulatorAnswer(u"set 1 limit1 1"_s, R"({"error":"the limits follow the travel"})");
+    window->simulator().showAnswer(u"set 1 limit1 1"_s, R"({"error":"the limits follow the travel"})");
     EXPECT_EQ(text(u"simAnswerHead"_s), u"Failed: set 1 limit1 1"_s);
     EXPECT_EQ(find<QPlainTextEdit>(u"simAnswer"_s)->toPlainText(), u"the limits follow the travel"_s);
 }

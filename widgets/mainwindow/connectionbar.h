@@ -43,6 +43,7 @@ public:
     /// The simulator and the chosen port are always in the list, whatever is plugged in.
     void showPorts(const QList<PortEntry>& ports);
     [[nodiscard]] const QList<PortEntry>& ports() const { return m_ports; }
+    /// Puts a port (listed or not) and a rate into the bar; 0 keeps the rate. Does not connect.
     void choosePort(const QString& port, quint32 baud);
     /// The chosen port if it is a serial port, otherwise the first one in the list; without a name if there
     /// is none.
@@ -69,6 +70,7 @@ signals:
     void connectRequested(const QString& port, quint32 baud, bool readOnly);
     void disconnectRequested();
     void stopAllRequested();
+    /// The list of ports is about to be opened.
     void portsRequested();
     /// The list of ports, the chosen port or the rate has changed.
     void choiceChanged();

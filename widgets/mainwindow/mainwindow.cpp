@@ -166,7 +166,7 @@ void MainWindow::buildTop() {
     look::name(menuBar, u"menuBar"_s, tr("Menus"));
     m_bar = new ConnectionBar(top);
     m_start = new StartPage(*m_bar, m_panel);
-    fillMenus(*menuBar, *this, m_bar->readOnlyAction(), m_layouts->docks(), m_settings);
+    fillMenus(*menuBar, *this, m_settings);
     buildRibbons(top);
     m_banner = new Banner(*m_model, top);
     auto* layout = new QVBoxLayout(top);
@@ -252,7 +252,6 @@ void MainWindow::connectParts() {
             });
     connect(m_bar, &ConnectionBar::disconnectRequested, this, &MainWindow::askBeforeDisconnect);
     connect(m_bar, &ConnectionBar::stopAllRequested, this, &MainWindow::requestStop);
-    connect(m_bar, &ConnectionBar::portsRequested, this, &MainWindow::portsRequested);
     connect(m_requests, &Requests::restart, this, &MainWindow::askBeforeRestart);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::showSession);
     connect(m_machineMenu, &MachineMenu::shown, this, &MainWindow::reviewQuestions);
@@ -271,7 +270,6 @@ void MainWindow::connectParts() {
     connect(&m_preparing, &QTimer::timeout, this, &MainWindow::preparePage);
     connect(
         m_panel, &ModulePanel::pageChanged, this, [this] { makeRoomForMotions(0); }, Qt::QueuedConnection);
-    connect(m_simulator, &SimulatorDock::lineEntered, this, &MainWindow::simulatorLineEntered);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,
             [this](bool wanted) { m_settings.setValue(m_layouts->key(kSimulatorOpen), wanted); });
     connect(m_scope, &ScopePanel::frameWanted, this, &MainWindow::scopeFrameWanted);
@@ -280,7 +278,6 @@ void MainWindow::connectParts() {
     m_scope->presets().showPresets(m_settings.value(kScopePresets).toStringList());
     connect(&m_scope->presets(), &ScopePresets::presetsChanged, this,
             [this](const QStringList& presets) { m_settings.setValue(kScopePresets, presets); });
-    connect(m_monitor, &MonitorDock::recordingChanged, this, &MainWindow::packetRecordingWanted);
     connect(m_banner, &Banner::actionTriggered, this, &MainWindow::takeMessageAction);
     connect(m_banner, &Banner::allWanted, this, [this](const QString& key) {
         showDockOf(*m_messages);
@@ -360,14 +357,6 @@ void MainWindow::changeEvent(QEvent* event) {
 
 bool MainWindow::focusNextPrevChild(bool next) {
     return !m_focus->leave() && (m_focus->resume(next) || QMainWindow::focusNextPrevChild(next));
-}
-
-void MainWindow::showPorts(const QList<PortEntry>& ports) {
-    m_bar->showPorts(ports);
-}
-
-void MainWindow::choosePort(const QString& port, quint32 baud) {
-    m_bar->choosePort(port, baud);
 }
 
 void MainWindow::showLink(const LinkState& state) {
@@ -497,14 +486,6 @@ void MainWindow::showFigures(const LinkFigures& figures) {
     m_monitor->showFigures(figures);
 }
 
-void MainWindow::beginPackets(const PacketSession& session) {
-    m_monitor->begin(session);
-}
-
-void MainWindow::showPackets(std::vector<bus::ExchangeRecord> records) {
-    m_monitor->showPackets(std::move(records));
-}
-
 void MainWindow::showMachine(const Machine& machine) {
     m_session.setMachine(machine);
     m_operator->showRights(machine.operatorRights);
@@ -568,10 +549,6 @@ void MainWindow::takeMessageAction(const Message& message, MessageAction action)
     emit messageAction(message, action);
 }
 
-void MainWindow::connectReadOnly() {
-    m_bar->readOnlyAction()->trigger();
-}
-
 void MainWindow::showSafetyOnce() {
     if (!m_settings.value(kSafetyRead, false).toBool())
         showMessage(texts::safety());
@@ -595,10 +572,6 @@ void MainWindow::showStopResult(const bus::StopFinished& finished, unsigned reco
     result.record = record;
     showMessage(texts::withRecord(result));
     m_session.stopFinished(all);
-}
-
-void MainWindow::showSimulatorAnswer(const QString& line, const QByteArray& json) {
-    m_simulator->showAnswer(line, json);
 }
 
 void MainWindow::showAllAxes() {

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QByteArray>
-#include <QList>
 #include <QMainWindow>
 #include <QTimer>
 #include <functional>
 #include <memory>
 #include <optional>
 
-#include "link/ports/linktypes.h"
 #include "model/module/linkstate.h"
-#include "model/packets/packetlog.h"
 #include "model/procedure/procedure.h"
 #include "model/scope/history.h"
 #include "model/settings/machine.h"
@@ -70,10 +66,6 @@ public:
     explicit MainWindow(QSettings& settings, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// Shows the available serial ports; the window adds the simulator.
-    void showPorts(const QList<PortEntry>& ports);
-    /// Puts a port (listed or not) and a rate into the tool bar; 0 keeps the rate. Does not connect.
-    void choosePort(const QString& port, quint32 baud);
     void showLink(const LinkState& state);
     /// Call once a second.
     void showFigures(const LinkFigures& figures);
@@ -110,12 +102,6 @@ public:
     void endMessage(const QString& key);
     /// `record`: as in Message.
     void showStopResult(const bus::StopFinished& finished, unsigned record = 0);
-    /// The built-in simulator's answer, in JSON, to a line of simulatorLineEntered().
-    void showSimulatorAnswer(const QString& line, const QByteArray& json);
-    /// A connection is being opened: the packet monitor forgets the previous one.
-    void beginPackets(const PacketSession& session);
-    /// Shows what was recorded since the last call. Call once per frame after packetRecordingWanted(true).
-    void showPackets(std::vector<bus::ExchangeRecord> records);
     /// The bus has ended the hold: the button is released, and must be pressed again.
     void endHold();
     /// Sets how often a held button reports that it is held; 100 ms by default.
@@ -123,6 +109,8 @@ public:
 
     /// What the user requests anywhere in the window.
     [[nodiscard]] Requests& requests() { return *m_requests; }
+    /// Port, rate, and the buttons that connect.
+    [[nodiscard]] ConnectionBar& connectionBar() { return *m_bar; }
     /// The machine's file: its part of the File menu, its dialogs, and the name in the title.
     [[nodiscard]] MachineMenu& machineMenu() { return *m_machineMenu; }
     [[nodiscard]] ChainMenu& chainMenu() { return *m_chainMenu; }
@@ -140,6 +128,10 @@ public:
     [[nodiscard]] LoopTestsDock& loopTests() { return *m_loopTests; }
     /// All axes at once.
     [[nodiscard]] AxesDock& axes() { return *m_axes; }
+    /// The switches and loads of the built-in simulator.
+    [[nodiscard]] SimulatorDock& simulator() { return *m_simulator; }
+    /// The packets on the line.
+    [[nodiscard]] MonitorDock& monitor() { return *m_monitor; }
     /// Recording, opening a recording, and exporting.
     [[nodiscard]] ScopeFiles& scopeFiles();
     /// Empty while there is no module.
@@ -156,8 +148,6 @@ public:
     void resetLayout();
     /// Restarts the network if the user confirms it.
     void askBeforeRestart();
-    /// Connects to the port in the tool bar, read-only.
-    void connectReadOnly();
     /// Fills the menu with the commands of the selected module, in its present state.
     void fillModuleMenu(QMenu& menu);
     /// Opens the manual at a page such as "keys.md"; openManualAt() opens it at the description of a widget.
@@ -177,14 +167,8 @@ signals:
     /// The user has confirmed that positions and gains are lost.
     void restartNetworkRequested();
     void stopAllRequested();
-    /// A control line for the built-in simulator; only while attached to it.
-    void simulatorLineEntered(const QString& line);
-    /// From now on, the packet monitor needs every exchange, or none.
-    void packetRecordingWanted(bool wanted);
     /// The scope's display must change: showHistory() must be called soon, even if nothing has arrived.
     void scopeFrameWanted();
-    /// The port list is about to be opened.
-    void portsRequested();
     /// The user chose to stop and close; stopAllRequested() was emitted before. The owner answers with
     /// finishClose().
     void closeConfirmed();

@@ -18,6 +18,7 @@
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/colourchoice.h"
+#include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/mainwindow/operatorlock.h"
 #include "widgets/scope/scopefiles.h"
@@ -94,8 +95,7 @@ void addLanguages(QMenu& view, MainWindow& window, QSettings& settings) {
 
 }  // namespace
 
-void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, const QList<QDockWidget*>& docks,
-               QSettings& settings) {
+void fillMenus(QMenuBar& bar, MainWindow& window, QSettings& settings) {
     QMenu* file = bar.addMenu(Menus::tr("&File"));
     look::name(file, u"fileMenu"_s, Menus::tr("File"));
     window.machineMenu().addTo(*file);
@@ -112,7 +112,7 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, cons
     QMenu* chain = bar.addMenu(Common::tr("Chain"));
     look::name(chain, u"chainMenu"_s, Common::tr("Chain"));
     chain->setToolTipsVisible(true);
-    chain->addAction(connectReadOnly);
+    chain->addAction(window.connectionBar().readOnlyAction());
     chain->addSeparator();
     window.chainMenu().addTo(*chain);
 
@@ -130,7 +130,7 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QAction* connectReadOnly, cons
     view->addActions(window.layouts().actions());
     view->addSeparator();
     int number = 1 + static_cast<int>(window.layouts().actions().size());
-    for (QDockWidget* dock : docks) {
+    for (QDockWidget* dock : window.layouts().docks()) {
         QAction* toggle = dock->toggleViewAction();
         toggle->setObjectName(dock->objectName() + u"Action"_s);
         if (toggle->shortcut().isEmpty())

@@ -29,6 +29,7 @@ public:
     [[nodiscard]] QString lastPackets(int most) const;
 
 signals:
+    /// From now on, every exchange is needed, or none.
     void recordingChanged(bool recording);
 
 private:

@@ -29,6 +29,7 @@ public:
     void showAnswer(const QString& line, const QByteArray& json);
 
 signals:
+    /// A control line for the built-in simulator; only while attached to it.
     void lineEntered(const QString& line);
     /// The user closed it, or opened it again.
     void wantedChanged(bool wanted);
