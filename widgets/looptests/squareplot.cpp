@@ -18,7 +18,7 @@ constexpr int kSpreadAlpha = 60;
 constexpr float kPreviousOpacity = 0.35F;
 }  // namespace
 
-SquarePlot::SquarePlot(QWidget* parent) : RecordPlot(parent) {
+SquarePlot::SquarePlot(QWidget* parent) : RecordPlot({26, 14}, {14, 8}, parent) {
     look::name(this, u"squarePlot"_s, tr("Square wave, one period"));
     setToolTip(tr(
         "All edges with the present gains, overlaid: the line is their median, the shaded band holds 80 % of the samples. Pale: the previous gains. Double-click to show everything. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time."));
@@ -119,14 +119,6 @@ void SquarePlot::paintTraces(QPainter& painter) {
     painter.setPen(QPen(look::traceColour(0, palette()), kTraceWidth));
     for (const Curve& curve : m_now)
         painter.drawPolyline(placed(curve.median));
-}
-
-QSize SquarePlot::sizeHint() const {
-    return {fontMetrics().height() * 26, fontMetrics().height() * 14};
-}
-
-QSize SquarePlot::minimumSizeHint() const {
-    return {fontMetrics().height() * 14, fontMetrics().height() * 8};
 }
 
 }  // namespace nmc

@@ -25,8 +25,6 @@ public:
         double half = 0.0;    ///< s; half a period
     };
     void showFold(const Fold& now, const Fold& before, const AxisScale& scale);
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
     void refreshLegend() override;

@@ -31,7 +31,7 @@ constexpr double kShortest = 0.1;                   ///< share of the record tha
 constexpr double kUsualRecord = 0.5;                ///< s, length of the time axis before there is a run
 }  // namespace
 
-ResponsePlot::ResponsePlot(QWidget* parent) : RecordPlot(parent) {
+ResponsePlot::ResponsePlot(QWidget* parent) : RecordPlot({20, 10}, {14, 7}, parent) {
     look::name(this, u"responsePlot"_s, tr("Step responses over time"));
     setToolTip(tr(
         "Positions since the step, relative to its start. The shaded band is the settling band around the goal. Double-click to switch between the whole record and the motion. Scroll to zoom the time, or the positions with Ctrl; drag to pan; drag with Shift to select a time."));
@@ -361,14 +361,6 @@ int ResponsePlot::stripsHeight() const {
     const double em = fontMetrics().height();
     const bool room = height() >= em * (10 + ResponseStrips::kLines);
     return room && (m_curves[0] || m_curves[1]) ? qRound(em * ResponseStrips::kLines) : 0;
-}
-
-QSize ResponsePlot::sizeHint() const {
-    return {fontMetrics().height() * 20, fontMetrics().height() * 10};
-}
-
-QSize ResponsePlot::minimumSizeHint() const {
-    return {fontMetrics().height() * 14, fontMetrics().height() * 7};
 }
 
 }  // namespace nmc

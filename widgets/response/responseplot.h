@@ -44,8 +44,6 @@ public:
 
     /// Where this point is drawn; `value` is in the unit of the axis.
     [[nodiscard]] QPointF pointAt(double seconds, double value) const;
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     /// readings() has changed.

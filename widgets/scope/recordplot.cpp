@@ -16,7 +16,8 @@ namespace {
 constexpr double kNarrowestView = 1e-5, kWidestView = 1e13;
 }  // namespace
 
-RecordPlot::RecordPlot(QWidget* parent) : PlotCanvas(parent) {
+RecordPlot::RecordPlot(const QSize& wanted, const QSize& least, QWidget* parent)
+    : PlotCanvas(parent), m_wanted(wanted), m_least(least) {
     setFocusPolicy(Qt::StrongFocus);
     connect(&m_frame, &PlotFrame::changed, this, qOverload<>(&QWidget::update));
 }

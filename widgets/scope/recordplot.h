@@ -14,11 +14,14 @@ class RecordPlot : public PlotCanvas {
     Q_OBJECT
 
 public:
-    explicit RecordPlot(QWidget* parent);
+    /// `wanted` and `least`: its sizes, in lines of text.
+    RecordPlot(const QSize& wanted, const QSize& least, QWidget* parent);
 
     /// Shows what is visible at first again.
     virtual void fitAgain();
     [[nodiscard]] const PlotGeometry& geometryShown() const { return m_geometry; }
+    [[nodiscard]] QSize sizeHint() const override { return m_wanted * fontMetrics().height(); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return m_least * fontMetrics().height(); }
 
 protected:
     /// A visible range of time, in s, and of values, in the unit of the axis.
@@ -49,6 +52,7 @@ protected:
 private:
     void showView(const View& view);
 
+    QSize m_wanted, m_least;
     std::optional<View> m_view;  ///< as chosen by the user
 };
 

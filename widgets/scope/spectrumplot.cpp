@@ -11,7 +11,7 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-SpectrumPlot::SpectrumPlot(QWidget* parent) : RecordPlot(parent) {
+SpectrumPlot::SpectrumPlot(QWidget* parent) : RecordPlot({36, 18}, {18, 10}, parent) {
     look::name(this, u"spectrumPlot"_s, tr("Spectrum"));
     setToolTip(tr(
         "The sines in the signal, by frequency in Hz. The circle marks the highest that stands out from the noise. Double-click to show everything. Scroll to zoom the frequency, or the amplitudes with Ctrl; drag to pan; drag with Shift to select frequencies."));
@@ -68,14 +68,6 @@ void SpectrumPlot::paintTraces(QPainter& painter) {
         const double radius = fontMetrics().height() / 3.0;
         painter.drawEllipse(placed(*m_spectrum.peak), radius, radius);
     }
-}
-
-QSize SpectrumPlot::sizeHint() const {
-    return {fontMetrics().height() * 36, fontMetrics().height() * 18};
-}
-
-QSize SpectrumPlot::minimumSizeHint() const {
-    return {fontMetrics().height() * 18, fontMetrics().height() * 10};
 }
 
 }  // namespace nmc

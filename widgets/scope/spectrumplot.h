@@ -16,8 +16,6 @@ public:
 
     /// `label`: of the signal, with its unit.
     void showSpectrum(const Spectrum& spectrum, const QString& label);
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
     void refreshLegend() override;

@@ -12,7 +12,7 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
-XyPlot::XyPlot(QWidget* parent) : RecordPlot(parent) {
+XyPlot::XyPlot(QWidget* parent) : RecordPlot({26, 24}, {14, 12}, parent) {
     look::name(this, u"xyPlot"_s, tr("One signal over another"));
     setToolTip(tr(
         "Each sample of the vertical signal, over the value of the horizontal one at the same time. The dot marks the last one. Double-click to show everything. Scroll to zoom horizontally, or vertically with Ctrl; drag to pan."));
@@ -61,14 +61,6 @@ void XyPlot::paintTraces(QPainter& painter) {
     const double radius = fontMetrics().height() / 5.0;
     painter.setBrush(painter.pen().color());
     painter.drawEllipse(line.last(), radius, radius);
-}
-
-QSize XyPlot::sizeHint() const {
-    return {fontMetrics().height() * 26, fontMetrics().height() * 24};
-}
-
-QSize XyPlot::minimumSizeHint() const {
-    return {fontMetrics().height() * 14, fontMetrics().height() * 12};
 }
 
 }  // namespace nmc

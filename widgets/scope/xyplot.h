@@ -15,8 +15,6 @@ public:
 
     /// `label`: both signals, with their units.
     void showCurve(std::vector<XyPoint> curve, const QString& label);
-    [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
     void refreshLegend() override;
