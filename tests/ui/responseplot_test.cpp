@@ -36,13 +36,13 @@ TEST(StepPlotPicture, ASolidBDashedFromWhereTheyBegan) {
     int dashes = 0;
     for (int i = 0; i < 100; ++i) {
         const double seconds = 0.015 + 0.0008 * i;
-        EXPECT_TRUE(drawn(picture, plot.pointAt(seconds, 120), colourA)) << seconds;
-        dashes += drawn(picture, plot.pointAt(seconds, 60), colourB) ? 1 : 0;
+        EXPECT_TRUE(drawn(picture, plot.geometryShown().at(seconds, 120), colourA)) << seconds;
+        dashes += drawn(picture, plot.geometryShown().at(seconds, 60), colourB) ? 1 : 0;
     }
     EXPECT_GT(dashes, 40);
     EXPECT_LT(dashes, 85);
-    EXPECT_TRUE(drawn(picture, plot.pointAt(0.005, 60), colourA)) << "half-way up";
-    EXPECT_FALSE(drawn(picture, plot.pointAt(-0.005, 60), colourA));
+    EXPECT_TRUE(drawn(picture, plot.geometryShown().at(0.005, 60), colourA)) << "half-way up";
+    EXPECT_FALSE(drawn(picture, plot.geometryShown().at(-0.005, 60), colourA));
 }
 
 TEST(StepPlotPicture, TwoRunsOfOneModuleHaveOneUnit) {
@@ -89,9 +89,9 @@ TEST(StepPlotPicture, NoLineCrossesAGap) {
     plot.grab();
     const QImage picture = plot.grab().toImage();
     const QColor colour = look::traceColour(0, plot.palette());
-    EXPECT_TRUE(drawn(picture, plot.pointAt(0.03, 60), colour));
-    EXPECT_FALSE(drawn(picture, plot.pointAt(0.05, 60), colour));
-    EXPECT_TRUE(drawn(picture, plot.pointAt(0.07, 60), colour));
+    EXPECT_TRUE(drawn(picture, plot.geometryShown().at(0.03, 60), colour));
+    EXPECT_FALSE(drawn(picture, plot.geometryShown().at(0.05, 60), colour));
+    EXPECT_TRUE(drawn(picture, plot.geometryShown().at(0.07, 60), colour));
 }
 
 /// A step of 100 counts that takes 10 ms, in its own plot.
@@ -121,7 +121,7 @@ protected:
 
 TEST_F(ResponsePlotHands, TheWheelZoomsAboutThePointer) {
     const PlotGeometry before = now();
-    const QPointF at = plot.pointAt(0.005, 50);
+    const QPointF at = plot.geometryShown().at(0.005, 50);
     wheel(at, 1);
     EXPECT_NEAR(now().right - now().left, (before.right - before.left) / 1.25, 1e-9);
     EXPECT_NEAR(now().x(0.005), at.x(), 1e-6) << "it stays under the pointer";
@@ -138,7 +138,7 @@ TEST_F(ResponsePlotHands, TheWheelZoomsAboutThePointer) {
 
 TEST_F(ResponsePlotHands, ADragMovesAndWithShiftItChoosesATime) {
     const PlotGeometry before = now();
-    const QPointF at = plot.pointAt(0.005, 50);
+    const QPointF at = plot.geometryShown().at(0.005, 50);
     drag(at, at + QPointF(40, -30));
     EXPECT_NEAR(now().x(0.005), at.x() + 40, 1.5);
     EXPECT_NEAR(now().y(50), at.y() - 30, 1.5);
@@ -146,7 +146,7 @@ TEST_F(ResponsePlotHands, ADragMovesAndWithShiftItChoosesATime) {
     plot.fitAgain();
     EXPECT_EQ(now().left, before.left);
     EXPECT_EQ(now().top, before.top);
-    drag(plot.pointAt(0.002, 20), plot.pointAt(0.012, 90), Qt::ShiftModifier);
+    drag(plot.geometryShown().at(0.002, 20), plot.geometryShown().at(0.012, 90), Qt::ShiftModifier);
     EXPECT_NEAR(now().left, 0.002, 1e-4);
     EXPECT_NEAR(now().right, 0.012, 1e-4);
 }
@@ -169,8 +169,10 @@ TEST_F(ResponsePlotHands, KeysDoTheSame) {
 TEST_F(ResponsePlotHands, TheCursorsReadWhatIsThere) {
     EXPECT_TRUE(plot.readings().empty());
     plot.showCursors(true);
-    drag(plot.pointAt(now().left + (now().right - now().left) / 4, 0), plot.pointAt(0.005, 0));
-    drag(plot.pointAt(now().left + (now().right - now().left) * 3 / 4, 0), plot.pointAt(0.008, 0));
+    drag(plot.geometryShown().at(now().left + (now().right - now().left) / 4, 0),
+         plot.geometryShown().at(0.005, 0));
+    drag(plot.geometryShown().at(now().left + (now().right - now().left) * 3 / 4, 0),
+         plot.geometryShown().at(0.008, 0));
     const auto rows = plot.readings();
     ASSERT_EQ(rows.size(), 2U) << "time and A";
     const auto number = [](const QString& text) { return text.section(u' ', 0, 0).toDouble(); };
@@ -188,8 +190,8 @@ TEST_F(ResponsePlotHands, TheCursorsReadWhatIsThere) {
 
 /// A reader of SVG need not support clipping.
 TEST_F(ResponsePlotHands, NothingIsDrawnBesideAZoomedPlot) {
-    drag(plot.pointAt(0.004, 20), plot.pointAt(0.006, 90), Qt::ShiftModifier);
-    wheel(plot.pointAt(0.005, 50), 5, Qt::ControlModifier);
+    drag(plot.geometryShown().at(0.004, 20), plot.geometryShown().at(0.006, 90), Qt::ShiftModifier);
+    wheel(plot.geometryShown().at(0.005, 50), 5, Qt::ControlModifier);
     QImage picture(plot.size(), QImage::Format_RGB32);
     picture.fill(Qt::white);
     QPainter painter(&picture);
@@ -206,7 +208,7 @@ TEST_F(ResponsePlotHands, NothingIsDrawnBesideAZoomedPlot) {
                 continue;
             ASSERT_FALSE(near(picture.pixelColor(x, y), colour)) << x << ' ' << y;
         }
-    EXPECT_TRUE(drawn(picture, plot.pointAt(0.005, 50), colour));
+    EXPECT_TRUE(drawn(picture, plot.geometryShown().at(0.005, 50), colour));
 }
 
 TEST(ResponseWords, NoMoreDigitsThanTheDoubtLeavesAMeaning) {

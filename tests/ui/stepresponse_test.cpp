@@ -151,7 +151,9 @@ TEST_F(Responses, ThePlotShowsTheTransientOrByADoubleClickAll) {
     openWith();
     window->showResponse(ramp());
     auto* plot = find<ResponsePlot>(u"responsePlot"_s);
-    const auto place = [plot](double seconds) { return plot->pointAt(seconds, 0).x() / plot->width(); };
+    const auto place = [plot](double seconds) {
+        return plot->geometryShown().at(seconds, 0).x() / plot->width();
+    };
     EXPECT_GT(place(0.018), 0.8);
     QTest::mouseDClick(plot, Qt::LeftButton);
     EXPECT_LT(place(0.018), 0.5);

@@ -82,14 +82,6 @@ QMargins SquarePlot::room() const {
     return {0, 0, em * 3 / 2, em};
 }
 
-QPolygonF SquarePlot::placed(const QPolygonF& line) const {
-    QPolygonF places;
-    places.reserve(line.size());
-    for (const QPointF& point : line)
-        places << QPointF(m_geometry.x(point.x()), m_geometry.y(point.y()));
-    return places;
-}
-
 void SquarePlot::paintTraces(QPainter& painter) {
     if (m_command.empty()) {
         painter.setPen(look::mutedText(palette()));
@@ -100,16 +92,16 @@ void SquarePlot::paintTraces(QPainter& painter) {
     }
     painter.setClipRect(m_geometry.area);
     painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DashLine));
-    painter.drawPolyline(placed(m_command));
+    painter.drawPolyline(m_geometry.at(m_command));
     QColor colour = look::traceColour(0, palette());
     colour.setAlphaF(kPreviousOpacity);
     painter.setPen(QPen(colour, 1));
     for (const Curve& curve : m_before)
-        painter.drawPolyline(placed(curve.median));
+        painter.drawPolyline(m_geometry.at(curve.median));
     colour.setAlpha(kSpreadAlpha);
     for (const Curve& curve : m_now) {
-        QPolygonF around = placed(curve.low);
-        const QPolygonF above = placed(curve.high);
+        QPolygonF around = m_geometry.at(curve.low);
+        const QPolygonF above = m_geometry.at(curve.high);
         std::copy(above.rbegin(), above.rend(), std::back_inserter(around));
         painter.setPen(Qt::NoPen);
         painter.setBrush(colour);
@@ -118,7 +110,7 @@ void SquarePlot::paintTraces(QPainter& painter) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(look::traceColour(0, palette()), kTraceWidth));
     for (const Curve& curve : m_now)
-        painter.drawPolyline(placed(curve.median));
+        painter.drawPolyline(m_geometry.at(curve.median));
 }
 
 }  // namespace nmc

@@ -39,7 +39,6 @@ private:
     };
     [[nodiscard]] static Curve curveOf(const std::vector<FoldedPoint>& points, double from, double since,
                                        const AxisScale& scale);
-    [[nodiscard]] QPolygonF placed(const QPolygonF& line) const;
 
     std::vector<Curve> m_now;
     std::vector<Curve> m_before;

@@ -37,16 +37,14 @@ std::optional<QLineF> within(const QRectF& area, const QLineF& line) {
 }  // namespace
 
 void paintLine(QPainter& painter, const PlotGeometry& geometry, const QPolygonF& line) {
-    const auto at = [&geometry](const QPointF& point) {
-        return QPointF(geometry.x(point.x()), geometry.y(point.y()));
-    };
+    const QPolygonF whole = geometry.at(line);
     QPolygonF places;
     const auto paint = [&] {
         painter.drawPolyline(places);
         places.clear();
     };
-    for (qsizetype i = 1; i < line.size(); ++i) {
-        const auto part = within(geometry.area, {at(line[i - 1]), at(line[i])});
+    for (qsizetype i = 1; i < whole.size(); ++i) {
+        const auto part = within(geometry.area, {whole[i - 1], whole[i]});
         if (!part)
             continue;
         if (places.empty() || places.back() != part->p1()) {

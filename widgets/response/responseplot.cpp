@@ -169,10 +169,6 @@ void ResponsePlot::fitAgain() {
     RecordPlot::fitAgain();
 }
 
-QPointF ResponsePlot::pointAt(double seconds, double value) const {
-    return {m_geometry.x(seconds), m_geometry.y(value)};
-}
-
 void ResponsePlot::paintEvent(QPaintEvent* event) {
     QPainter(this).fillRect(rect(), palette().color(QPalette::Base));  // the frame ends above the strips
     RecordPlot::paintEvent(event);
@@ -193,8 +189,7 @@ void ResponsePlot::paintTraces(QPainter& painter) {
     painter.setClipRect(m_geometry.area.adjusted(0, -kTraceWidth, 0, kTraceWidth));
     painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DotLine));
     if (m_geometry.left <= 0 && m_geometry.right >= 0)
-        painter.drawLine(
-            QLineF(m_geometry.x(0), m_geometry.area.top(), m_geometry.x(0), m_geometry.area.bottom()));
+        painter.drawLine(m_geometry.down(0));
     if (m_curves[0])
         paintGoal(painter, *m_curves[0]);
     if (m_curves[1] && !(m_curves[0] && m_curves[0]->sameGoal(*m_curves[1])))
@@ -240,17 +235,17 @@ void ResponsePlot::paintLevel(QPainter& painter, double value, double from, doub
     if (value < m_geometry.bottom || value > m_geometry.top || from > m_geometry.right ||
         to < m_geometry.left)
         return;
-    painter.drawLine(QLineF(pointAt(std::max(from, m_geometry.left), value),
-                            pointAt(std::min(to, m_geometry.right), value)));
+    painter.drawLine(QLineF(m_geometry.at(std::max(from, m_geometry.left), value),
+                            m_geometry.at(std::min(to, m_geometry.right), value)));
 }
 
 void ResponsePlot::paintGoal(QPainter& painter, const Curve& curve) const {
     QColor fill = look::mutedText(palette());
     fill.setAlpha(kBandAlpha);
-    painter.fillRect(
-        QRectF(pointAt(0, curve.goal + curve.band), pointAt(curve.record, curve.goal - curve.band))
-            .intersected(m_geometry.area),
-        fill);
+    painter.fillRect(QRectF(m_geometry.at(0, curve.goal + curve.band),
+                            m_geometry.at(curve.record, curve.goal - curve.band))
+                         .intersected(m_geometry.area),
+                     fill);
     painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DashLine));
     paintLevel(painter, curve.goal, 0, curve.record);
 }
@@ -269,13 +264,10 @@ void ResponsePlot::paintCurve(QPainter& painter, std::size_t which) const {
 
 /// Draws only what is within the area, because an SVG file has no clipping.
 void ResponsePlot::paintRange(QPainter& painter) const {
-    QPolygonF places;
-    for (const QPointF& point : m_range)
-        places << pointAt(point.x(), point.y());
     QColor fill = colour(kPrediction);
     fill.setAlpha(kBandAlpha);
     QPainterPath path;
-    path.addPolygon(places.intersected(QPolygonF(m_geometry.area)));
+    path.addPolygon(m_geometry.at(m_range).intersected(QPolygonF(m_geometry.area)));
     painter.fillPath(path, fill);
 }
 

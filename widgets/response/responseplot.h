@@ -42,9 +42,6 @@ public:
     /// Shows the transient again.
     void fitAgain() override;
 
-    /// Where this point is drawn; `value` is in the unit of the axis.
-    [[nodiscard]] QPointF pointAt(double seconds, double value) const;
-
 signals:
     /// readings() has changed.
     void measured();

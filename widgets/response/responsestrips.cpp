@@ -84,7 +84,7 @@ void ResponseStrips::paintStrip(QPainter& painter, const PlotGeometry& geometry,
     }
     painter.setPen(QPen(muted, 1));
     painter.drawRect(area);
-    painter.drawLine(QLineF(area.left(), geometry.y(0), area.right(), geometry.y(0)));
+    painter.drawLine(geometry.across(0));
     const double limit = band > 0 ? m_zoom : m_limit;
     for (const double value : {-limit, 0.0, limit})
         painter.drawText(QRectF(0, geometry.y(value) - em / 2, area.left() - em / 4, em),

@@ -219,18 +219,15 @@ void ScopePlot::paintMarks(QPainter& painter) {
         for (const double limit : trace.limits)
             if (limit >= m_geometry.bottom && limit <= m_geometry.top) {
                 painter.setPen(QPen(look::severityFill(Severity::Attention, palette()), 1, Qt::DashLine));
-                painter.drawLine(QLineF(m_geometry.area.left(), m_geometry.y(limit), m_geometry.area.right(),
-                                        m_geometry.y(limit)));
+                painter.drawLine(m_geometry.across(limit));
             }
     if (m_level && *m_level >= m_geometry.bottom && *m_level <= m_geometry.top) {
         painter.setPen(QPen(look::mutedText(palette()), 1, Qt::DashDotLine));
-        painter.drawLine(QLineF(m_geometry.area.left(), m_geometry.y(*m_level), m_geometry.area.right(),
-                                m_geometry.y(*m_level)));
+        painter.drawLine(m_geometry.across(*m_level));
     }
     if (m_marker && *m_marker >= m_geometry.left && *m_marker <= m_geometry.right) {
         painter.setPen(QPen(palette().color(QPalette::Text), 1, Qt::DotLine));
-        painter.drawLine(QLineF(m_geometry.x(*m_marker), m_geometry.area.top(), m_geometry.x(*m_marker),
-                                m_geometry.area.bottom()));
+        painter.drawLine(m_geometry.down(*m_marker));
     }
     if (!m_bandNotice.isEmpty()) {
         const QFontMetricsF metrics(painter.font());

@@ -55,18 +55,15 @@ void SpectrumPlot::showEverything() {
 
 void SpectrumPlot::paintTraces(QPainter& painter) {
     painter.setClipRect(m_geometry.area);
-    const auto placed = [this](const SpectrumPoint& point) {
-        return QPointF(m_geometry.x(point.hertz), m_geometry.y(point.amplitude));
-    };
     QPolygonF line;
     for (const SpectrumPoint& point : m_spectrum.points)
-        line << placed(point);
+        line << m_geometry.at(point.hertz, point.amplitude);
     painter.setPen(QPen(look::traceColour(0, palette()), kTraceWidth));
     painter.drawPolyline(line);
-    if (m_spectrum.peak) {
+    if (const auto& peak = m_spectrum.peak) {
         painter.setPen(QPen(palette().color(QPalette::Text), kTraceWidth));
         const double radius = fontMetrics().height() / 3.0;
-        painter.drawEllipse(placed(*m_spectrum.peak), radius, radius);
+        painter.drawEllipse(m_geometry.at(peak->hertz, peak->amplitude), radius, radius);
     }
 }
 

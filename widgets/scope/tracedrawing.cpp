@@ -3,11 +3,9 @@
 
 #include <QFontMetricsF>
 #include <QImage>
-#include <QLineF>
 #include <QPaintEngine>
 #include <QPainter>
 #include <QPainterPath>
-#include <QPolygonF>
 #include <QVarLengthArray>
 #include <cmath>
 
@@ -180,6 +178,14 @@ private:
 
 }  // namespace
 
+QPolygonF PlotGeometry::at(const QPolygonF& line) const {
+    QPolygonF places;
+    places.reserve(line.size());
+    for (const QPointF& point : line)
+        places << at(point.x(), point.y());
+    return places;
+}
+
 void TraceDrawing::clear() {
     m_columns.clear();
     m_hasBand = false;
@@ -297,8 +303,8 @@ void TraceDrawing::visitLines(const PlotGeometry& geometry, Add&& add) const {
     QPointF before;
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
         const Column& column = m_columns[i];
-        const QPointF entry(geometry.x(column.left), geometry.y(column.entry));
-        const QPointF exit(geometry.x(column.right), geometry.y(column.exit));
+        const QPointF entry = geometry.at(column.left, column.entry);
+        const QPointF exit = geometry.at(column.right, column.exit);
         const bool goesOn = i + 1 < m_columns.size() && m_columns[i + 1].joined;
         if (column.joined)
             visit(QLineF(before, entry), m_columns[i - 1].right, column.left);
@@ -424,8 +430,7 @@ void TraceDrawing::paintBand(QPainter& painter, const PlotGeometry& geometry) co
         // The band reaches to the next column, which may be many pixels away.
         const bool goesOn = i + 1 < m_columns.size() && m_columns[i + 1].joined;
         const double to = goesOn ? geometry.x(m_columns[i + 1].left) : geometry.x(column.right) + 1;
-        const QRectF band(QPointF(geometry.x(column.left), geometry.y(column.bandHigh)),
-                          QPointF(to, geometry.y(column.bandLow)));
+        const QRectF band(geometry.at(column.left, column.bandHigh), QPointF(to, geometry.y(column.bandLow)));
         if (const QRectF seen = band & geometry.area; !seen.isEmpty()) {
             above << seen.topLeft() << seen.topRight();
             below << seen.bottomLeft() << seen.bottomRight();

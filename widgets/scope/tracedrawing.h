@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QColor>
+#include <QLineF>
 #include <QPointF>
+#include <QPolygonF>
 #include <QRectF>
 #include <QString>
 #include <algorithm>
@@ -35,6 +37,18 @@ struct PlotGeometry {
     }
     [[nodiscard]] double value(double y) const {
         return bottom + (area.bottom() - y) / area.height() * (top - bottom);
+    }
+    /// Where this point is drawn.
+    [[nodiscard]] QPointF at(double seconds, double value) const { return {x(seconds), y(value)}; }
+    /// Where a line of such points is drawn.
+    [[nodiscard]] QPolygonF at(const QPolygonF& line) const;
+    /// The line from left to right at a value.
+    [[nodiscard]] QLineF across(double value) const {
+        return {area.left(), y(value), area.right(), y(value)};
+    }
+    /// The line from top to bottom at a time.
+    [[nodiscard]] QLineF down(double seconds) const {
+        return {x(seconds), area.top(), x(seconds), area.bottom()};
     }
     [[nodiscard]] bool empty() const { return area.isEmpty() || right <= left || top <= bottom; }
 };

@@ -55,7 +55,7 @@ void XyPlot::paintTraces(QPainter& painter) {
     for (const XyPoint& point : m_curve) {
         if (!point.joined)
             painter.drawPolyline(std::exchange(line, {}));
-        line << QPointF(m_geometry.x(point.x), m_geometry.y(point.y));
+        line << m_geometry.at(point.x, point.y);
     }
     painter.drawPolyline(line);
     const double radius = fontMetrics().height() / 5.0;
