@@ -200,11 +200,6 @@ void Composition::wireConnection() {
         m_messages.end(texts::key::kStopWaits);
         m_messages.end(texts::key::kLink);
     });
-    connect(&m_connection, &Connection::fewerFound, this, [this](int modules, int expected) {
-        const ModuleIndex last(static_cast<std::uint8_t>(modules - 1));
-        m_messages.report(
-            texts::fewerThanExpected(modules, expected, QString::fromStdString(machine().axis(last).name)));
-    });
     connect(&m_connection, &Connection::accepted, this,
             [this](const std::vector<ModuleIdentity>& present, const std::vector<ModuleIndex>& missing) {
                 m_machine.acceptChain(present, missing);
@@ -216,13 +211,8 @@ void Composition::wireConnection() {
                 for (const ModuleIndex module : missing)
                     m_messages.end(texts::key::silent(module));
             });
-    connect(&m_connection, &Connection::notLent, this,
-            [this](const LendingProblem& problem) { m_messages.report(texts::notLent(problem)); });
-    connect(&m_connection, &Connection::notAccepted, this,
-            [this] { m_messages.report(texts::chainNotAccepted()); });
-    connect(&m_connection, &Connection::stillUsed, this, [this](const RowPlace& row, ModuleIndex module) {
-        m_messages.reportOfChain(texts::moduleStillUsed(row, module));
-    });
+    connect(&m_connection, &Connection::reported, &m_messages, &MessageController::report);
+    connect(&m_connection, &Connection::reportedOfChain, &m_messages, &MessageController::reportOfChain);
     connect(&m_connection, &Connection::ended, this, &Composition::quit);
 }
 

@@ -12,6 +12,8 @@
 #include "model/sequence/sequenceedit.h"
 #include "protocol/baud.h"
 #include "sim/chainspec.h"
+#include "widgets/common/apitexts.h"
+#include "widgets/common/texts.h"
 
 namespace nmc {
 
@@ -163,7 +165,7 @@ void Connection::searchIfIdle() {
 
 void Connection::lend(const QString& path) {
     if (m_commander.anyRunning())
-        emit notLent({LendingProblem::Kind::NotNow, path.toStdString(), {}});
+        emit reported(texts::notLent({LendingProblem::Kind::NotNow, path.toStdString(), {}}));
     else
         m_worker.lend(path.toStdString());
 }
@@ -188,12 +190,12 @@ void Connection::acceptChain() {
     }
     // The known chain is dropped only by reconnecting, and closing the connection stops motors.
     if (!link.readOnly && m_store.movingMotors() > 0) {
-        emit notAccepted();
+        emit reported(texts::chainNotAccepted());
         return;
     }
     const Program& program = m_store.machine().program;
     if (const auto user = userOfModules(program, chain.missing)) {
-        emit stillUsed(*user, *moduleOf(*rowAt(program, *user)));
+        emit reportedOfChain(texts::moduleStillUsed(*user, *moduleOf(*rowAt(program, *user))));
         return;
     }
     m_accepted = std::move(chain);
@@ -233,10 +235,13 @@ void Connection::on(const bus::ChainFound& found) {
     const auto ofMachine = static_cast<int>(expectedModules(m_store.machine()));
     const auto known = static_cast<int>(knownChain(m_settings, m_target->port).size());
     const int expected = ofMachine > 0 ? ofMachine : known;
-    if (modules < expected)
-        emit fewerFound(modules, expected);
-    else if (found.absent.empty() && !found.unaddressed && !m_store.link().simulated)
+    if (modules < expected) {
+        const ModuleIndex last(static_cast<std::uint8_t>(modules - 1));
+        emit reported(texts::fewerThanExpected(modules, expected,
+                                               QString::fromStdString(m_store.machine().axis(last).name)));
+    } else if (found.absent.empty() && !found.unaddressed && !m_store.link().simulated) {
         rememberChain(m_settings, m_target->port, found.modules);
+    }
 }
 
 void Connection::on(const PortClosed& closed) {

@@ -12,7 +12,6 @@
 #include "link/command/commander.h"
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
-#include "model/sequence/sequencewalk.h"
 
 namespace nmc {
 
@@ -63,20 +62,15 @@ public:
 signals:
     void opening(const nmc::ConnectTarget& target, bool simulated);
     void searching();
-    /// Fewer modules were found than the machine has, or were found at this port before.
-    void fewerFound(int modules, int expected);
     /// The port that was lost is connected again.
     void recovered();
     /// These are present; the modules in `missing` are forgotten. If there are any, no chain is connected
     /// until this returns.
     void accepted(const std::vector<nmc::ModuleIdentity>& present,
                   const std::vector<nmc::ModuleIndex>& missing);
-    /// The line was not lent, because motors are in use.
-    void notLent(const nmc::LendingProblem& problem);
-    /// Forgetting a module would close the connection, which would stop motors.
-    void notAccepted();
-    /// The row uses a module that would be forgotten.
-    void stillUsed(const nmc::RowPlace& row, nmc::ModuleIndex module);
+    void reported(const nmc::Message& message);
+    /// The same, of a message that ends with the connection.
+    void reportedOfChain(const nmc::Message& message);
     void ended();
 
 private:

@@ -20,11 +20,7 @@ HeadlessLine::HeadlessLine(QSettings& settings, const Machine& machine, QObject*
     connect(&m_store, &BusStore::linkChanged, this, &HeadlessLine::reportStanding);
     connect(&m_store, &BusStore::linkChanged, this, &HeadlessLine::announce);
     connect(&m_connection, &Connection::ended, this, &HeadlessLine::ended);
-    connect(&m_connection, &Connection::fewerFound, this, [this](int modules, int expected) {
-        const ModuleIndex last(static_cast<std::uint8_t>(modules - 1));
-        emit reported(texts::fewerThanExpected(modules, expected,
-                                               QString::fromStdString(m_store.machine().axis(last).name)));
-    });
+    connect(&m_connection, &Connection::reported, this, &HeadlessLine::reported);
     connect(&m_ports, &PortController::reported, this, &HeadlessLine::reported);
     connect(&m_api, &ApiController::reported, this, &HeadlessLine::reported);
     connect(this, &HeadlessLine::reported, &m_api, &ApiController::publish);
