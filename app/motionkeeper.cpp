@@ -190,14 +190,14 @@ void MotionKeeper::look() {
 
 /// Ends what is reported of modules that have all been seen at rest.
 void MotionKeeper::forgetOver() {
-    QStringList over;
-    for (const Left& left : m_left)
-        if (left.modules.empty())
-            over << left.file;
-    for (const QString& file : over) {
-        forget(file);
-        m_messages.end(texts::key::endedWhileMoving(file));
-    }
+    std::erase_if(m_left, [this](const Left& left) {
+        const bool over = left.modules.empty();
+        if (over) {
+            m_files.remove(left.file);
+            m_messages.end(texts::key::endedWhileMoving(left.file));
+        }
+        return over;
+    });
 }
 
 void MotionKeeper::stopped(const std::vector<ModuleIndex>& modules) {
@@ -211,13 +211,6 @@ void MotionKeeper::stopped(const std::vector<ModuleIndex>& modules) {
     }
     write(moving);
     forgetOver();
-}
-
-void MotionKeeper::forget(const QString& file) {
-    m_files.remove(file);
-    m_left.erase(
-        std::remove_if(m_left.begin(), m_left.end(), [&file](const Left& left) { return left.file == file; }),
-        m_left.end());
 }
 
 void MotionKeeper::write(const std::set<ModuleIndex>& moving) {
@@ -269,8 +262,10 @@ const MotionKeeper::Left* MotionKeeper::reportedBy(const QString& key) const {
 }
 
 void MotionKeeper::lookedAt(const QString& key) {
-    if (const Left* left = reportedBy(key))
-        forget(QString(left->file));
+    for (Left& left : m_left)
+        if (texts::key::endedWhileMoving(left.file) == key)
+            left.modules.clear();
+    forgetOver();
 }
 
 }  // namespace nmc

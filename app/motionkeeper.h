@@ -62,7 +62,6 @@ private:
     [[nodiscard]] bool moves(const ModuleState& module) const;
     void write(const std::set<ModuleIndex>& moving);
     void forgetOver();
-    void forget(const QString& file);
 
     QString m_folder;
     FileWriter m_files;
