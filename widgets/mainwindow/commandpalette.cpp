@@ -7,10 +7,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/common/elidedlabel.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 
@@ -44,10 +44,7 @@ CommandPalette::CommandPalette(QWidget* parent)
     m_list->header()->setSectionResizeMode(Key, QHeaderView::ResizeToContents);
     m_list->header()->setStretchLastSection(false);
     look::nameText(m_reason, u"commandReason"_s, tr("What it does, or why it is unavailable"));
-    auto* layout = new QVBoxLayout(this);
-    layout->addWidget(m_words);
-    layout->addWidget(m_list, 1);
-    layout->addWidget(m_reason);
+    setLayout(form::newColumn(this, {m_words, {m_list, 1}, m_reason}, form::kUsual));
     const int em = fontMetrics().height();
     resize(em * 36, em * 26);
 

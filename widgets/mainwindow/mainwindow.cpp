@@ -16,7 +16,6 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -27,6 +26,7 @@
 #include "widgets/common/askdialog.h"
 #include "widgets/common/filedialog.h"
 #include "widgets/common/focuskeeper.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/palettes.h"
 #include "widgets/common/requests.h"
@@ -169,18 +169,10 @@ void MainWindow::buildTop() {
     fillMenus(*menuBar, *this, m_settings);
     buildRibbons(top);
     m_banner = new Banner(*m_model, top);
-    auto* layout = new QVBoxLayout(top);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(menuBar);
-    layout->addWidget(m_bar);
-    layout->addWidget(m_simulatorRibbon);
-    layout->addWidget(m_readOnlyRibbon);
-    layout->addWidget(m_operatorRibbon);
-    layout->addWidget(m_programsRibbon);
-    layout->addWidget(m_lentRibbon);
-    layout->addWidget(m_pendantRibbon);
-    layout->addWidget(m_banner);
+    form::fill(top, form::newColumn(top,
+                                    {menuBar, m_bar, m_simulatorRibbon, m_readOnlyRibbon, m_operatorRibbon,
+                                     m_programsRibbon, m_lentRibbon, m_pendantRibbon, m_banner},
+                                    0));
     setMenuWidget(top);
     setMinimumWidth(m_bar->minimumSizeHint().width());
     QWidget::setTabOrder(m_bar, m_chain);

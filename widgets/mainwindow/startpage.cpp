@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/mainwindow/startpage.h"
 
-#include <QLabel>
-#include <QVBoxLayout>
+#include <QScrollArea>
 
 #include "link/ports/linktypes.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
 #include "widgets/common/sharedwords.h"
@@ -34,24 +34,11 @@ StartPage::StartPage(ConnectionBar& bar, QWidget* parent)
     auto* choices = new QWidget;
     choices->setObjectName(u"startChoices"_s);
     choices->setMaximumWidth(fontMetrics().height() * kWidestChoices);
-    auto* column = new QVBoxLayout(choices);
-    const int unit = look::gridUnit(this);
-    column->setContentsMargins(unit * 2, unit * 2, unit * 2, unit * 2);
-    column->setSpacing(unit * 2);
-    column->addStretch(1);
-    column->addWidget(m_serial);
-    column->addWidget(m_simulator);
-    column->addStretch(1);
+    form::fill(choices, form::newColumn(this, {nullptr, m_serial, m_simulator, nullptr}, 2), 2);
     auto* middle = new QWidget;
     middle->setObjectName(u"startMiddle"_s);
-    auto* row = new QHBoxLayout(middle);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addStretch(1);
-    row->addWidget(choices, 1000);
-    row->addStretch(1);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(scrolled(middle, u"startScroll"_s, accessibleName()));
+    form::fill(middle, form::newLine(this, {nullptr, {choices, 1000}, nullptr}, form::kUsual));
+    form::fill(this, form::newColumn(this, {scrolled(middle, u"startScroll"_s, accessibleName())}));
     connect(m_serial, &QPushButton::clicked, this, &StartPage::connectToSerialPort);
     connect(m_simulator, &QPushButton::clicked, &m_bar, [this] { m_bar.connectTo(m_bar.simulator()); });
     connect(&m_bar, &ConnectionBar::choiceChanged, this, &StartPage::refresh);

@@ -12,6 +12,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/picture.h"
 #include "widgets/common/requests.h"
@@ -50,12 +51,7 @@ ResponseView::ResponseView(Requests& requests, QWidget* parent)
                           tr("Shows two cursors to measure with: drag them (C, in the plot)."));
     m_cursors->setCheckable(true);
     buildMenu();
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(look::gridUnit(this) / 2);
-    layout->addLayout(m_bar);
-    layout->addWidget(m_plot, 1);
-    layout->addWidget(m_readings);
+    form::fill(this, form::newColumn(this, {m_bar, {m_plot, 1}, m_readings}, 0.5));
     connect(fit, &QToolButton::clicked, m_plot, &ResponsePlot::fitAgain);
     connect(m_cursors, &QToolButton::toggled, this, &ResponseView::showCursors);
     connect(m_plot, &ResponsePlot::cursorsWanted, m_cursors, &QToolButton::toggle);

@@ -2,7 +2,6 @@
 #include "widgets/scope/scopebar.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 
@@ -112,10 +111,8 @@ QWidget* ScopeBar::newRecordRow() {
     look::name(m_record, u"scopeRecordLabel"_s, tr("Source of the picture"));
     m_record->setWordWrap(true);
     m_record->setTextFormat(Qt::PlainText);
-    auto* layout = new QHBoxLayout(m_recordRow);
-    layout->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
-    layout->addWidget(back);
-    layout->addWidget(m_record, 1);
+    m_recordRow->setLayout(form::newLine(this, {back, {m_record, 1}}, form::kUsual));
+    m_recordRow->layout()->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
     m_recordRow->hide();
     return m_recordRow;
 }

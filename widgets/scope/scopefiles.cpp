@@ -8,10 +8,10 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 #include "model/recording/recording.h"
 #include "widgets/common/filedialog.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
@@ -36,9 +36,7 @@ ScopeFiles::ScopeFiles(Requests& requests, QWidget* panel)
       m_open(new QAction(tr("Open &recording…"), panel)),
       m_under(new QAction(tr("Over&lay a recording…"), panel)) {
     look::name(this, u"scopeFiles"_s, tr("Recordings"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    form::fill(this, form::newColumn(this, {}, 0));
     m_recordingRow = addRow(u"scopeRecording"_s, tr("Recording"), tr("Stop recording"),
                             tr("Ends the recording and closes its file (Ctrl+Shift+R)."));
     m_openingRow = addRow(u"scopeOpening"_s, tr("Opening"), Common::tr("Cancel"),
@@ -74,16 +72,13 @@ ScopeFiles::ScopeFiles(Requests& requests, QWidget* panel)
 ScopeFiles::Row ScopeFiles::addRow(const QString& name, const QString& title, const QString& verb,
                                    const QString& meaning) {
     Row row{new QWidget(this), new QLabel(this), new QPushButton(verb, this)};
-    auto* layout = new QHBoxLayout(row.widget);
-    layout->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
-    layout->addWidget(row.label);
-    layout->addWidget(row.button);
-    layout->addStretch(1);
+    row.widget->setLayout(form::newLine(this, {row.label, row.button, nullptr}, form::kUsual));
+    row.widget->layout()->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
     row.label->setTextFormat(Qt::PlainText);
     look::name(row.label, name + u"Label"_s, title);
     look::name(row.button, name + u"EndButton"_s, verb);
     row.button->setToolTip(meaning);
-    this->layout()->addWidget(row.widget);
+    layout()->addWidget(row.widget);
     return row;
 }
 

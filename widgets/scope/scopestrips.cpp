@@ -4,11 +4,11 @@
 #include <QEvent>
 #include <QPainter>
 #include <QSplitter>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/scope/statuslane.h"
@@ -28,11 +28,8 @@ ScopeStrips::ScopeStrips(QWidget* parent)
     : QWidget(parent), m_splitter(new QSplitter(Qt::Vertical, this)), m_lane(new StatusLane(this)) {
     look::name(this, u"scopeStrips"_s, tr("Plots; arrow keys move, plus and minus zoom"));
     setFocusPolicy(Qt::StrongFocus);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(2, 2, 2, 2);
-    layout->setSpacing(0);
-    layout->addWidget(m_splitter, 1);
-    layout->addWidget(m_lane);
+    setLayout(form::newColumn(this, {{m_splitter, 1}, m_lane}, 0));
+    layout()->setContentsMargins(2, 2, 2, 2);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setHandleWidth(look::gridUnit(this) / 2);
     m_turns.setInterval(kTurn);

@@ -7,9 +7,9 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/scope/scopewords.h"
@@ -73,10 +73,7 @@ SignalsDialog::SignalsDialog(const ScopeSetup& setup, const std::vector<ScopeMod
     for (QAbstractButton* button : buttons->buttons())
         qobject_cast<QPushButton*>(button)->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto* layout = new QVBoxLayout(this);
-    layout->addWidget(m_filter);
-    layout->addWidget(m_table);
-    layout->addWidget(buttons);
+    setLayout(form::newColumn(this, {m_filter, m_table, buttons}, form::kUsual));
     showModules();
     const int em = fontMetrics().height();
     resize(em * 34, em * 24);
