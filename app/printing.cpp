@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <memory>
 
+#include "widgets/common/look.h"
 #include "widgets/common/printdialog.h"
 #include "widgets/common/printtexts.h"
 #include "widgets/common/requests.h"
@@ -57,9 +58,7 @@ void Printing::ask(const QByteArray& pdf) {
         lookFor(*m_dialog);
     }
     m_dialog->setPage(pdf);
-    m_dialog->show();
-    m_dialog->raise();
-    m_dialog->activateWindow();
+    look::showInFront(m_dialog);
 }
 
 void Printing::lookFor(PrintDialog& dialog) {
