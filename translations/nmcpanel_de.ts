@@ -6475,6 +6475,22 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>No matching command.</source>
         <translation>Kein passender Befehl.</translation>
     </message>
+    <message>
+        <source>Not possible now.</source>
+        <translation>Das ist jetzt nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Press Enter to run it.</source>
+        <translation>Die Eingabetaste führt ihn aus.</translation>
+    </message>
+    <message>
+        <source>Its module is no longer connected.</source>
+        <translation>Sein Modul ist nicht mehr verbunden.</translation>
+    </message>
+    <message>
+        <source>Press Enter to show it on the module&apos;s page. Nothing is sent.</source>
+        <translation>Die Eingabetaste zeigt ihn auf der Seite seines Moduls. Es wird nichts gesendet.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ConnectionBar</name>
@@ -8940,22 +8956,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>%1 (read-only)</source>
         <translation>%1 (nur lesend)</translation>
-    </message>
-    <message>
-        <source>Not possible now.</source>
-        <translation>Das ist jetzt nicht möglich.</translation>
-    </message>
-    <message>
-        <source>Press Enter to run it.</source>
-        <translation>Die Eingabetaste führt ihn aus.</translation>
-    </message>
-    <message>
-        <source>Its module is no longer connected.</source>
-        <translation>Sein Modul ist nicht mehr verbunden.</translation>
-    </message>
-    <message>
-        <source>Press Enter to show it on the module&apos;s page. Nothing is sent.</source>
-        <translation>Die Eingabetaste zeigt ihn auf der Seite seines Moduls. Es wird nichts gesendet.</translation>
     </message>
     <message>
         <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>

@@ -6475,6 +6475,22 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>No matching command.</source>
         <translation>Ningún comando coincide.</translation>
     </message>
+    <message>
+        <source>Not possible now.</source>
+        <translation>Ahora no es posible.</translation>
+    </message>
+    <message>
+        <source>Press Enter to run it.</source>
+        <translation>Pulse Intro para ejecutarlo.</translation>
+    </message>
+    <message>
+        <source>Its module is no longer connected.</source>
+        <translation>Su módulo ya no está conectado.</translation>
+    </message>
+    <message>
+        <source>Press Enter to show it on the module&apos;s page. Nothing is sent.</source>
+        <translation>Pulse Intro para mostrarlo en la página del módulo. No se envía nada.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ConnectionBar</name>
@@ -8940,22 +8956,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>%1 (read-only)</source>
         <translation>%1 (solo lectura)</translation>
-    </message>
-    <message>
-        <source>Not possible now.</source>
-        <translation>Ahora no es posible.</translation>
-    </message>
-    <message>
-        <source>Press Enter to run it.</source>
-        <translation>Pulse Intro para ejecutarlo.</translation>
-    </message>
-    <message>
-        <source>Its module is no longer connected.</source>
-        <translation>Su módulo ya no está conectado.</translation>
-    </message>
-    <message>
-        <source>Press Enter to show it on the module&apos;s page. Nothing is sent.</source>
-        <translation>Pulse Intro para mostrarlo en la página del módulo. No se envía nada.</translation>
     </message>
     <message>
         <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>

@@ -6475,6 +6475,22 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>No matching command.</source>
         <translation>Aucune commande ne correspond.</translation>
     </message>
+    <message>
+        <source>Not possible now.</source>
+        <translation>Impossible actuellement.</translation>
+    </message>
+    <message>
+        <source>Press Enter to run it.</source>
+        <translation>Appuyez sur Entrée pour l’exécuter.</translation>
+    </message>
+    <message>
+        <source>Its module is no longer connected.</source>
+        <translation>Son module n’est plus connecté.</translation>
+    </message>
+    <message>
+        <source>Press Enter to show it on the module&apos;s page. Nothing is sent.</source>
+        <translation>Appuyez sur Entrée pour l’afficher sur la page du module. Rien n’est envoyé.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ConnectionBar</name>
@@ -8940,22 +8956,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>%1 (read-only)</source>
         <translation>%1 (lecture seule)</translation>
-    </message>
-    <message>
-        <source>Not possible now.</source>
-        <translation>Impossible actuellement.</translation>
-    </message>
-    <message>
-        <source>Press Enter to run it.</source>
-        <translation>Appuyez sur Entrée pour l’exécuter.</translation>
-    </message>
-    <message>
-        <source>Its module is no longer connected.</source>
-        <translation>Son module n’est plus connecté.</translation>
-    </message>
-    <message>
-        <source>Press Enter to show it on the module&apos;s page. Nothing is sent.</source>
-        <translation>Appuyez sur Entrée pour l’afficher sur la page du module. Rien n’est envoyé.</translation>
     </message>
     <message>
         <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>

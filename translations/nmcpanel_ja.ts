@@ -6458,6 +6458,22 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>No matching command.</source>
         <translation>該当するコマンドがありません。</translation>
     </message>
+    <message>
+        <source>Not possible now.</source>
+        <translation>今は実行できません。</translation>
+    </message>
+    <message>
+        <source>Press Enter to run it.</source>
+        <translation>Enterで実行します。</translation>
+    </message>
+    <message>
+        <source>Its module is no longer connected.</source>
+        <translation>対象のモジュールは接続されていません。</translation>
+    </message>
+    <message>
+        <source>Press Enter to show it on the module&apos;s page. Nothing is sent.</source>
+        <translation>Enterで、モジュールのページに表示します。何も送信しません。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ConnectionBar</name>
@@ -8922,22 +8938,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>%1 (read-only)</source>
         <translation>%1（読み取り専用）</translation>
-    </message>
-    <message>
-        <source>Not possible now.</source>
-        <translation>今は実行できません。</translation>
-    </message>
-    <message>
-        <source>Press Enter to run it.</source>
-        <translation>Enterで実行します。</translation>
-    </message>
-    <message>
-        <source>Its module is no longer connected.</source>
-        <translation>対象のモジュールは接続されていません。</translation>
-    </message>
-    <message>
-        <source>Press Enter to show it on the module&apos;s page. Nothing is sent.</source>
-        <translation>Enterで、モジュールのページに表示します。何も送信しません。</translation>
     </message>
     <message>
         <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>

@@ -10,7 +10,6 @@
 #include <QLayout>
 #include <QMenu>
 #include <QMenuBar>
-#include <QPointer>
 #include <QPushButton>
 #include <QResizeEvent>
 #include <QScreen>
@@ -49,6 +48,7 @@
 #include "widgets/mainwindow/menus.h"
 #include "widgets/mainwindow/operatorlock.h"
 #include "widgets/mainwindow/otherwindows.h"
+#include "widgets/mainwindow/paletteentries.h"
 #include "widgets/mainwindow/pendant.h"
 #include "widgets/mainwindow/pressfilter.h"
 #include "widgets/mainwindow/promptfilter.h"
@@ -86,33 +86,6 @@ constexpr int kReportedPackets = 500;
 // In lines of text.
 constexpr int kLowestScope = 12;
 constexpr int kTitleBar = 3;  ///< above the window; its true height is known only once it is shown
-
-QString shortcutText(const QAction& action) {
-    return action.shortcut().toString(QKeySequence::NativeText);
-}
-
-void addMenu(const QMenu& menu, std::vector<CommandPalette::Entry>& entries) {
-    for (QAction* action : menu.actions()) {
-        if (action->menu() != nullptr) {
-            addMenu(*action->menu(), entries);
-            continue;
-        }
-        if (action->isSeparator() || !action->isVisible())
-            continue;
-        const QString text = action->text().remove(u'&');
-        const auto reason = [action = QPointer(action)] {
-            if (action && action->isEnabled())
-                return QString();
-            const bool told = action && action->toolTip() != action->iconText();
-            return told ? action->toolTip() : MainWindow::tr("Not possible now.");
-        };
-        entries.push_back({text, text, menu.title().remove(u'&'), shortcutText(*action),
-                           MainWindow::tr("Press Enter to run it."), reason, [action = QPointer(action)] {
-                               if (action)
-                                   action->trigger();
-                           }});
-    }
-}
 
 }  // namespace
 
@@ -800,72 +773,11 @@ void MainWindow::fillModuleMenu(QMenu& menu) {
     menu.addAction(m_pendant->action());
 }
 
-void MainWindow::addModuleEntries(std::vector<CommandPalette::Entry>& entries) {
-    ModulePage* page = m_panel->page();
-    if (page == nullptr)
-        return;
-    page->context().catchUp();
-    QAction* pendant = m_pendant->action();
-    entries.push_back({pendant->text().remove(u'&'), pendant->toolTip(), Common::tr("Module"),
-                       shortcutText(*pendant), pendant->toolTip(),
-                       [pendant] { return pendant->isEnabled() ? QString() : pendant->toolTip(); },
-                       [pendant] { pendant->trigger(); }});
-    for (Command* command : page->commands()) {
-        if (!command->isVisible())
-            continue;
-        const auto reason = [command = QPointer(command)] {
-            return command ? command->reason() : tr("Its module is no longer connected.");
-        };
-        const auto act = [page = QPointer(page), command = QPointer(command)] {
-            if (!page || !command)
-                return;
-            // It acts on the present state, even if the command's box is not visible.
-            page->context().catchUp();
-            command->act();
-        };
-        entries.push_back({command->text().remove(u'&'), command->sentence(),
-                           texts::moduleName(page->context().state().info.index), shortcutText(*command),
-                           command->toolTip(), reason, act});
-    }
-}
-
-/// Commands of other modules use values on their pages, which are not visible from here: they are shown there
-/// instead of being carried out.
-void MainWindow::addOtherModules(std::vector<CommandPalette::Entry>& entries) {
-    for (const ModuleState& module : m_session.link().modules) {
-        const ModuleIndex index = module.info.index;
-        if (index == selectedModule())
-            continue;
-        const ModulePage* alike = m_panel->pageLike(m_session.viewOf(module));
-        if (alike == nullptr)
-            continue;
-        for (const Command* command : alike->commands()) {
-            const QString name = command->button()->objectName();
-            entries.push_back({command->text().remove(u'&'),
-                               command->sentence(),
-                               texts::moduleName(index),
-                               {},
-                               tr("Press Enter to show it on the module's page. Nothing is sent."),
-                               [] { return QString(); },
-                               [this, index, name] {
-                                   m_session.select(index);
-                                   if (ModulePage* page = m_panel->page())
-                                       page->showCommand(name);
-                               }});
-        }
-    }
-}
-
 void MainWindow::openPalette() {
-    std::vector<CommandPalette::Entry> entries;
-    addModuleEntries(entries);
-    for (const QAction* action : findChild<QMenuBar*>(u"menuBar"_s)->actions())
-        if (action->menu() != nullptr && action->menu()->objectName() != u"moduleMenu"_s)
-            addMenu(*action->menu(), entries);
-    addOtherModules(entries);
     if (m_palette == nullptr)
         m_palette = new CommandPalette(this);
-    m_palette->showEntries(std::move(entries));
+    m_palette->showEntries(
+        paletteEntries(*m_panel, m_session, m_pendant->action(), *findChild<QMenuBar*>(u"menuBar"_s)));
 }
 
 /// Where digits are typed with Shift (AZERTY), Qt does not recognise Ctrl with a digit's key as Ctrl+1,

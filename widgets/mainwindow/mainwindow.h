@@ -12,7 +12,6 @@
 #include "model/scope/history.h"
 #include "model/settings/machine.h"
 #include "widgets/common/texts.h"
-#include "widgets/mainwindow/commandpalette.h"
 #include "widgets/mainwindow/layouts.h"
 #include "widgets/mainwindow/session.h"
 #include "widgets/scope/scoperecord.h"
@@ -28,6 +27,7 @@ class Banner;
 class Bell;
 class ChainView;
 class ColourChoice;
+class CommandPalette;
 class ConnectionBar;
 class FocusKeeper;
 class LinkBar;
@@ -207,8 +207,6 @@ private:
     void showModules();
     void showSelected();
     void preparePage();
-    void addModuleEntries(std::vector<CommandPalette::Entry>& entries);
-    void addOtherModules(std::vector<CommandPalette::Entry>& entries);
     void showPhase(LinkPhase before);
     void showScopeModules();
     void showPendant();
