@@ -9002,22 +9002,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Sprung</translation>
     </message>
     <message>
-        <source>PIC-SERVO, version %1, address %2</source>
-        <translation>PIC-SERVO, Version %1, Adresse %2</translation>
-    </message>
-    <message>
-        <source>%1, %2 Bd</source>
-        <translation>%1, %2 Bd</translation>
-    </message>
-    <message>
-        <source>Save the tuning report</source>
-        <translation>Bericht speichern</translation>
-    </message>
-    <message>
-        <source>HTML (*.html)</source>
-        <translation>HTML (*.html)</translation>
-    </message>
-    <message>
         <source>Other programs</source>
         <translation>Andere Programme</translation>
     </message>
@@ -13327,6 +13311,25 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <message>
         <source>%1 saved to %2</source>
         <translation>%1 gespeichert in %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TuningFiles</name>
+    <message>
+        <source>PIC-SERVO, version %1, address %2</source>
+        <translation>PIC-SERVO, Version %1, Adresse %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd</source>
+        <translation>%1, %2 Bd</translation>
+    </message>
+    <message>
+        <source>Save the tuning report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
     </message>
 </context>
 <context>

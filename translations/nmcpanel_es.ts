@@ -9002,22 +9002,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Escalón</translation>
     </message>
     <message>
-        <source>PIC-SERVO, version %1, address %2</source>
-        <translation>PIC-SERVO, versión %1, dirección %2</translation>
-    </message>
-    <message>
-        <source>%1, %2 Bd</source>
-        <translation>%1, %2 Bd</translation>
-    </message>
-    <message>
-        <source>Save the tuning report</source>
-        <translation>Guardar el informe de ajuste</translation>
-    </message>
-    <message>
-        <source>HTML (*.html)</source>
-        <translation>HTML (*.html)</translation>
-    </message>
-    <message>
         <source>Other programs</source>
         <translation>Otros programas</translation>
     </message>
@@ -13327,6 +13311,25 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
     <message>
         <source>%1 saved to %2</source>
         <translation>%1 guardadas en %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TuningFiles</name>
+    <message>
+        <source>PIC-SERVO, version %1, address %2</source>
+        <translation>PIC-SERVO, versión %1, dirección %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd</source>
+        <translation>%1, %2 Bd</translation>
+    </message>
+    <message>
+        <source>Save the tuning report</source>
+        <translation>Guardar el informe de ajuste</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
     </message>
 </context>
 <context>

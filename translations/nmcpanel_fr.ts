@@ -9002,22 +9002,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Échelon</translation>
     </message>
     <message>
-        <source>PIC-SERVO, version %1, address %2</source>
-        <translation>PIC-SERVO, version %1, adresse %2</translation>
-    </message>
-    <message>
-        <source>%1, %2 Bd</source>
-        <translation>%1, %2&#xa0;Bd</translation>
-    </message>
-    <message>
-        <source>Save the tuning report</source>
-        <translation>Enregistrer le rapport de réglage</translation>
-    </message>
-    <message>
-        <source>HTML (*.html)</source>
-        <translation>HTML (*.html)</translation>
-    </message>
-    <message>
         <source>Other programs</source>
         <translation>Autres programmes</translation>
     </message>
@@ -13327,6 +13311,25 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
     <message>
         <source>%1 saved to %2</source>
         <translation>%1 enregistrées dans %2</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TuningFiles</name>
+    <message>
+        <source>PIC-SERVO, version %1, address %2</source>
+        <translation>PIC-SERVO, version %1, adresse %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd</source>
+        <translation>%1, %2&#xa0;Bd</translation>
+    </message>
+    <message>
+        <source>Save the tuning report</source>
+        <translation>Enregistrer le rapport de réglage</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
     </message>
 </context>
 <context>

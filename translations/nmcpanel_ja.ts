@@ -8984,22 +8984,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ステップ</translation>
     </message>
     <message>
-        <source>PIC-SERVO, version %1, address %2</source>
-        <translation>PIC-SERVO、バージョン%1、アドレス%2</translation>
-    </message>
-    <message>
-        <source>%1, %2 Bd</source>
-        <translation>%1、%2 Bd</translation>
-    </message>
-    <message>
-        <source>Save the tuning report</source>
-        <translation>調整レポートの保存</translation>
-    </message>
-    <message>
-        <source>HTML (*.html)</source>
-        <translation>HTML (*.html)</translation>
-    </message>
-    <message>
         <source>Other programs</source>
         <translation>他のプログラム</translation>
     </message>
@@ -13307,6 +13291,25 @@ It works only while the link works: fit a hardware stop as well.</source>
     <message>
         <source>%1 saved to %2</source>
         <translation>%1個を%2に保存しました</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::TuningFiles</name>
+    <message>
+        <source>PIC-SERVO, version %1, address %2</source>
+        <translation>PIC-SERVO、バージョン%1、アドレス%2</translation>
+    </message>
+    <message>
+        <source>%1, %2 Bd</source>
+        <translation>%1、%2 Bd</translation>
+    </message>
+    <message>
+        <source>Save the tuning report</source>
+        <translation>調整レポートの保存</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
     </message>
 </context>
 <context>

@@ -23,7 +23,6 @@
 #include "widgets/chain/chainview.h"
 #include "widgets/common/apitexts.h"
 #include "widgets/common/askdialog.h"
-#include "widgets/common/filedialog.h"
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
@@ -36,9 +35,7 @@
 #include "widgets/help/manualwindow.h"
 #include "widgets/help/problemreport.h"
 #include "widgets/help/reportdialog.h"
-#include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/looptestsdock.h"
-#include "widgets/looptests/tuningreport.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/colourchoice.h"
@@ -56,6 +53,7 @@
 #include "widgets/mainwindow/ribbon.h"
 #include "widgets/mainwindow/settingskeys.h"
 #include "widgets/mainwindow/startpage.h"
+#include "widgets/mainwindow/tuningfiles.h"
 #include "widgets/mainwindow/wheelfilter.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
@@ -602,7 +600,7 @@ void MainWindow::buildDocks() {
     connect(m_requests, &Requests::stageGains, m_panel, &ModulePanel::stageGains);
     connect(m_loopTests, &LoopTestsDock::opened, this, &MainWindow::showSelected);
     connect(m_requests, &Requests::showRun, this, &MainWindow::showResponse);
-    connect(m_loopTests, &LoopTestsDock::reportWanted, this, &MainWindow::chooseReportFile);
+    new TuningFiles(m_session, *m_response, *m_loopTests, *m_requests, this);
     for (LazyDock* dock : std::initializer_list<LazyDock*>{m_sequences, m_paths, m_axes})
         connect(dock, &LazyDock::opened, this, &MainWindow::showAllAxes);
     m_stepNow = new QAction(tr("Step"), this);
@@ -902,49 +900,6 @@ void MainWindow::openProblemReport() {
         dialog = new ReportDialog(report, *m_requests, this);
     }
     look::showInFront(dialog);
-}
-
-// ---- tuning report ----
-
-std::optional<TuningReport> MainWindow::tuningReport() {
-    const ModuleState* module = m_session.selected();
-    if (module == nullptr || !module->isServo())
-        return std::nullopt;
-    const LinkState& link = m_session.link();
-    const bus::ModuleInfo& info = module->info;
-    TuningReport report;
-    report.machine = QString::fromStdString(m_session.machine().name);
-    report.module = texts::moduleName(info.index);
-    report.chip =
-        tr("PIC-SERVO, version %1, address %2").arg(info.identity.version).arg(info.address.value());
-    report.port = tr("%1, %2 Bd").arg(QString::fromStdString(link.port)).arg(link.baud);
-    report.simulated = link.simulated;
-    report.made = QDateTime::currentDateTime();
-    report.gains = module->gains;
-    const std::vector<KeptResponse>& runs = m_response->page().runs();
-    for (const KeptResponse& run : runs)
-        if (run.run.module == info.index)
-            report.run = run;
-    report.motor = m_response->page().model().motorWords();
-    if (const FrequencyPage::Found* last = m_loopTests->frequency().last())
-        report.frequency = *last;
-    return report;
-}
-
-void MainWindow::chooseReportFile() {
-    const auto report = tuningReport();
-    if (!report)
-        return;
-    askWhereToSave(this,
-                   {.objectName = u"reportFileDialog"_s,
-                    .title = tr("Save the tuning report"),
-                    .filters = {Common::tr("PDF (*.pdf)"), tr("HTML (*.html)")},
-                    .proposed = u"tuning-report"_s},
-                   [this, report = *report](const QString& path) {
-                       const bool html = path.endsWith(u".html"_s, Qt::CaseInsensitive);
-                       const QByteArray bytes = html ? reportHtml(report).toUtf8() : reportPdf(report);
-                       emit m_requests->save(path, [content = bytes.toStdString()] { return content; });
-                   });
 }
 
 }  // namespace nmc

@@ -46,7 +46,6 @@ class Ribbon;
 class ScopeFiles;
 class ScopePanel;
 class LoopTestsDock;
-struct TuningReport;
 class SequencesDock;
 class SimulatorDock;
 class StartPage;
@@ -196,8 +195,6 @@ private:
     void connectParts();
     [[nodiscard]] QDockWidget* newDock(const QString& objectName, const QString& title, QWidget* content);
     void showDockOf(const QWidget& content);
-    [[nodiscard]] std::optional<TuningReport> tuningReport();
-    void chooseReportFile();
     void showAllAxes();
     void makeRoomForMotions(int higher);
     void restoreLayout();
