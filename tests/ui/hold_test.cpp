@@ -11,7 +11,8 @@ class Hold : public WindowTest {
 protected:
     Hold() {
         showServo();
-        window->setHoldInterval(5);
+        for (HoldButton* button : window->findChildren<HoldButton*>())
+            button->setInterval(5);
         forward = find<HoldButton>(u"holdForwardButton"_s);
     }
     void press() { QTest::mousePress(forward, Qt::LeftButton); }

@@ -9,7 +9,6 @@ AxesDock::AxesDock(Requests& requests, QWidget* parent)
     : PageDock(u"axesDock"_s, AxesPage::tr("All axes"), Qt::Key_F4, requests, parent) {}
 
 void AxesDock::showSoFar() {
-    m_page->setHoldInterval(m_holdInterval);
     m_page->showSequence(m_sequenceRuns);
 }
 
@@ -26,12 +25,6 @@ void AxesDock::forgetModules() {
 void AxesDock::endHold() {
     if (m_page != nullptr)
         m_page->endHold();
-}
-
-void AxesDock::setHoldInterval(int milliseconds) {
-    m_holdInterval = milliseconds;
-    if (m_page != nullptr)
-        m_page->setHoldInterval(milliseconds);
 }
 
 void AxesDock::showSequence(bool running) {

@@ -17,13 +17,11 @@ public:
     void showModules(const std::vector<PanelView>& views, const Machine& machine);
     void forgetModules();
     void endHold();
-    void setHoldInterval(int milliseconds);
     void showSequence(bool running);
 
 private:
     void showSoFar() override;
 
-    int m_holdInterval = 100;
     bool m_sequenceRuns = false;
 };
 

@@ -90,7 +90,6 @@ void AxesPage::showModules(const std::vector<PanelView>& views, const Machine& m
         for (const PanelView& view : views) {
             auto* row = new AxisRow(view, m_requests, static_cast<int>(m_axes.size()) + 1, *m_grid,
                                     m_grid->parentWidget());
-            row->setHoldInterval(m_holdInterval);
             connect(row, &AxisRow::earlierWanted, this, &AxesPage::makeEarlier);
             m_axes.push_back(row);
         }
@@ -110,12 +109,6 @@ void AxesPage::forgetModules() {
 void AxesPage::endHold() {
     for (AxisRow* row : m_axes)
         row->endHold();
-}
-
-void AxesPage::setHoldInterval(int milliseconds) {
-    m_holdInterval = milliseconds;
-    for (AxisRow* row : m_axes)
-        row->setHoldInterval(milliseconds);
 }
 
 void AxesPage::showJog() {

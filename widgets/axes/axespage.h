@@ -27,7 +27,6 @@ public:
     /// For another connection: slow again.
     void forgetModules();
     void endHold();
-    void setHoldInterval(int milliseconds);
     void showSequence(bool running);
 
 private:
@@ -48,7 +47,6 @@ private:
     QComboBox* m_step;
     Command* m_enableAll;
     Command* m_homeAll;
-    int m_holdInterval = 100;
     bool m_sequenceRuns = false;
 };
 

@@ -96,11 +96,6 @@ void AxisRow::endHold() {
     m_holdForward->endHold();
 }
 
-void AxisRow::setHoldInterval(int milliseconds) {
-    m_holdReverse->setInterval(milliseconds);
-    m_holdForward->setInterval(milliseconds);
-}
-
 std::optional<bus::HoldToMove> AxisRow::wantedHold(bool reverse) const {
     const JogRange range = jogRange(m_context.state(), m_context.settings());
     return jog(m_context.state(), m_context.settings(), m_speed == JogSpeed::Fast ? range.cap : range.first,

@@ -33,7 +33,6 @@ public:
     /// recipe.
     void setJog(JogSpeed speed, double step, int place);
     void endHold();
-    void setHoldInterval(int milliseconds);
     [[nodiscard]] const ModuleContext& context() const { return m_context; }
     void remove();
 

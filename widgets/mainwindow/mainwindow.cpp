@@ -553,11 +553,6 @@ void MainWindow::endHold() {
     m_axes->endHold();
 }
 
-void MainWindow::setHoldInterval(int milliseconds) {
-    m_panel->setHoldInterval(milliseconds);
-    m_axes->setHoldInterval(milliseconds);
-}
-
 // ---- docks and layouts ----
 
 QDockWidget* MainWindow::newDock(const QString& objectName, const QString& title, QWidget* content) {

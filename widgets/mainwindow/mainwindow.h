@@ -103,8 +103,6 @@ public:
     void showStopResult(const bus::StopFinished& finished, unsigned record = 0);
     /// The bus has ended the hold: the button is released, and must be pressed again.
     void endHold();
-    /// Sets how often a held button reports that it is held; 100 ms by default.
-    void setHoldInterval(int milliseconds);
 
     /// What the user requests anywhere in the window.
     [[nodiscard]] Requests& requests() { return *m_requests; }

@@ -51,7 +51,6 @@ HoldButton* JogBox::newHold(bool reverse) {
     button->setDirection(reverse ? HoldButton::Direction::Reverse : HoldButton::Direction::Forward);
     connect(button, &HoldButton::held, this, [this, button, reverse] { hold(*button, reverse); });
     connect(button, &HoldButton::holdEnded, &m_context, &ModuleContext::release);
-    connect(&m_context, &ModuleContext::holdIntervalChanged, button, &HoldButton::setInterval);
     return button;
 }
 

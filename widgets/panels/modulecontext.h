@@ -78,8 +78,6 @@ public:
 
     /// For the page that owns it; emits nothing but changed().
     void show(const PanelView& view);
-    /// Interval in ms at which a held button requests motion.
-    void setHoldInterval(int milliseconds) { emit holdIntervalChanged(milliseconds); }
 
 signals:
     /// The module, the settings or busy() has changed.
@@ -89,7 +87,6 @@ signals:
     void holdMustEnd();
     /// The chain is searched for again: speeds are low again, and goals are forgotten.
     void lookedForAnew();
-    void holdIntervalChanged(int milliseconds);
 
 private:
     void adopt(const PanelView& view);

@@ -58,14 +58,11 @@ std::unique_ptr<ModulePage> ModulePanel::build(const PanelView& view) {
         page = std::make_unique<IoPanel>(view, m_requests);
     else
         page = std::make_unique<StepperPanel>(view, m_requests);
-    ModuleContext& context = page->context();
-    connect(&context, &ModuleContext::changed, this, [this, at = page.get()] {
+    connect(&page->context(), &ModuleContext::changed, this, [this, at = page.get()] {
         if (at == m_current)
             accessibility::setBusy(*this, at->context().busy());
     });
     connect(page.get(), &ModulePage::responseWanted, this, &ModulePanel::responseWanted);
-    if (m_holdInterval)
-        context.setHoldInterval(*m_holdInterval);
     page->setTuning(m_foot != nullptr);
     return page;
 }
@@ -118,12 +115,6 @@ void ModulePanel::resetSpeeds() {
 void ModulePanel::endHold() {
     for (const auto& [module, page] : m_pages)
         emit page.widget->context().holdMustEnd();
-}
-
-void ModulePanel::setHoldInterval(int milliseconds) {
-    m_holdInterval = milliseconds;
-    for (const auto& [module, page] : m_pages)
-        page.widget->context().setHoldInterval(milliseconds);
 }
 
 void ModulePanel::stageGains(const servo::SetGain& gains) {

@@ -5,7 +5,6 @@
 #include <QWidget>
 #include <map>
 #include <memory>
-#include <optional>
 
 #include "widgets/panels/panelview.h"
 
@@ -43,7 +42,6 @@ public:
     /// The chain is searched for again: speeds are low again.
     void resetSpeeds();
     void endHold();
-    void setHoldInterval(int milliseconds);
     /// Fills the gains into the fields of the PIC-SERVO that is shown; sends nothing.
     void stageGains(const servo::SetGain& gains);
     /// Shows `foot` below any page that is shown, scrolled if there is little room. Null removes it; what was
@@ -92,7 +90,6 @@ private:
     /// Pages that are not shown are separate windows that are never visible, so that each object name is
     /// unique in this one, and its focus chain stays short.
     std::map<ModuleIndex, Page> m_pages;
-    std::optional<int> m_holdInterval;
 };
 
 }  // namespace nmc
