@@ -41,7 +41,7 @@ protected:
     }
     ScopeStrips& strips() { return *find<ScopeStrips>(u"scopeStrips"_s); }
     QString state() { return text(u"triggerStateLabel"_s); }
-    [[nodiscard]] bool paused() { return find<ScopePanel>(u"scopePanel"_s)->paused(); }
+    [[nodiscard]] bool paused() { return button(u"scopePauseButton"_s)->isChecked(); }
     void expectShown(double left, double right) {
         EXPECT_TRUE(paused());
         EXPECT_NEAR(strips().time().left(), left, 1e-6);

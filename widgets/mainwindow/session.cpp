@@ -56,10 +56,6 @@ void Session::setNow(TimePoint now) {
         emit aged();
 }
 
-const ModuleState* Session::module(std::optional<ModuleIndex> index) const {
-    return index && index->value() < m_link.modules.size() ? &m_link.modules[index->value()] : nullptr;
-}
-
 void Session::select(ModuleIndex module) {
     if (std::exchange(m_selected, module.value()) != module.value())
         emit selectionChanged();

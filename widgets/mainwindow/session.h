@@ -37,8 +37,6 @@ public:
     [[nodiscard]] const Procedures& procedures() const { return m_procedures; }
 
     [[nodiscard]] bool isOpen() const { return m_link.isOpen(); }
-    /// Null if there is none.
-    [[nodiscard]] const ModuleState* module(std::optional<ModuleIndex> index) const;
     /// The user has selected a module: panel, scope and simulator show it, and it is polled most.
     void select(ModuleIndex module);
     /// Null while there is no module. The first of a chain is selected until the user selects another; in a

@@ -34,7 +34,6 @@ public:
     void showWhich(const QString& module);
     /// Shows the title of the record that is displayed instead of the live samples; empty: none.
     void showRecord(const QString& title);
-    [[nodiscard]] bool paused() const { return m_pause->isChecked(); }
 
 signals:
     void widthChosen(double seconds);

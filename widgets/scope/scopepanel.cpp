@@ -246,10 +246,6 @@ void ScopePanel::dropEvent(QDropEvent* event) {
 
 // ---- the visible time ----
 
-bool ScopePanel::paused() const {
-    return m_bar->paused();
-}
-
 void ScopePanel::move(const std::function<void(ScopeStrips&)>& how) {
     if (m_strips == nullptr)
         return;

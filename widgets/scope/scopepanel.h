@@ -54,7 +54,6 @@ public:
     /// The user's arrangement.
     void setSetup(const ScopeSetup& setup);
     [[nodiscard]] const ScopeSetup& setup() const { return m_setup; }
-    [[nodiscard]] bool paused() const;
     /// Where the live samples come from.
     void showSession(const QString& port, bool simulated);
     [[nodiscard]] ScopeFiles& files() { return *m_files; }
