@@ -27,30 +27,31 @@ FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent) : QWidget(pare
         {u"frequency"_s, tr("Measure"),
          tr("The motor swings around its position, slowly at first, then faster. Make sure that everything it drives can move freely.")},
         requests, this);
-    m_amplitude = m_form->addQuantity(QuantityField::Kind::Distance, u"frequencyAmplitudeField"_s,
-                                      tr("Amplitude"), tr("The amplitude"));
-    m_amplitude->setNativeRange(1, kWidestSine);
-    m_amplitude->setMeaning(tr(
+    auto* amplitude = m_form->addQuantity(QuantityField::Kind::Distance, u"frequencyAmplitudeField"_s,
+                                          tr("Amplitude"), tr("The amplitude"));
+    amplitude->setNativeRange(1, kWidestSine);
+    amplitude->setMeaning(tr(
         "How far the command swings to either side. The motor is stopped if it swings four times as far."));
-    m_amplitude->showNative(kFirstSine);
-    m_from = m_form->addNumber(u"frequencyFromField"_s, tr("From"), tr("The lowest frequency"), tr("Hz"), 2);
-    m_from->setRange(kSlowestSine, kFastestSine);
-    m_from->showValue(1.0);
-    m_to = m_form->addNumber(u"frequencyToField"_s, tr("To"), tr("The highest frequency"), tr("Hz"), 2);
-    m_to->setRange(kSlowestSine, kFastestSine);
-    m_to->setMeaning(tr(
+    amplitude->showNative(kFirstSine);
+    auto* from =
+        m_form->addNumber(u"frequencyFromField"_s, tr("From"), tr("The lowest frequency"), tr("Hz"), 2);
+    from->setRange(kSlowestSine, kFastestSine);
+    from->showValue(1.0);
+    auto* to = m_form->addNumber(u"frequencyToField"_s, tr("To"), tr("The highest frequency"), tr("Hz"), 2);
+    to->setRange(kSlowestSine, kFastestSine);
+    to->setMeaning(tr(
         "The test ends earlier if the baud rate is too low: at about 40 Hz at 115 200 Bd, and at about 8 Hz at 19 200 Bd."));
-    m_to->showValue(kFastestSine);
-    m_speed = m_form->addQuantity(QuantityField::Kind::Velocity, u"frequencySpeedField"_s,
-                                  tr("Speed while measuring"), tr("The speed while measuring"));
-    m_speed->setNativeRange(-kFastestRamp, kFastestRamp);
-    m_speed->setMeaning(tr(
+    to->showValue(kFastestSine);
+    auto* speed = m_form->addQuantity(QuantityField::Kind::Velocity, u"frequencySpeedField"_s,
+                                      tr("Speed while measuring"), tr("The speed while measuring"));
+    speed->setNativeRange(-kFastestRamp, kFastestRamp);
+    speed->setMeaning(tr(
         "0: at rest. Otherwise the sines ride on a motion to and fro, forward first, or backwards first if it is negative; the motor never reverses within a sine, so dry friction does not show. It moves away by up to this speed times five periods of the lowest frequency."));
-    m_speed->showNative(0.0);
-    m_form->setWanted([this]() -> Intent {
-        const double speed = *m_speed->native();
-        return intent::FrequencyResponse{static_cast<std::int32_t>(*m_amplitude->native()), *m_from->value(),
-                                         *m_to->value(), m_speed->scale().reversed() ? -speed : speed};
+    speed->showNative(0.0);
+    m_form->setWanted([=]() -> Intent {
+        const double forward = speed->scale().reversed() ? -*speed->native() : *speed->native();
+        return intent::FrequencyResponse{static_cast<std::int32_t>(*amplitude->native()), *from->value(),
+                                         *to->value(), forward};
     });
     m_figures = form::newParagraph(u"frequencyFigures"_s, tr("Results of the frequency response"), this, 6);
     m_save = form::newPush(

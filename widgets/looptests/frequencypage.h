@@ -15,8 +15,6 @@ class QPushButton;
 
 namespace nmc {
 
-class NumberField;
-class QuantityField;
 class Requests;
 class TestForm;
 
@@ -53,10 +51,6 @@ private:
 
     Requests& m_requests;
     TestForm* m_form;
-    QuantityField* m_amplitude;
-    NumberField* m_from;
-    NumberField* m_to;
-    QuantityField* m_speed;
     BodePlot* m_plot;
     QLabel* m_figures;
     QLabel* m_would;

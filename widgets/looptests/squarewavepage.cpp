@@ -52,36 +52,36 @@ SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent) : QWidget(pa
         {u"squareWave"_s, tr("Start test"),
          tr("The motor jumps back and forth around its position. Make sure that everything it drives can move freely.")},
         requests, this);
-    m_counts = m_form->addQuantity(QuantityField::Kind::Distance, u"squareWaveDistanceField"_s,
-                                   tr("Distance"), tr("The distance"));
-    m_counts->setNativeRange(1, kLongestStep);
-    m_counts->setMeaning(tr("From side to side: half to either side of the present position."));
-    m_counts->showNative(kFirstStep);
-    m_period =
+    auto* counts = m_form->addQuantity(QuantityField::Kind::Distance, u"squareWaveDistanceField"_s,
+                                       tr("Distance"), tr("The distance"));
+    counts->setNativeRange(1, kLongestStep);
+    counts->setMeaning(tr("From side to side: half to either side of the present position."));
+    counts->showNative(kFirstStep);
+    auto* period =
         m_form->addNumber(u"squareWavePeriodField"_s, tr("Period"), tr("The period"), Common::tr("s"), 2);
-    m_period->setRange(kShortestPeriod, kLongestPeriod);
-    m_period->showValue(kFirstPeriod);
-    m_rounds = m_form->addNumber(u"squareWaveRoundsField"_s, tr("Periods"), tr("Periods to run"), {}, 0);
-    m_rounds->setRange(1, kMaxPeriods);
-    m_rounds->showValue(kFirstRounds);
-    m_excursion = m_form->addQuantity(QuantityField::Kind::Distance, u"squareWaveExcursionField"_s,
-                                      tr("Excursion"), tr("Excursion"));
-    m_excursion->setNativeRange(1, kLongestStep);
-    m_excursion->setMeaning(
+    period->setRange(kShortestPeriod, kLongestPeriod);
+    period->showValue(kFirstPeriod);
+    auto* rounds = m_form->addNumber(u"squareWaveRoundsField"_s, tr("Periods"), tr("Periods to run"), {}, 0);
+    rounds->setRange(1, kMaxPeriods);
+    rounds->showValue(kFirstRounds);
+    auto* excursion = m_form->addQuantity(QuantityField::Kind::Distance, u"squareWaveExcursionField"_s,
+                                          tr("Excursion"), tr("Excursion"));
+    excursion->setNativeRange(1, kLongestStep);
+    excursion->setMeaning(
         tr("How far the motor may move past either side. Beyond that, the test stops and the motor holds."));
-    m_excursion->showNative(kFirstExcursion);
-    m_method =
+    excursion->showNative(kFirstExcursion);
+    auto* method =
         form::newChoice({u"squareWaveMethodBox"_s, Common::tr("Method: how the command jumps"), {}}, this);
-    for (const ResponseMethod method : {ResponseMethod::StopHere, ResponseMethod::Profile})
-        m_method->addItem(texts::responseMethod(method), static_cast<int>(method));
-    m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_method->setMinimumContentsLength(12);
-    m_form->addRow(Common::tr("Method"), m_method, nullptr);
-    m_form->setWanted([this]() -> Intent {
-        return intent::SquareWave{static_cast<std::int32_t>(*m_counts->native()), *m_period->value(),
-                                  static_cast<unsigned>(*m_rounds->value()),
-                                  static_cast<std::int32_t>(*m_excursion->native()),
-                                  form::chosen<ResponseMethod>(m_method)};
+    for (const ResponseMethod one : {ResponseMethod::StopHere, ResponseMethod::Profile})
+        method->addItem(texts::responseMethod(one), static_cast<int>(one));
+    method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    method->setMinimumContentsLength(12);
+    m_form->addRow(Common::tr("Method"), method, nullptr);
+    m_form->setWanted([=]() -> Intent {
+        return intent::SquareWave{static_cast<std::int32_t>(*counts->native()), *period->value(),
+                                  static_cast<unsigned>(*rounds->value()),
+                                  static_cast<std::int32_t>(*excursion->native()),
+                                  form::chosen<ResponseMethod>(method)};
     });
     m_results = form::newParagraph(u"squareWaveResults"_s, tr("Results of the edges"), this, 5);
     m_keep = form::newPush(

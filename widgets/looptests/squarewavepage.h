@@ -9,14 +9,11 @@
 #include "model/response/responsefile.h"
 #include "widgets/panels/panelview.h"
 
-class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace nmc {
 
-class NumberField;
-class QuantityField;
 class Requests;
 class SquarePlot;
 class TestForm;
@@ -50,11 +47,6 @@ private:
 
     Requests& m_requests;
     TestForm* m_form;
-    QuantityField* m_counts;
-    NumberField* m_period;
-    NumberField* m_rounds;
-    QuantityField* m_excursion;
-    QComboBox* m_method;
     SquarePlot* m_plot;
     QLabel* m_results;
     QPushButton* m_keep;

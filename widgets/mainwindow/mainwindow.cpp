@@ -101,7 +101,8 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
     new WheelFilter(this);  // before the first combo box accepts the focus from the wheel
-    buildCentre();
+    m_panel = new ModulePanel(*m_requests, this);
+    setCentralWidget(m_panel);
     buildDocks();
     m_pendant = new Pendant(*this, *m_panel);
     m_operator = new OperatorLock(settings, this);
@@ -186,11 +187,6 @@ void MainWindow::buildRibbons(QWidget* top) {
                                    tr("Ends pendant mode: arrow keys and gamepad no longer move anything."));
     end->setFocusPolicy(Qt::NoFocus);
     connect(end, &QPushButton::clicked, this, [this] { m_pendant->action()->setChecked(false); });
-}
-
-void MainWindow::buildCentre() {
-    m_panel = new ModulePanel(*m_requests, this);
-    setCentralWidget(m_panel);
 }
 
 void MainWindow::connectParts() {

@@ -184,7 +184,6 @@ protected:
 
 private:
     [[nodiscard]] ManualWindow& manual();
-    void buildCentre();
     void buildTop();
     void buildRibbons(QWidget* top);
     void buildDocks();
