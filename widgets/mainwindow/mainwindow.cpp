@@ -594,11 +594,11 @@ void MainWindow::buildDocks() {
     new TuningFiles(m_session, *m_response, *m_loopTests, *m_requests, this);
     for (LazyDock* dock : std::initializer_list<LazyDock*>{m_sequences, m_paths, m_axes})
         connect(dock, &LazyDock::opened, this, &MainWindow::showAllAxes);
-    m_stepNow = new QAction(tr("Step"), this);
-    m_stepNow->setObjectName(u"stepNowAction"_s);
-    m_stepNow->setShortcut(Qt::SHIFT | Qt::Key_F9);
-    addAction(m_stepNow);
-    connect(m_stepNow, &QAction::triggered, this, &MainWindow::stepNow);
+    auto* step = new QAction(tr("Step"), this);
+    step->setObjectName(u"stepNowAction"_s);
+    step->setShortcut(Qt::SHIFT | Qt::Key_F9);
+    addAction(step);
+    connect(step, &QAction::triggered, this, &MainWindow::stepNow);
 }
 
 /// If the window is low, the scope gives way to the controls that move the motor, as far as it remains

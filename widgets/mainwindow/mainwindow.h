@@ -253,7 +253,6 @@ private:
     LinkBar* m_linkBar = nullptr;
     CommandPalette* m_palette = nullptr;
     Layouts* m_layouts = nullptr;
-    QAction* m_stepNow = nullptr;
     QTimer m_preparing;
     int m_scopeGave = 0;  ///< height that the scope gave to the motions, in pixels
     bool m_mayClose = false;

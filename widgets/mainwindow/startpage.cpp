@@ -23,24 +23,24 @@ constexpr int kWidestChoices = 44;  ///< in lines of text
 StartPage::StartPage(ConnectionBar& bar, QWidget* parent)
     : QWidget(parent),
       m_bar(bar),
-      m_serial(new ChoiceButton(u"startSerialButton"_s, u"plug-connected"_s, this)),
-      m_simulator(new ChoiceButton(u"startSimulatorButton"_s, u"player-play"_s, this)) {
+      m_serial(new ChoiceButton(u"startSerialButton"_s, u"plug-connected"_s, this)) {
+    auto* simulator = new ChoiceButton(u"startSimulatorButton"_s, u"player-play"_s, this);
     look::name(this, u"startPage"_s, tr("Start"));
-    m_simulator->showChoice(
+    simulator->showChoice(
         tr("Start the simulator"),
         tr("Needs no hardware. Three simulated modules to try everything on; no real motor moves."));
     m_serial->setToolTip(Common::tr("Opens the port and looks for modules. Nothing moves."));
-    m_simulator->setToolTip(tr("Connects to the built-in simulator."));
+    simulator->setToolTip(tr("Connects to the built-in simulator."));
     auto* choices = new QWidget;
     choices->setObjectName(u"startChoices"_s);
     choices->setMaximumWidth(fontMetrics().height() * kWidestChoices);
-    form::fill(choices, form::newColumn(this, {nullptr, m_serial, m_simulator, nullptr}, 2), 2);
+    form::fill(choices, form::newColumn(this, {nullptr, m_serial, simulator, nullptr}, 2), 2);
     auto* middle = new QWidget;
     middle->setObjectName(u"startMiddle"_s);
     form::fill(middle, form::newLine(this, {nullptr, {choices, 1000}, nullptr}, form::kUsual));
     form::fill(this, form::newColumn(this, {scrolled(middle, u"startScroll"_s, accessibleName())}));
     connect(m_serial, &QPushButton::clicked, this, &StartPage::connectToSerialPort);
-    connect(m_simulator, &QPushButton::clicked, &m_bar, [this] { m_bar.connectTo(m_bar.simulator()); });
+    connect(simulator, &QPushButton::clicked, &m_bar, [this] { m_bar.connectTo(m_bar.simulator()); });
     connect(&m_bar, &ConnectionBar::choiceChanged, this, &StartPage::refresh);
     refresh();
 }

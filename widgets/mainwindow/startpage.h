@@ -23,7 +23,6 @@ private:
 
     ConnectionBar& m_bar;
     ChoiceButton* m_serial;
-    ChoiceButton* m_simulator;
 };
 
 }  // namespace nmc

@@ -33,8 +33,8 @@ Banner::Banner(const MessageModel& model, QWidget* parent)
       m_headline(new ElidedLabel(1, this)),
       m_body(new ElidedLabel(1, this)),
       m_actions(form::newLine(this, {})),
-      m_all(new QPushButton(this)),
-      m_dismiss(new QToolButton(this)) {
+      m_all(new QPushButton(this)) {
+    auto* dismiss = new QToolButton(this);
     look::name(this, u"banner"_s, tr("Important message"));
     m_headline->setObjectName(u"bannerHeadline"_s);
     m_body->setObjectName(u"bannerBody"_s);
@@ -47,18 +47,18 @@ Banner::Banner(const MessageModel& model, QWidget* parent)
     m_all->setToolTip(tr("Shows the full text and all other messages in the message list."));
     look::name(m_all, u"bannerAll"_s, m_all->text());
     connect(m_all, &QPushButton::clicked, this, [this] { emit allWanted(m_shown->key); });
-    m_dismiss->setIcon(icons::tinted(u"x"_s));
-    m_dismiss->setAutoRaise(true);
-    m_dismiss->setToolTip(tr("Hides this message here. It stays in the message list."));
-    look::name(m_dismiss, u"bannerDismiss"_s, tr("Hide this message"));
-    connect(m_dismiss, &QToolButton::clicked, this, &Banner::hideShown);
+    dismiss->setIcon(icons::tinted(u"x"_s));
+    dismiss->setAutoRaise(true);
+    dismiss->setToolTip(tr("Hides this message here. It stays in the message list."));
+    look::name(dismiss, u"bannerDismiss"_s, tr("Hide this message"));
+    connect(dismiss, &QToolButton::clicked, this, &Banner::hideShown);
     connect(&m_model, &MessageModel::reported, this, &Banner::showReported);
     connect(&m_model, &MessageModel::amended, this, &Banner::present);
     connect(&m_model, &MessageModel::ended, this, &Banner::present);
     connect(&m_model, &MessageModel::reviewed, this, &Banner::present);
 
     const int unit = look::gridUnit(this);
-    setLayout(form::newLine(this, {m_glyph, m_headline, {m_body, 1}, m_actions, m_all, m_dismiss}));
+    setLayout(form::newLine(this, {m_glyph, m_headline, {m_body, 1}, m_actions, m_all, dismiss}));
     layout()->setContentsMargins(unit * 2, unit / 2, unit, unit / 2);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     look::keepRoom(this);

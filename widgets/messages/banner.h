@@ -11,7 +11,6 @@
 
 class QHBoxLayout;
 class QPushButton;
-class QToolButton;
 
 namespace nmc {
 
@@ -64,7 +63,6 @@ private:
     ElidedLabel* m_body;
     QHBoxLayout* m_actions;
     QPushButton* m_all;
-    QToolButton* m_dismiss;
 };
 
 }  // namespace nmc

@@ -47,14 +47,14 @@ ResponseView::ResponseView(Requests& requests, QWidget* parent)
     m_bar->addStretch(1);
     auto* fit = newButton(u"responseFitButton"_s, tr("Fit"),
                           tr("Fits the view to the motion and all positions (A, in the plot)."));
-    m_cursors = newButton(u"responseCursorsButton"_s, Common::tr("Cursors"),
-                          tr("Shows two cursors to measure with: drag them (C, in the plot)."));
-    m_cursors->setCheckable(true);
+    auto* measure = newButton(u"responseCursorsButton"_s, Common::tr("Cursors"),
+                              tr("Shows two cursors to measure with: drag them (C, in the plot)."));
+    measure->setCheckable(true);
     buildMenu();
     form::fill(this, form::newColumn(this, {m_bar, {m_plot, 1}, m_readings}, 0.5));
     connect(fit, &QToolButton::clicked, m_plot, &ResponsePlot::fitAgain);
-    connect(m_cursors, &QToolButton::toggled, this, &ResponseView::showCursors);
-    connect(m_plot, &ResponsePlot::cursorsWanted, m_cursors, &QToolButton::toggle);
+    connect(measure, &QToolButton::toggled, this, &ResponseView::showCursors);
+    connect(m_plot, &ResponsePlot::cursorsWanted, measure, &QToolButton::toggle);
     connect(m_plot, &ResponsePlot::measured, this, &ResponseView::showReadings);
 }
 
@@ -72,12 +72,12 @@ void ResponseView::addControl(QWidget* control) {
 }
 
 void ResponseView::buildMenu() {
-    m_menu = new QMenu(this);
-    m_menu->setToolTipsVisible(true);
-    look::name(m_menu, u"responsePictureMenu"_s, tr("Picture"));
-    const auto add = [this](const QString& objectName, const QString& text, const QString& meaning,
-                            const std::function<void()>& act) {
-        QAction* action = m_menu->addAction(text);
+    auto* menu = new QMenu(this);
+    menu->setToolTipsVisible(true);
+    look::name(menu, u"responsePictureMenu"_s, tr("Picture"));
+    const auto add = [this, menu](const QString& objectName, const QString& text, const QString& meaning,
+                                  const std::function<void()>& act) {
+        QAction* action = menu->addAction(text);
         action->setObjectName(objectName);
         action->setToolTip(meaning);
         connect(action, &QAction::triggered, this, act);
@@ -88,7 +88,7 @@ void ResponseView::buildMenu() {
         Common::tr("The visible plot as lines that stay sharp at any size."), [this] { choose(u"svg"_s); });
     add(u"responsePdfAction"_s, Common::tr("P&age (PDF)…"),
         Common::tr("The visible plot on a page for printing or a report."), [this] { choose(u"pdf"_s); });
-    m_menu->addSeparator();
+    menu->addSeparator();
     add(u"responsePrintAction"_s, Common::tr("P&rint…"),
         Common::tr("Prints the visible plot on one of this computer's printers."),
         [this] { emit m_requests.print(pdfOf(picture())); });
@@ -96,7 +96,7 @@ void ResponseView::buildMenu() {
         [this] { copy(); });
     QToolButton* button = newButton(u"responsePictureButton"_s, tr("Picture"),
                                     tr("Exports the visible plot, with a description of the runs."));
-    button->setMenu(m_menu);
+    button->setMenu(menu);
     button->setPopupMode(QToolButton::InstantPopup);
 }
 

@@ -9,7 +9,6 @@
 #include "widgets/common/filedialog.h"
 
 class QHBoxLayout;
-class QMenu;
 class QTableWidget;
 class QToolButton;
 
@@ -46,8 +45,6 @@ private:
     ResponsePlot* m_plot;
     QTableWidget* m_readings;
     QHBoxLayout* m_bar;
-    QToolButton* m_cursors = nullptr;
-    QMenu* m_menu = nullptr;
     QString m_folder;
     QStringList m_shown;  ///< the runs, in words
 };
