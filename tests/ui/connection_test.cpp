@@ -73,6 +73,13 @@ TEST_F(Connection, AChosenPortStaysWhenItIsUnplugged) {
     EXPECT_EQ(ports()->currentData().toString(), u"/dev/ttyUSB1"_s);
 }
 
+TEST_F(Connection, PortAndRateAreDescribedFromTheStart) {
+    for (const QString& name : {u"portBox"_s, u"baudBox"_s}) {
+        EXPECT_FALSE(find(name)->toolTip().isEmpty());
+        EXPECT_EQ(find(name)->accessibleDescription(), find(name)->toolTip());
+    }
+}
+
 TEST_F(Connection, OpeningTheListAsksForThePorts) {
     QSignalSpy asked(&window->connectionBar(), &ConnectionBar::portsRequested);
     ports()->showPopup();

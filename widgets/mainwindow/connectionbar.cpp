@@ -74,8 +74,6 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     m_port->setMinimumContentsLength(26);
     m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_port->setMinimumWidth(fontMetrics().height() * 9);  // so that STOP ALL need not give way
-    m_port->setToolTip(tr("The serial port of the modules, or the simulator."));
-    m_baud->setToolTip(tr("The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it."));
     for (const BaudRow& row : kBaudRows)
         m_baud->addItem(QString::number(row.nominal), row.nominal);
     m_baud->setCurrentIndex(m_baud->findText(u"115200"_s));
@@ -128,7 +126,6 @@ void ConnectionBar::fillPorts() {
         wanted.append({m_chosen, explainsItself(m_chosen) ? QString() : tr("not listed")});
 
     const QSignalBlocker blocker(m_port);
-    const QString before = m_chosen.isEmpty() ? QString() : m_chosen;
     const bool typing = m_port->lineEdit()->isModified();
     const QString typed = m_port->currentText();
     m_port->clear();
@@ -139,8 +136,7 @@ void ConnectionBar::fillPorts() {
         const QString name = texts::portName(entry.name);
         m_port->addItem(description.isEmpty() ? name : tr("%1  (%2)").arg(name, description), entry.name);
     }
-    const int index = before.isEmpty() ? 0 : m_port->findData(before);
-    m_port->setCurrentIndex(qMax(0, index));
+    m_port->setCurrentIndex(qMax(0, m_port->findData(m_chosen)));
     if (typing) {
         m_port->setEditText(typed);
         m_port->lineEdit()->setModified(true);
