@@ -79,16 +79,14 @@ TriggerBar::TriggerBar(QWidget* parent)
         takeSource();
         emit edited();
     });
+    const auto changed = [this] {
+        showPossible();
+        emit edited();
+    };
     for (QComboBox* box : {m_condition, m_mode})
-        connect(box, &QComboBox::activated, this, [this] {
-            showPossible();
-            emit edited();
-        });
+        connect(box, &QComboBox::activated, this, changed);
     for (NumberField* field : {m_level, m_before})
-        connect(field, &NumberField::edited, this, [this] {
-            showPossible();
-            emit edited();
-        });
+        connect(field, &NumberField::edited, this, changed);
     takeSource();
 }
 
