@@ -23,24 +23,25 @@ ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, Requests& re
       m_machine(machine),
       m_link(link),
       m_window(window),
-      m_doctor(newAction(
-          u"chainDoctorAction"_s, tr("Chain &doctor…"), Qt::Key_F6,
-          tr("Compares the expected modules with those found, and shows where the chain probably breaks."))),
-      m_groups(newAction(u"groupsAction"_s, tr("&Groups…"), Qt::Key_F7,
-                         tr("Assigns modules to groups, and starts their loaded moves together."))),
-      m_rate(newAction(u"rateAction"_s, tr("B&aud rate of the chain…"), Qt::Key_F8,
-                       tr("Changes the baud rate of the whole chain."))),
-      m_copy(newAction(u"copyAxisAction"_s, tr("&Copy settings to other axes…"), QKeySequence(), QString())),
-      m_scan(newAction(u"scanAction"_s, Common::tr("&Scan again"), Qt::Key_F5,
-                       tr("Scans the chain again; nothing is reset."))),
-      m_restart(newAction(u"restartNetworkAction"_s,
-                          tr("&Restart the network: positions and gains are lost…"), QKeySequence(),
-                          QString())),
+      m_doctor(look::newAction(
+          window, u"chainDoctorAction"_s, tr("Chain &doctor…"),
+          tr("Compares the expected modules with those found, and shows where the chain probably breaks."),
+          Qt::Key_F6)),
+      m_groups(look::newAction(window, u"groupsAction"_s, tr("&Groups…"),
+                               tr("Assigns modules to groups, and starts their loaded moves together."),
+                               Qt::Key_F7)),
+      m_rate(look::newAction(window, u"rateAction"_s, tr("B&aud rate of the chain…"),
+                             tr("Changes the baud rate of the whole chain."), Qt::Key_F8)),
+      m_copy(look::newAction(window, u"copyAxisAction"_s, tr("&Copy settings to other axes…"))),
+      m_scan(look::newAction(window, u"scanAction"_s, Common::tr("&Scan again"),
+                             tr("Scans the chain again; nothing is reset."), Qt::Key_F5)),
+      m_restart(look::newAction(window, u"restartNetworkAction"_s,
+                                tr("&Restart the network: positions and gains are lost…"))),
       m_programs(
-          newAction(u"letProgramsInAction"_s, tr("&Let programs in"), QKeySequence(),
-                    tr("Other programs on this computer may read the chain, and ask to move motors."))),
-      m_lend(newAction(u"lendLineAction"_s, tr("L&end the line to a program…"), QKeySequence(),
-                       tr("A program has the modules for itself; the panel shows what they report."))) {
+          look::newAction(window, u"letProgramsInAction"_s, tr("&Let programs in"),
+                          tr("Other programs on this computer may read the chain, and ask to move motors."))),
+      m_lend(look::newAction(window, u"lendLineAction"_s, tr("L&end the line to a program…"),
+                             tr("A program has the modules for itself; the panel shows what they report."))) {
     m_programs->setCheckable(true);
     connect(m_programs, &QAction::triggered, &requests, &Requests::letProgramsIn);
     connect(m_doctor, &QAction::triggered, this, &ChainMenu::openDoctor);
@@ -51,15 +52,6 @@ ChainMenu::ChainMenu(const Machine& machine, const LinkState& link, Requests& re
     connect(m_scan, &QAction::triggered, &requests, &Requests::scan);
     connect(m_restart, &QAction::triggered, &requests, &Requests::restart);
     refresh();
-}
-
-QAction* ChainMenu::newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
-                              const QString& tip) {
-    auto* action = new QAction(text, m_window);
-    action->setObjectName(objectName);
-    action->setShortcut(shortcut);
-    action->setToolTip(tip);
-    return action;
 }
 
 void ChainMenu::addTo(QMenu& menu) {

@@ -36,8 +36,6 @@ public:
     void openDoctor();
 
 private:
-    QAction* newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
-                       const QString& tip);
     void open(int page);
     void openLending();
     void openCopy();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/look.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QEvent>
 #include <QFontDatabase>
@@ -208,6 +209,15 @@ QLabel* newMutedLabel(const QString& text, QWidget* parent, const QString& objec
     label->setObjectName(objectName);
     label->setTextFormat(Qt::PlainText);
     return label;
+}
+
+QAction* newAction(QObject* parent, const QString& objectName, const QString& text, const QString& meaning,
+                   const QKeySequence& key) {
+    auto* action = new QAction(text, parent);
+    action->setObjectName(objectName);
+    action->setToolTip(meaning);
+    action->setShortcut(key);
+    return action;
 }
 
 void keepRoom(QWidget* widget) {

@@ -3,10 +3,12 @@
 
 #include <QColor>
 #include <QFont>
+#include <QKeySequence>
 #include <QPalette>
 
 #include "model/module/modulestate.h"
 
+class QAction;
 class QApplication;
 class QLabel;
 class QWidget;
@@ -55,6 +57,10 @@ void setReadout(QLabel* label, const QString& text);
 void setOld(QLabel* label, bool old);
 /// Makes a label for muted secondary text that follows the palette.
 [[nodiscard]] QLabel* newMutedLabel(const QString& text, QWidget* parent, const QString& objectName = {});
+
+/// Makes an action, for menus and for its key; `meaning` is its tool tip.
+[[nodiscard]] QAction* newAction(QObject* parent, const QString& objectName, const QString& text,
+                                 const QString& meaning = {}, const QKeySequence& key = {});
 
 /// Keeps the space of the widget while it is hidden, so that nothing moves when it comes or goes.
 void keepRoom(QWidget* widget);

@@ -33,14 +33,19 @@ QString MachineFile::title() const {
 MachineMenu::MachineMenu(QWidget* window)
     : QObject(window),
       m_window(window),
-      m_new(newAction(u"newMachineAction"_s, tr("&New machine"), Qt::CTRL | Qt::Key_N,
-                      tr("Discards names, units and settings of all axes; nothing is sent."))),
-      m_open(newAction(u"openMachineAction"_s, tr("&Open machine…"), Qt::CTRL | Qt::Key_O,
-                       tr("Shows what a machine file would change. Nothing is sent until you apply it."))),
-      m_save(newAction(u"saveMachineAction"_s, tr("&Save machine"), Qt::CTRL | Qt::Key_S,
-                       tr("Saves names, units, gains, limits, homing and groups to the machine file."))),
-      m_saveAs(newAction(u"saveMachineAsAction"_s, tr("Save machine &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
-                         tr("Saves the machine under another file name."))),
+      m_new(look::newAction(window, u"newMachineAction"_s, tr("&New machine"),
+                            tr("Discards names, units and settings of all axes; nothing is sent."),
+                            Qt::CTRL | Qt::Key_N)),
+      m_open(
+          look::newAction(window, u"openMachineAction"_s, tr("&Open machine…"),
+                          tr("Shows what a machine file would change. Nothing is sent until you apply it."),
+                          Qt::CTRL | Qt::Key_O)),
+      m_save(look::newAction(window, u"saveMachineAction"_s, tr("&Save machine"),
+                             tr("Saves names, units, gains, limits, homing and groups to the machine file."),
+                             Qt::CTRL | Qt::Key_S)),
+      m_saveAs(look::newAction(window, u"saveMachineAsAction"_s, tr("Save machine &as…"),
+                               tr("Saves the machine under another file name."),
+                               Qt::CTRL | Qt::SHIFT | Qt::Key_S)),
       m_recent(new QMenu(tr("Open re&cent"), window)) {
     look::name(m_recent, u"recentMachinesMenu"_s, tr("Open recent"));
     m_recent->setToolTipsVisible(true);
@@ -49,15 +54,6 @@ MachineMenu::MachineMenu(QWidget* window)
     connect(m_save, &QAction::triggered, this, [this] { save(doNothing); });
     connect(m_saveAs, &QAction::triggered, this, [this] { chooseToSave(doNothing); });
     m_recent->setEnabled(false);
-}
-
-QAction* MachineMenu::newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
-                                const QString& tip) {
-    auto* action = new QAction(text, m_window);
-    action->setObjectName(objectName);
-    action->setShortcut(shortcut);
-    action->setToolTip(tip);
-    return action;
 }
 
 void MachineMenu::addTo(QMenu& menu) {

@@ -66,8 +66,6 @@ signals:
 
 private:
     using Go = std::function<void()>;
-    QAction* newAction(const QString& objectName, const QString& text, const QKeySequence& shortcut,
-                       const QString& tip);
     /// Opens it unless it is open.
     DifferencesDialog& openDifferences();
     void fillRecent();

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QSettings>
 
+#include "widgets/common/look.h"
 #include "widgets/mainwindow/settingskeys.h"
 
 namespace nmc {
@@ -16,12 +17,12 @@ constexpr qint64 kPauseMs = 1'000;
 }
 
 Bell::Bell(QSettings& settings, QObject* parent)
-    : QObject(parent), m_action(new QAction(tr("So&unds"), this)) {
-    m_action->setObjectName(u"soundsAction"_s);
+    : QObject(parent),
+      m_action(look::newAction(
+          this, u"soundsAction"_s, tr("So&unds"),
+          tr("Plays a sound on each fault, and when a sequence, homing or a series of steps ends."))) {
     m_action->setCheckable(true);
     m_action->setChecked(settings.value(settingskeys::kSounds, true).toBool());
-    m_action->setToolTip(
-        tr("Plays a sound on each fault, and when a sequence, homing or a series of steps ends."));
     connect(m_action, &QAction::toggled, this,
             [&settings](bool on) { settings.setValue(settingskeys::kSounds, on); });
 }

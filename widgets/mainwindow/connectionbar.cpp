@@ -46,7 +46,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
       m_port(new PortBox(this)),
       m_baud(new QComboBox(this)),
       m_connect(new QPushButton(icons::tinted(u"plug-connected"_s), tr("&Connect"), this)),
-      m_readOnly(new QAction(tr("Connect read-&only"), this)),
+      m_readOnly(look::newAction(this, u"connectReadOnlyAction"_s, tr("Connect read-&only"))),
       m_moreWays(new QToolButton(this)),
       m_disconnect(new QPushButton(icons::tinted(u"plug-connected-x"_s), tr("&Disconnect"), this)),
       m_stopResult(new ElidedLabel(kStopResultLines, this)),
@@ -56,7 +56,6 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     look::name(m_port->lineEdit(), u"portField"_s, tr("Port"));
     look::name(m_baud, u"baudBox"_s, Common::tr("Baud rate"));
     look::name(m_connect, u"connectButton"_s, tr("Connect"));
-    m_readOnly->setObjectName(u"connectReadOnlyAction"_s);
     look::name(m_moreWays, u"moreWaysButton"_s, tr("Other ways to connect"));
     look::name(m_disconnect, u"disconnectButton"_s, tr("Disconnect"));
     auto* ways = new QMenu(this);

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "widgets/common/lazydock.h"
+#include "widgets/common/look.h"
 #include "widgets/mainwindow/settingskeys.h"
 
 namespace nmc {
@@ -95,11 +96,8 @@ Layouts::Layouts(QMainWindow& window, QSettings& settings)
 void Layouts::addAction(const QString& objectName, const QString& text, const QString& meaning,
                         const QKeySequence& key) {
     const Kind kind = static_cast<Kind>(m_actions.size());
-    auto* action = new QAction(text, this);
-    action->setObjectName(objectName);
-    action->setToolTip(meaning);
+    QAction* action = look::newAction(this, objectName, text, meaning, key);
     action->setCheckable(true);
-    action->setShortcut(key);
     connect(action, &QAction::triggered, this, [this, kind] { choose(kind); });
     m_actions.append(action);
 }

@@ -594,9 +594,7 @@ void MainWindow::buildDocks() {
     new TuningFiles(m_session, *m_response, *m_loopTests, *m_requests, this);
     for (LazyDock* dock : std::initializer_list<LazyDock*>{m_sequences, m_paths, m_axes})
         connect(dock, &LazyDock::opened, this, &MainWindow::showAllAxes);
-    auto* step = new QAction(tr("Step"), this);
-    step->setObjectName(u"stepNowAction"_s);
-    step->setShortcut(Qt::SHIFT | Qt::Key_F9);
+    QAction* step = look::newAction(this, u"stepNowAction"_s, tr("Step"), {}, Qt::SHIFT | Qt::Key_F9);
     addAction(step);
     connect(step, &QAction::triggered, this, &MainWindow::stepNow);
 }

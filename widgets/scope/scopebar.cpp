@@ -37,10 +37,7 @@ ScopeBar::ScopeBar(QWidget* parent)
 
 QAction* ScopeBar::newAction(const QString& objectName, const QString& text, const QString& meaning,
                              const QKeySequence& key) {
-    auto* action = new QAction(text, this);
-    action->setObjectName(objectName);
-    action->setToolTip(meaning);
-    action->setShortcut(key);
+    QAction* action = look::newAction(this, objectName, text, meaning, key);
     // Plain letters and arrow keys act on the plots only while these have the focus.
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     m_menuActions << action;

@@ -32,9 +32,13 @@ ScopeFiles::ScopeFiles(Requests& requests, QWidget* panel)
     : QWidget(panel),
       m_panel(panel),
       m_export(requests, panel),
-      m_record(new QAction(panel)),
-      m_open(new QAction(tr("Open &recording…"), panel)),
-      m_under(new QAction(tr("Over&lay a recording…"), panel)) {
+      m_record(look::newAction(panel, u"scopeRecordAction"_s, {}, {}, Qt::CTRL | Qt::SHIFT | Qt::Key_R)),
+      m_open(look::newAction(panel, u"openRecordingAction"_s, tr("Open &recording…"),
+                             tr("Shows a recording in the scope. Control of the motors continues."),
+                             Qt::CTRL | Qt::SHIFT | Qt::Key_O)),
+      m_under(look::newAction(
+          panel, u"layUnderAction"_s, tr("Over&lay a recording…"),
+          tr("Draws a recording in pale lines below the live traces, aligned to the start of the last motion."))) {
     look::name(this, u"scopeFiles"_s, tr("Recordings"));
     form::fill(this, form::newColumn(this, {}, 0));
     m_recordingRow = addRow(u"scopeRecording"_s, tr("Recording"), tr("Stop recording"),
@@ -50,18 +54,10 @@ ScopeFiles::ScopeFiles(Requests& requests, QWidget* panel)
     connect(m_recordingRow.button, &QPushButton::clicked, this, &ScopeFiles::recordingEndRequested);
     connect(m_openingRow.button, &QPushButton::clicked, this, &ScopeFiles::openingCancelled);
 
-    m_record->setObjectName(u"scopeRecordAction"_s);
-    m_record->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
     connect(m_record, &QAction::triggered, this, &ScopeFiles::recordOrEnd);
     panel->addAction(m_record);
-    m_open->setObjectName(u"openRecordingAction"_s);
-    m_open->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
-    m_open->setToolTip(tr("Shows a recording in the scope. Control of the motors continues."));
     connect(m_open, &QAction::triggered, this,
             [this] { choose(u"openRecordingDialog"_s, tr("Open recording"), &ScopeFiles::openRequested); });
-    m_under->setObjectName(u"layUnderAction"_s);
-    m_under->setToolTip(tr(
-        "Draws a recording in pale lines below the live traces, aligned to the start of the last motion."));
     connect(m_under, &QAction::triggered, this,
             [this] { choose(u"layUnderDialog"_s, tr("Overlay a recording"), &ScopeFiles::underRequested); });
     showRecording({});
