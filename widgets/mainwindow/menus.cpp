@@ -60,9 +60,12 @@ void openSafety(MainWindow& window) {
     openBox(window, u"safetyDialog"_s, Menus::tr("Safety"), safety.headline, safety.body);
 }
 
-QAction* addNamed(QMenu* menu, const QString& text, const QString& objectName) {
-    QAction* action = menu->addAction(text);
-    action->setObjectName(objectName);
+template <typename Act>
+QAction* addAction(QMenu* menu, const QString& objectName, const QString& text, const QKeySequence& key,
+                   MainWindow& window, const Act& act) {
+    QAction* action = look::newAction(menu, objectName, text, {}, key);
+    menu->addAction(action);
+    QObject::connect(action, &QAction::triggered, &window, act);
     return action;
 }
 
@@ -84,12 +87,11 @@ void addLanguages(QMenu& view, MainWindow& window, QSettings& settings) {
     for (const QString& language : QStringList{QString()} + languages::available()) {
         const QString text = language.isEmpty() ? Menus::tr("&System") : languages::nameOf(language);
         QAction* action =
-            addNamed(menu, text, u"languageAction_"_s + (language.isEmpty() ? u"system"_s : language));
+            addAction(menu, u"languageAction_"_s + (language.isEmpty() ? u"system"_s : language), text, {},
+                      window, [&window, &settings, language] { chooseLanguage(window, settings, language); });
         action->setCheckable(true);
         action->setChecked(language == chosen);
         group->addAction(action);
-        QObject::connect(action, &QAction::triggered, &window,
-                         [&window, &settings, language] { chooseLanguage(window, settings, language); });
     }
 }
 
@@ -105,9 +107,7 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QSettings& settings) {
     file->addSeparator();
     file->addAction(window.operatorLock().action());
     file->addSeparator();
-    QAction* quit = addNamed(file, Menus::tr("&Quit"), u"quitAction"_s);
-    quit->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
-    QObject::connect(quit, &QAction::triggered, &window, &QWidget::close);
+    addAction(file, u"quitAction"_s, Menus::tr("&Quit"), Qt::CTRL | Qt::Key_Q, window, &QWidget::close);
 
     QMenu* chain = bar.addMenu(Common::tr("Chain"));
     look::name(chain, u"chainMenu"_s, Common::tr("Chain"));
@@ -144,27 +144,22 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QSettings& settings) {
     colours->addActions(window.colours().actions());
     view->addAction(window.bell().action());
     addLanguages(*view, window, settings);
-    QObject::connect(addNamed(view, Menus::tr("&Reset layout"), u"resetLayoutAction"_s), &QAction::triggered,
-                     &window, &MainWindow::resetLayout);
+    addAction(view, u"resetLayoutAction"_s, Menus::tr("&Reset layout"), {}, window, &MainWindow::resetLayout);
 
     QMenu* help = bar.addMenu(Menus::tr("&Help"));
     look::name(help, u"helpMenu"_s, Menus::tr("Help"));
-    QAction* manual = addNamed(help, Menus::tr("&Manual"), u"manualAction"_s);
-    manual->setShortcut(QKeySequence(Qt::Key_F1));
+    QAction* manual = addAction(help, u"manualAction"_s, Menus::tr("&Manual"), Qt::Key_F1, window,
+                                [&window] { window.openManualAt(QApplication::focusWidget()); });
     manual->setShortcutContext(Qt::ApplicationShortcut);  // in every window
-    QObject::connect(manual, &QAction::triggered, &window,
-                     [&window] { window.openManualAt(QApplication::focusWidget()); });
-    QObject::connect(addNamed(help, Menus::tr("&Keyboard shortcuts"), u"keysAction"_s), &QAction::triggered,
-                     &window, [&window] { window.openManual(u"keys.md"_s); });
-    QAction* find = addNamed(help, Menus::tr("&Find a command…"), u"findCommandAction"_s);
-    find->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
-    QObject::connect(find, &QAction::triggered, &window, &MainWindow::openPalette);
-    QObject::connect(addNamed(help, Menus::tr("&Safety"), u"safetyAction"_s), &QAction::triggered, &window,
-                     [&window] { openSafety(window); });
-    QObject::connect(addNamed(help, Menus::tr("&Report a problem…"), u"reportProblemAction"_s),
-                     &QAction::triggered, &window, &MainWindow::openProblemReport);
-    QObject::connect(addNamed(help, Menus::tr("&About NMC Panel"), u"aboutAction"_s), &QAction::triggered,
-                     &window, [&window] { openAbout(window); });
+    addAction(help, u"keysAction"_s, Menus::tr("&Keyboard shortcuts"), {}, window,
+              [&window] { window.openManual(u"keys.md"_s); });
+    addAction(help, u"findCommandAction"_s, Menus::tr("&Find a command…"), Qt::CTRL | Qt::Key_K, window,
+              &MainWindow::openPalette);
+    addAction(help, u"safetyAction"_s, Menus::tr("&Safety"), {}, window, [&window] { openSafety(window); });
+    addAction(help, u"reportProblemAction"_s, Menus::tr("&Report a problem…"), {}, window,
+              &MainWindow::openProblemReport);
+    addAction(help, u"aboutAction"_s, Menus::tr("&About NMC Panel"), {}, window,
+              [&window] { openAbout(window); });
 }
 
 }  // namespace nmc
