@@ -25,25 +25,6 @@ constexpr double kTip = 2;  ///< px; a column that exceeds its neighbours by mor
 
 using Lines = QVarLengthArray<QLineF, 4096>;
 
-/// Finds the part of a line within `area`, as fractions of the line; returns false if there is none. When
-/// zoomed in far enough, a line between two samples is millions of pixels long: too much for the dashes and
-/// for the rasterizer.
-bool clip(const QLineF& line, const QRectF& area, double& from, double& to) {
-    from = 0;
-    to = 1;
-    const auto cut = [&](double start, double way, double least, double most) {
-        if (way == 0)
-            return start >= least && start <= most;
-        const double first = (way > 0 ? least - start : most - start) / way;
-        const double last = (way > 0 ? most - start : least - start) / way;
-        from = std::max(from, first);
-        to = std::min(to, last);
-        return from < to;
-    };
-    return cut(line.x1(), line.dx(), area.left(), area.right()) &&
-           cut(line.y1(), line.dy(), area.top(), area.bottom());
-}
-
 /// True when drawing for paper: pixels may have any size, and an SVG file has no clipping (Qt 6.4).
 bool isVector(const QPainter& painter) {
     return painter.paintEngine()->type() != QPaintEngine::Raster;
@@ -186,6 +167,24 @@ QPolygonF PlotGeometry::at(const QPolygonF& line) const {
     return places;
 }
 
+std::optional<LinePart> partWithin(const QRectF& area, const QLineF& line) {
+    double from = 0, to = 1;
+    const auto cut = [&](double start, double way, double least, double most) {
+        if (way == 0)
+            return start >= least && start <= most;
+        const double first = (way > 0 ? least - start : most - start) / way;
+        const double last = (way > 0 ? most - start : least - start) / way;
+        from = std::max(from, first);
+        to = std::min(to, last);
+        return from < to;
+    };
+    if (!cut(line.x1(), line.dx(), area.left(), area.right()) ||
+        !cut(line.y1(), line.dy(), area.top(), area.bottom()))
+        return std::nullopt;
+    return LinePart{
+        {from > 0 ? line.pointAt(from) : line.p1(), to < 1 ? line.pointAt(to) : line.p2()}, from, to};
+}
+
 void TraceDrawing::clear() {
     m_columns.clear();
     m_hasBand = false;
@@ -293,12 +292,9 @@ double TraceDrawing::dashesPerSecond(const PlotGeometry& geometry) {
 template <typename Add>
 void TraceDrawing::visitLines(const PlotGeometry& geometry, Add&& add) const {
     const auto visit = [&](const QLineF& line, double fromSecond, double toSecond) {
-        double from = 0, to = 1;
-        if (!clip(line, geometry.area, from, to))
-            return;
         const double seconds = toSecond - fromSecond;
-        add(QLineF(from > 0 ? line.pointAt(from) : line.p1(), to < 1 ? line.pointAt(to) : line.p2()),
-            fromSecond + from * seconds, fromSecond + to * seconds);
+        if (const auto part = partWithin(geometry.area, line))
+            add(part->line, fromSecond + part->from * seconds, fromSecond + part->to * seconds);
     };
     QPointF before;
     for (std::size_t i = 0; i < m_columns.size(); ++i) {

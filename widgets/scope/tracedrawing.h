@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "model/scope/history.h"
@@ -52,6 +53,15 @@ struct PlotGeometry {
     }
     [[nodiscard]] bool empty() const { return area.isEmpty() || right <= left || top <= bottom; }
 };
+
+/// The part of a line that is within an area, and where it begins and ends, as fractions of the line.
+struct LinePart {
+    QLineF line;
+    double from, to;
+};
+/// Nothing if there is no such part. When zoomed in far enough, a line between two samples is millions of
+/// pixels long: too much for the dashes and for the rasterizer. An SVG file has no clipping at all.
+[[nodiscard]] std::optional<LinePart> partWithin(const QRectF& area, const QLineF& line);
 
 /// How far values reach; low > high if there are none. The band is that of a calculated error, and for other
 /// signals that of the values.
