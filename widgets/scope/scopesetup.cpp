@@ -19,7 +19,7 @@ const std::array<std::pair<QString, ModuleType>, 3> kBitWords{{{u"servobits"_s, 
 QString toWords(const std::vector<ScopeBit>& bits) {
     QStringList words;
     for (const ScopeBit& bit : bits)
-        words << QString::number(bit.bit + (bit.byte == ScopeBit::Byte::Aux ? 8 : 0));
+        words << QString::number(bit.number());
     return words.join(u',');
 }
 

@@ -17,18 +17,12 @@ class SignalTexts {
     Q_DECLARE_TR_FUNCTIONS(Scope)
 };
 
-/// Pin of a PIC-I/O, from 0.
-std::size_t pinOf(const ScopeBit& bit) {
-    return bit.bit + (bit.byte == ScopeBit::Byte::Aux ? 8U : 0U);
-}
-
 std::string_view sheetName(const ScopeBit& bit, ModuleType type) {
     const auto index = static_cast<std::size_t>(bit.bit);
     if (type == ModuleType::Io) {
         static constexpr std::array<std::string_view, io::kPins> kPinNames{
             "IO1", "IO2", "IO3", "IO4", "IO5", "IO6", "IO7", "IO8", "IO9", "IO10", "IO11", "IO12"};
-        const std::size_t pin = pinOf(bit);
-        return pin < kPinNames.size() ? kPinNames.at(pin) : std::string_view{};
+        return bit.number() < kPinNames.size() ? kPinNames.at(bit.number()) : std::string_view{};
     }
     if (type == ModuleType::Stepper)
         return (bit.byte == ScopeBit::Byte::Aux ? stepper::kInputBitNames : stepper::kStatusBitNames)[index];
@@ -132,7 +126,7 @@ QString bitName(const ScopeBit& bit, ModuleType type) {
 
 QString bitName(const ScopeBit& bit, const ScopeModule& module) {
     const std::string name =
-        module.isIo() ? PinSettings::of(module.pins.pins, pinOf(bit)).name : std::string();
+        module.isIo() ? PinSettings::of(module.pins.pins, bit.number()).name : std::string();
     return name.empty() ? bitName(bit, module.identity.type) : QString::fromStdString(name);
 }
 

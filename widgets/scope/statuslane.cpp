@@ -121,7 +121,7 @@ void StatusLane::renderTo(QPainter& painter) {
 }
 
 void StatusLane::paintBit(QPainter& painter, const ScopeBit& bit, const QRectF& row) const {
-    const unsigned mask = 1U << (bit.bit + (bit.byte == ScopeBit::Byte::Aux ? 8U : 0U));
+    const unsigned mask = 1U << bit.number();
     const double high = row.top() + 1.5;
     const double low = row.bottom() - 1.5;
     const bool needsServo = m_type == ModuleType::Servo && mask == kPosError;

@@ -161,6 +161,8 @@ struct ScopeBit {
     Byte byte = Byte::Status;
     std::uint8_t bit = 0;  ///< 0..7
 
+    /// In the word of both bytes, with the status in the low one; of a PIC-I/O, the pin, from 0.
+    [[nodiscard]] constexpr unsigned number() const { return bit + (byte == Byte::Aux ? 8U : 0U); }
     auto operator<=>(const ScopeBit&) const = default;
 };
 
