@@ -683,10 +683,6 @@
         <translation>ms</translation>
     </message>
     <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
-    </message>
-    <message>
         <source>time</source>
         <translation>tiempo</translation>
     </message>
@@ -6927,6 +6923,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Frequency</source>
         <translation>Frecuencia</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1 Hz)</translation>
     </message>
 </context>
 <context>

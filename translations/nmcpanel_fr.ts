@@ -683,10 +683,6 @@
         <translation>ms</translation>
     </message>
     <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1&#xa0;Hz)</translation>
-    </message>
-    <message>
         <source>time</source>
         <translation>temps</translation>
     </message>
@@ -6927,6 +6923,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Frequency</source>
         <translation>Fréquence</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1&#xa0;Hz)</translation>
     </message>
 </context>
 <context>

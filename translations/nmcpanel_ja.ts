@@ -683,10 +683,6 @@
         <translation>ms</translation>
     </message>
     <message>
-        <source> (%1 Hz)</source>
-        <translation> (%1 Hz)</translation>
-    </message>
-    <message>
         <source>time</source>
         <translation>時間</translation>
     </message>
@@ -6910,6 +6906,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Frequency</source>
         <translation>周波数</translation>
+    </message>
+    <message>
+        <source> (%1 Hz)</source>
+        <translation> (%1 Hz)</translation>
     </message>
 </context>
 <context>

@@ -189,14 +189,12 @@ void ModelBox::suggest() {
     m_about.reset();
     const int id = ++m_asked;
     if (const Found* found = this->found(); found != nullptr && found->motor) {
-        const int number = found->from;
-        const auto last = std::find_if(m_runs.begin(), m_runs.end(),
-                                       [number](const KeptResponse& kept) { return kept.number == number; });
+        const auto last = std::ranges::find(m_runs, found->from, &KeptResponse::number);
         if (last != m_runs.end()) {
             const auto part = [](const QSlider* slider) {
                 return static_cast<double>(slider->value()) / kSliderSteps;
             };
-            m_about = number;
+            m_about = found->from;
             m_fitted = found->motor->runs.back().points;
             emit m_requests.suggest(
                 {id,

@@ -210,8 +210,7 @@ void ResponsePage::showList() {
 
 void ResponsePage::nameRun(int number, const QString& name, const QString& note) {
     constexpr int kLongestName = 60, kLongestNote = 500;
-    const auto found = std::find_if(m_kept.begin(), m_kept.end(),
-                                    [number](const KeptResponse& kept) { return kept.number == number; });
+    const auto found = std::ranges::find(m_kept, number, &KeptResponse::number);
     if (found == m_kept.end())
         return;
     found->name = name.simplified().left(kLongestName).toStdString();

@@ -5,7 +5,6 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "model/tuning/predict.h"
@@ -16,6 +15,7 @@
 #include "widgets/common/words.h"
 #include "widgets/response/plotline.h"
 #include "widgets/scope/axisrange.h"
+#include "widgets/scope/cursortable.h"
 #include "widgets/scope/scopewords.h"
 #include "widgets/scope/timewindow.h"
 
@@ -309,11 +309,8 @@ std::vector<std::array<QString, 4>> ResponsePlot::readings() const {
     if (!cursors())
         return rows;
     const auto& [first, second] = *cursors();
-    const double between = second - first;
-    const QString frequency =
-        between == 0 ? QString() : Common::tr(" (%1 Hz)").arg(texts::readout(std::abs(1 / between)));
     rows.push_back({Common::tr("time"), texts::stretch(first), texts::stretch(second),
-                    texts::stretch(between) + frequency});
+                    CursorTable::between(*cursors())});
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         if (!m_curves[i])
             continue;

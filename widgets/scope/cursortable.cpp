@@ -77,7 +77,7 @@ const std::optional<StretchFigures>& CursorTable::figures(const ScopeStretch& st
 QString CursorTable::between(const CursorTimes& times) {
     const double between = times[1] - times[0];
     return texts::stretch(between) +
-           (between == 0.0 ? QString() : Common::tr(" (%1 Hz)").arg(texts::readout(std::abs(1 / between))));
+           (between == 0.0 ? QString() : tr(" (%1 Hz)").arg(texts::readout(std::abs(1 / between))));
 }
 
 bool CursorTable::showReadings(const ScopeStrips& strips, const History& history) {

@@ -21,7 +21,7 @@ public:
     /// Returns false if not everything is up to date yet, which needs another call. Each call evaluates at
     /// most one signal, however many samples it has.
     bool showReadings(const ScopeStrips& strips, const History& history);
-    /// How far apart the cursors are, in words.
+    /// How far apart cursors are, in words.
     [[nodiscard]] static QString between(const CursorTimes& times);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return {0, fontMetrics().height() * 4}; }
