@@ -4,7 +4,6 @@
 #include <QWidget>
 
 #include "widgets/common/filedialog.h"
-#include "widgets/messages/messagelines.h"
 
 class QCheckBox;
 class QComboBox;

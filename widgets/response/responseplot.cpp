@@ -14,10 +14,8 @@
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/response/plotline.h"
-#include "widgets/scope/axisrange.h"
 #include "widgets/scope/cursortable.h"
 #include "widgets/scope/scopewords.h"
-#include "widgets/scope/timewindow.h"
 
 namespace nmc {
 
