@@ -138,39 +138,29 @@ std::vector<double> PlotFrame::Axis::multiplesOf(double step) const {
     return multiples;
 }
 
-double PlotFrame::x(double seconds) const {
-    const QRectF area = plotArea();
-    return area.left() + (seconds - m_times.from) * area.width() / (m_times.to - m_times.from);
-}
-
-double PlotFrame::y(double value) const {
-    const QRectF area = plotArea();
-    return area.bottom() - (value - m_values.from) * area.height() / (m_values.to - m_values.from);
-}
-
 void PlotFrame::paintLines(QPainter& painter) const {
-    const QRectF area = plotArea();
+    const PlotGeometry at = geometry();
     painter.setPen(QPen(m_grid, 1));
     for (const double value : m_values.multiplesOf(m_values.interval))
-        painter.drawLine(QLineF(area.left(), y(value), area.right(), y(value)));
+        painter.drawLine(at.across(value));
     for (const double time : m_times.multiplesOf(m_times.interval))
-        painter.drawLine(QLineF(x(time), area.top(), x(time), area.bottom()));
+        painter.drawLine(at.down(time));
     painter.setPen(QPen(m_axes, 1));
-    painter.drawLine(QLineF(area.topLeft(), area.bottomLeft()));
-    painter.drawLine(QLineF(area.bottomLeft(), area.bottomRight()));
+    painter.drawLine(QLineF(at.area.topLeft(), at.area.bottomLeft()));
+    painter.drawLine(QLineF(at.area.bottomLeft(), at.area.bottomRight()));
 }
 
 void PlotFrame::paintNumbers(QPainter& painter) const {
-    const QRectF area = plotArea();
+    const PlotGeometry at = geometry();
     const double height = textHeight();
     painter.setPen(m_text);
     for (const double value : m_values.multiplesOf(m_values.interval))
         painter.drawText(
-            QRectF(area.left() - labelWidth(), y(value) - height / 2, labelWidth() - gap(), height),
+            QRectF(at.area.left() - labelWidth(), at.y(value) - height / 2, labelWidth() - gap(), height),
             Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, texts::numberAt(value, m_values.interval));
     const QString unit = m_timeUnit.isEmpty() ? QString() : u' ' + m_timeUnit;
     for (const double time : m_times.multiplesOf(m_labelInterval))
-        painter.drawText(QRectF(x(time) - 4 * height, area.bottom() + gap() / 2, 8 * height, height),
+        painter.drawText(QRectF(at.x(time) - 4 * height, at.area.bottom() + gap() / 2, 8 * height, height),
                          Qt::AlignHCenter | Qt::AlignTop, texts::numberAt(time, m_labelInterval) + unit);
 }
 

@@ -9,6 +9,8 @@
 #include <QString>
 #include <vector>
 
+#include "widgets/scope/tracedrawing.h"
+
 class QPainter;
 
 namespace nmc {
@@ -42,6 +44,9 @@ public:
     void setValueAxis(double bottom, double top, double interval);
 
     [[nodiscard]] QRectF plotArea() const;
+    [[nodiscard]] PlotGeometry geometry() const {
+        return {plotArea(), m_times.from, m_times.to, m_values.from, m_values.to};
+    }
     /// Width that the numbers to the left of the plot area need.
     [[nodiscard]] int labelWidth() const { return m_labelWidth; }
     /// Returns the picture for the screen.
@@ -74,8 +79,6 @@ private:
     void drawLegend(QPainter& painter, const std::vector<Placed>& entries) const;
     void paintLines(QPainter& painter) const;
     void paintNumbers(QPainter& painter) const;
-    [[nodiscard]] double x(double seconds) const;
-    [[nodiscard]] double y(double value) const;
     [[nodiscard]] double textHeight() const;
     [[nodiscard]] double gap() const;
 

@@ -41,7 +41,7 @@ void RecordPlot::fit() {
     const int columns = std::clamp(width() / (em * 5), 2, 10);
     const double division = TimeWindow::nice((view.right - view.left) / columns);
     m_frame.setTimeAxis(view.left, view.right, division, division);
-    m_geometry = {m_frame.plotArea(), view.left, view.right, range.min, range.max};
+    m_geometry = m_frame.geometry();
     update();
 }
 
