@@ -5,6 +5,7 @@
 
 #include "link/clock.h"
 #include "widgets/monitor/monitordock.h"
+#include "widgets/scope/scopepanel.h"
 #include "widgets/simulator/simulatordock.h"
 
 namespace nmc {
@@ -30,7 +31,7 @@ WindowUpdater::WindowUpdater(MainWindow& window, BusStore& store, BusWorker& wor
     connect(&m_store, &BusStore::linkChanged, this, &WindowUpdater::showLinkSoon);
     m_frameTimer.setInterval(kFrameIntervalMs);
     connect(&m_frameTimer, &QTimer::timeout, this, &WindowUpdater::showFrame);
-    connect(&m_window, &MainWindow::scopeFrameWanted, this, &WindowUpdater::showFrameSoon);
+    connect(&m_window.scope(), &ScopePanel::frameWanted, this, &WindowUpdater::showFrameSoon);
     m_figuresTimer.setInterval(kFiguresIntervalMs);
     connect(&m_figuresTimer, &QTimer::timeout, this, &WindowUpdater::showFigures);
 }
@@ -100,7 +101,7 @@ void WindowUpdater::showFrame() {
     const TimePoint now = m_worker.isOpen() ? monotonicNow() : history.end().value_or(TimePoint{});
     m_flight.keep(now);
     // A newer frame would only be computed twice for the strips that still wait to be painted.
-    if (!m_frameTimer.isActive() || !m_window.isPaintingScope())
+    if (!m_frameTimer.isActive() || !m_window.scope().isPainting())
         m_window.showHistory(history, now);
 }
 

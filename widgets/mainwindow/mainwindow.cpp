@@ -231,7 +231,6 @@ void MainWindow::connectParts() {
         m_panel, &ModulePanel::pageChanged, this, [this] { makeRoomForMotions(0); }, Qt::QueuedConnection);
     connect(m_simulator, &SimulatorDock::wantedChanged, this,
             [this](bool wanted) { m_settings.setValue(m_layouts->key(kSimulatorOpen), wanted); });
-    connect(m_scope, &ScopePanel::frameWanted, this, &MainWindow::scopeFrameWanted);
     connect(m_scope, &ScopePanel::setupChanged, this,
             [this](const ScopeSetup& setup) { m_settings.setValue(m_layouts->key(kScope), setup.toText()); });
     m_scope->presets().showPresets(m_settings.value(kScopePresets).toStringList());
@@ -701,10 +700,6 @@ void MainWindow::showHistory(const History& history, TimePoint now) {
     m_scope->showHistory(history, now);
     if (m_session.isOpen())
         showTime(now);
-}
-
-bool MainWindow::isPaintingScope() const {
-    return m_scope->isPainting();
 }
 
 void MainWindow::showTime(TimePoint now) {

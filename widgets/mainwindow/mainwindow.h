@@ -69,9 +69,8 @@ public:
     /// Call once a second.
     void showFigures(const LinkFigures& figures);
     /// Shows what the modules have reported so far. Call at most 60 times a second, and after
-    /// scopeFrameWanted().
+    /// ScopePanel::frameWanted().
     void showHistory(const History& history, TimePoint now);
-    [[nodiscard]] bool isPaintingScope() const;
     /// Updates the age of the last reports; showHistory() does so, too, while a port is open.
     void showTime(TimePoint now);
     /// Shows a record in the scope instead of the live samples, until the user goes back; opens the scope if
@@ -129,6 +128,7 @@ public:
     [[nodiscard]] SimulatorDock& simulator() { return *m_simulator; }
     /// The packets on the line.
     [[nodiscard]] MonitorDock& monitor() { return *m_monitor; }
+    [[nodiscard]] ScopePanel& scope() { return *m_scope; }
     /// Recording, opening a recording, and exporting.
     [[nodiscard]] ScopeFiles& scopeFiles();
     /// Empty while there is no module.
@@ -164,8 +164,6 @@ signals:
     /// The user has confirmed that positions and gains are lost.
     void restartNetworkRequested();
     void stopAllRequested();
-    /// The scope's display must change: showHistory() must be called soon, even if nothing has arrived.
-    void scopeFrameWanted();
     /// The user chose to stop and close; stopAllRequested() was emitted before. The owner answers with
     /// finishClose().
     void closeConfirmed();
