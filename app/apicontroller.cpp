@@ -59,8 +59,8 @@ constexpr int kRefused = -32000, kNoControl = -32001, kNotGreeted = -32002;
 }  // namespace
 
 ApiController::ApiController(const BusStore& store, BusWorker& worker, Connection& connection,
-                             Commander& commander, QObject* parent)
-    : QObject(parent), m_store(store), m_worker(worker), m_connection(connection), m_commander(commander) {
+                             Commander& commander)
+    : m_store(store), m_worker(worker), m_connection(connection), m_commander(commander) {
     connect(&m_server, &ApiServer::received, this, &ApiController::read);
     connect(&m_server, &ApiServer::vanished, this, &ApiController::gone);
     connect(&m_server, &ApiServer::overflowed, this, [this](Client client) {

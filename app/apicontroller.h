@@ -25,8 +25,7 @@ class ApiController : public QObject {
     Q_OBJECT
 
 public:
-    ApiController(const BusStore& store, BusWorker& worker, Connection& connection, Commander& commander,
-                  QObject* parent = nullptr);
+    ApiController(const BusStore& store, BusWorker& worker, Connection& connection, Commander& commander);
 
     /// Opens the socket for the port of the present connection, and of every later one.
     void letIn(bool on);

@@ -18,8 +18,8 @@ constexpr std::uint64_t kMostSamples = 500;  ///< of a module in one message
 
 }  // namespace
 
-ApiFeed::ApiFeed(const BusStore& store, ApiServer& server, std::function<Json()> state, QObject* parent)
-    : QObject(parent), m_store(store), m_server(server), m_state(std::move(state)) {
+ApiFeed::ApiFeed(const BusStore& store, ApiServer& server, std::function<Json()> state)
+    : m_store(store), m_server(server), m_state(std::move(state)) {
     m_pace.setInterval(kPublishInterval);
     m_pace.setSingleShot(true);
     connect(&m_pace, &QTimer::timeout, this, [this] {

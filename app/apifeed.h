@@ -22,8 +22,7 @@ class ApiFeed : public QObject {
 
 public:
     /// `state`: returns what the method of that name does.
-    ApiFeed(const BusStore& store, ApiServer& server, std::function<api::Json()> state,
-            QObject* parent = nullptr);
+    ApiFeed(const BusStore& store, ApiServer& server, std::function<api::Json()> state);
 
     /// Replaces what the client subscribed to before. The parameters have been checked.
     void subscribe(ApiServer::Client client, const api::Json& parameters);

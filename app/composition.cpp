@@ -36,9 +36,8 @@ PacketSession packetSession(const QString& port, bool simulated) {
 }  // namespace
 
 Composition::Composition(QSettings& settings, PortController::Places places, const QString& dataFolder,
-                         const FileWriter::Disk& disk, QObject* parent)
-    : QObject(parent),
-      m_settings(settings),
+                         const FileWriter::Disk& disk)
+    : m_settings(settings),
       m_folder(dataFolder.isEmpty() ? guardFolder(settings) : dataFolder),
       m_guardian(guardianPlace(settings)),
       m_window(settings),

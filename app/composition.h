@@ -39,8 +39,7 @@ public:
     /// `dataFolder`: holds unsaved work and records which motors move; empty: beside the settings. `disk`:
     /// can be replaced in tests.
     explicit Composition(QSettings& settings, PortController::Places places = {},
-                         const QString& dataFolder = {}, const FileWriter::Disk& disk = writeFile,
-                         QObject* parent = nullptr);
+                         const QString& dataFolder = {}, const FileWriter::Disk& disk = writeFile);
 
     /// Shows the window and does what the command line requests.
     void show(const Start& start);

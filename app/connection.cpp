@@ -34,13 +34,8 @@ bool isSimulator(const QString& port) {
 }  // namespace
 
 Connection::Connection(QSettings& settings, BusStore& store, BusWorker& worker, Commander& commander,
-                       PortController& ports, QObject* parent)
-    : QObject(parent),
-      m_settings(settings),
-      m_store(store),
-      m_worker(worker),
-      m_commander(commander),
-      m_ports(ports) {
+                       PortController& ports)
+    : m_settings(settings), m_store(store), m_worker(worker), m_commander(commander), m_ports(ports) {
     connect(&commander.procedures(), &ProcedureController::idle, this, &Connection::searchIfIdle);
     connect(&commander.sequences(), &SequenceController::reported, this,
             [this](const SequenceReport& report) {

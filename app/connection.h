@@ -23,7 +23,7 @@ class Connection : public QObject {
 
 public:
     Connection(QSettings& settings, BusStore& store, BusWorker& worker, Commander& commander,
-               PortController& ports, QObject* parent = nullptr);
+               PortController& ports);
 
     /// Creates the transport that opens a port, in the bus thread.
     using Transports = std::function<BusWorker::TransportFactory(const ConnectTarget&)>;

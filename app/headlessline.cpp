@@ -10,10 +10,8 @@
 
 namespace nmc {
 
-HeadlessLine::HeadlessLine(QSettings& settings, const Machine& machine, QObject* parent)
-    : QObject(parent),
-      m_guardian(guardianPlace(settings)),
-      m_connection(settings, m_store, m_worker, m_commander, m_ports) {
+HeadlessLine::HeadlessLine(QSettings& settings, const Machine& machine)
+    : m_guardian(guardianPlace(settings)), m_connection(settings, m_store, m_worker, m_commander, m_ports) {
     m_worker.addGuard(m_guardian);
     m_store.setMachine(machine);
     connect(&m_store, &BusStore::happened, this, &HeadlessLine::take);

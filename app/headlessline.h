@@ -24,7 +24,7 @@ class HeadlessLine : public QObject {
 
 public:
     /// `machine`: names, units and travel limits; nothing of it is sent to the modules.
-    HeadlessLine(QSettings& settings, const Machine& machine, QObject* parent = nullptr);
+    HeadlessLine(QSettings& settings, const Machine& machine);
 
     void open(const ConnectTarget& target);
     /// Stops the motors and closes; ended() follows.

@@ -16,8 +16,8 @@
 namespace nmc {
 
 LoopTestController::LoopTestController(MainWindow& window, const BusStore& store,
-                                       const ProcedureController& procedures, QObject* parent)
-    : QObject(parent), m_window(window), m_store(store) {
+                                       const ProcedureController& procedures)
+    : m_window(window), m_store(store) {
     connect(&procedures, &ProcedureController::reported, this, &LoopTestController::take);
 }
 

@@ -17,8 +17,7 @@ class LoopTestController : public QObject {
     Q_OBJECT
 
 public:
-    LoopTestController(MainWindow& window, const BusStore& store, const ProcedureController& procedures,
-                       QObject* parent = nullptr);
+    LoopTestController(MainWindow& window, const BusStore& store, const ProcedureController& procedures);
 
 private:
     void take(const ProcedureReport& report);

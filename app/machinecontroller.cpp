@@ -31,10 +31,8 @@ QString folderOr(const QString& folder, const QSettings& settings) {
 }  // namespace
 
 MachineController::MachineController(QSettings& settings, MainWindow& window, const BusStore& store,
-                                     const QString& unsavedFolder, const FileWriter::Disk& disk,
-                                     QObject* parent)
-    : QObject(parent),
-      m_settings(settings),
+                                     const QString& unsavedFolder, const FileWriter::Disk& disk)
+    : m_settings(settings),
       m_window(window),
       m_store(store),
       m_unsaved(folderOr(unsavedFolder, settings), disk),

@@ -24,8 +24,7 @@ class MachineController : public QObject {
 public:
     /// `unsavedFolder`: holds unsaved work; empty: beside the settings.
     MachineController(QSettings& settings, MainWindow& window, const BusStore& store,
-                      const QString& unsavedFolder, const FileWriter::Disk& disk = writeFile,
-                      QObject* parent = nullptr);
+                      const QString& unsavedFolder, const FileWriter::Disk& disk = writeFile);
     ~MachineController() override;
 
     [[nodiscard]] const Machine& machine() const { return m_machine; }

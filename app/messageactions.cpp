@@ -12,9 +12,8 @@ namespace nmc {
 
 MessageActions::MessageActions(MainWindow& window, BusStore& store, BusWorker& worker, Connection& connection,
                                PortController& ports, MachineController& machine, MotionKeeper& motions,
-                               FlightController& flight, MessageController& messages, QObject* parent)
-    : QObject(parent),
-      m_window(window),
+                               FlightController& flight, MessageController& messages)
+    : m_window(window),
       m_store(store),
       m_worker(worker),
       m_connection(connection),

@@ -20,7 +20,7 @@ class MessageActions : public QObject {
 public:
     MessageActions(MainWindow& window, BusStore& store, BusWorker& worker, Connection& connection,
                    PortController& ports, MachineController& machine, MotionKeeper& motions,
-                   FlightController& flight, MessageController& messages, QObject* parent = nullptr);
+                   FlightController& flight, MessageController& messages);
 
 signals:
     void intentRequested(nmc::ModuleIndex module, const nmc::Intent& intent);

@@ -17,9 +17,8 @@ namespace nmc {
 MessageController::MessageController(MainWindow& window, const BusStore& store,
                                      const ProcedureController& procedures, const PositionKeeper& positions,
                                      FlightController& flight, RecordingController& recordings,
-                                     const QString& logFolder, QObject* parent)
-    : QObject(parent),
-      m_window(window),
+                                     const QString& logFolder)
+    : m_window(window),
       m_store(store),
       m_procedures(procedures),
       m_flight(flight),

@@ -29,7 +29,7 @@ public:
     /// `logFolder` need not exist.
     MessageController(MainWindow& window, const BusStore& store, const ProcedureController& procedures,
                       const PositionKeeper& positions, FlightController& flight,
-                      RecordingController& recordings, const QString& logFolder, QObject* parent = nullptr);
+                      RecordingController& recordings, const QString& logFolder);
 
     /// Shows conditions that have begun, and ends those that are over. Call first for every event.
     void look();

@@ -85,9 +85,8 @@ bool isSamePort(const QString& a, const QString& b) {
 }  // namespace
 
 MotionKeeper::MotionKeeper(QString folder, FileWriter::Disk disk, BusStore& store, Commander& commander,
-                           MessageController& messages, QObject* parent)
-    : QObject(parent),
-      m_folder(std::move(folder)),
+                           MessageController& messages)
+    : m_folder(std::move(folder)),
       m_files(makingFolders(std::move(disk))),
       m_store(store),
       m_messages(messages) {

@@ -36,7 +36,7 @@ public:
 
     /// `folder` need not exist; it is created when something moves.
     MotionKeeper(QString folder, FileWriter::Disk disk, BusStore& store, Commander& commander,
-                 MessageController& messages, QObject* parent = nullptr);
+                 MessageController& messages);
 
     /// A port is being opened. `owns`: this session is responsible for what moves there. If not, in the
     /// simulator or on a read-only connection, nothing is written, and other sessions' entries are not

@@ -33,7 +33,7 @@ struct PathController::Reading {
     }
 };
 
-PathController::PathController(QObject* parent) : QObject(parent) {
+PathController::PathController() {
     connect(&m_job, &BackgroundJob::ended, this, &PathController::end);
 }
 

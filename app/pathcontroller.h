@@ -17,7 +17,7 @@ class PathController : public QObject {
     Q_OBJECT
 
 public:
-    explicit PathController(QObject* parent = nullptr);
+    PathController();
 
     /// The page receives the content, or the reason why the file cannot be read.
     void open(const QString& file, const std::vector<PathColumn>& axes, PathsPage& page);

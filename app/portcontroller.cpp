@@ -15,8 +15,8 @@ constexpr Duration kSlow = std::chrono::milliseconds(8);
 
 }  // namespace
 
-PortController::PortController(Places places, QObject* parent)
-    : QObject(parent), m_places(std::move(places)), m_watcher(m_places.list, m_places.devices) {
+PortController::PortController(Places places)
+    : m_places(std::move(places)), m_watcher(m_places.list, m_places.devices) {
     connect(&m_watcher, &PortWatcher::portsChanged, this, &PortController::look);
 }
 

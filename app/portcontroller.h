@@ -33,7 +33,7 @@ public:
         QString sysfs = QStringLiteral("/sys");
     };
 
-    explicit PortController(Places places, QObject* parent = nullptr);
+    explicit PortController(Places places);
 
     [[nodiscard]] QList<PortEntry> ports() { return m_watcher.ports(); }
     /// Returns false if another adapter is present than before; the user is asked first.

@@ -34,8 +34,8 @@ bool startsMoving(const RememberedPositions& now, const RememberedPositions& kep
 
 }  // namespace
 
-PositionKeeper::PositionKeeper(QString folder, BusStore& store, FileWriter::Disk disk, QObject* parent)
-    : QObject(parent), m_folder(std::move(folder)), m_store(store), m_files(makingFolders(std::move(disk))) {
+PositionKeeper::PositionKeeper(QString folder, BusStore& store, FileWriter::Disk disk)
+    : m_folder(std::move(folder)), m_store(store), m_files(makingFolders(std::move(disk))) {
     m_keepTimer.setSingleShot(true);
     m_keepTimer.setInterval(kKeepPositionsAfterMs);
     connect(&m_keepTimer, &QTimer::timeout, this, &PositionKeeper::keep);

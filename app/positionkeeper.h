@@ -21,8 +21,7 @@ class PositionKeeper : public QObject {
 
 public:
     /// `folder` need not exist.
-    PositionKeeper(QString folder, BusStore& store, FileWriter::Disk disk = writeFile,
-                   QObject* parent = nullptr);
+    PositionKeeper(QString folder, BusStore& store, FileWriter::Disk disk = writeFile);
     /// Stores the final rest position: a program that stops its motors and ends does so within a moment.
     ~PositionKeeper() override { keep(); }
 

@@ -44,8 +44,7 @@ QString standardIn(const QString& said) {
 
 }  // namespace
 
-Printing::Printing(MainWindow& window, QSettings& settings, QObject* parent)
-    : QObject(parent), m_window(window), m_settings(settings) {
+Printing::Printing(MainWindow& window, QSettings& settings) : m_window(window), m_settings(settings) {
     connect(&window.requests(), &Requests::print, this, &Printing::ask);
 }
 

@@ -20,7 +20,7 @@ class Printing : public QObject {
 
 public:
     /// `settings` stores the chosen printer.
-    Printing(MainWindow& window, QSettings& settings, QObject* parent = nullptr);
+    Printing(MainWindow& window, QSettings& settings);
 
 private:
     void ask(const QByteArray& pdf);

@@ -10,12 +10,8 @@
 namespace nmc {
 
 ProgramController::ProgramController(MainWindow& window, const BusStore& store, MachineController& machine,
-                                     Commander& commander, MessageController& messages, QObject* parent)
-    : QObject(parent),
-      m_window(window),
-      m_machine(machine),
-      m_sequences(commander.sequences()),
-      m_messages(messages) {
+                                     Commander& commander, MessageController& messages)
+    : m_window(window), m_machine(machine), m_sequences(commander.sequences()), m_messages(messages) {
     const Requests* requests = &m_window.requests();
     connect(requests, &Requests::programEdited, &m_machine, &MachineController::editProgram);
     connect(requests, &Requests::goToPoint, this,

@@ -18,7 +18,7 @@ class ProgramController : public QObject {
 
 public:
     ProgramController(MainWindow& window, const BusStore& store, MachineController& machine,
-                      Commander& commander, MessageController& messages, QObject* parent = nullptr);
+                      Commander& commander, MessageController& messages);
 
 private:
     void showRun(const SequenceReport& report);

@@ -18,9 +18,8 @@ constexpr int kClockMs = 500;
 
 }  // namespace
 
-RecordingController::RecordingController(MainWindow& window, const BusStore& store, FileWriter::Disk disk,
-                                         QObject* parent)
-    : QObject(parent), m_window(window), m_store(store), m_files(std::move(disk)) {
+RecordingController::RecordingController(MainWindow& window, const BusStore& store, FileWriter::Disk disk)
+    : m_window(window), m_store(store), m_files(std::move(disk)) {
     ScopeFiles& files = window.scopeFiles();
     connect(&files, &ScopeFiles::recordRequested, this, &RecordingController::start);
     connect(&files, &ScopeFiles::recordingEndRequested, this, &RecordingController::end);

@@ -19,8 +19,7 @@ class RecordingController : public QObject {
     Q_OBJECT
 
 public:
-    RecordingController(MainWindow& window, const BusStore& store, FileWriter::Disk disk = writeFile,
-                        QObject* parent = nullptr);
+    RecordingController(MainWindow& window, const BusStore& store, FileWriter::Disk disk = writeFile);
 
     /// Adds a note for readers of the recording.
     void note(const QString& text);

@@ -56,8 +56,8 @@ FileWriter::Disk sparing(FileWriter::Disk disk) {
 
 }  // namespace
 
-RunKeeper::RunKeeper(QString folder, MainWindow& window, FileWriter::Disk disk, QObject* parent)
-    : QObject(parent), m_folder(std::move(folder)), m_window(window), m_files(sparing(std::move(disk))) {
+RunKeeper::RunKeeper(QString folder, MainWindow& window, FileWriter::Disk disk)
+    : m_folder(std::move(folder)), m_window(window), m_files(sparing(std::move(disk))) {
     connect(&window.requests(), &Requests::storeRuns, this, &RunKeeper::keep);
     connect(&m_loading, &BackgroundJob::ended, this, &RunKeeper::loaded);
 }

@@ -24,8 +24,7 @@ class RunKeeper : public QObject {
 
 public:
     /// `folder` need not exist.
-    RunKeeper(QString folder, MainWindow& window, FileWriter::Disk disk = writeFile,
-              QObject* parent = nullptr);
+    RunKeeper(QString folder, MainWindow& window, FileWriter::Disk disk = writeFile);
 
     /// Another machine was loaded; `file`: the machine's file; empty: it has none.
     void open(const QString& file, const Machine& machine);

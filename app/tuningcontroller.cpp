@@ -9,8 +9,7 @@
 
 namespace nmc {
 
-TuningController::TuningController(MainWindow& window, QObject* parent)
-    : QObject(parent), m_dock(window.stepResponses()) {
+TuningController::TuningController(MainWindow& window) : m_dock(window.stepResponses()) {
     connect(&window.requests(), &Requests::identify, this, &TuningController::identify);
     connect(&window.requests(), &Requests::suggest, this, &TuningController::suggest);
     connect(&m_searching, &BackgroundJob::ended, this,

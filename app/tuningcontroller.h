@@ -20,7 +20,7 @@ class TuningController : public QObject {
     Q_OBJECT
 
 public:
-    explicit TuningController(MainWindow& window, QObject* parent = nullptr);
+    explicit TuningController(MainWindow& window);
 
 private:
     struct Search {

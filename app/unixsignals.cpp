@@ -41,7 +41,7 @@ void handle(void (*handler)(int)) {
 
 }  // namespace
 
-UnixSignals::UnixSignals(BusWorker* worker, QObject* parent) : QObject(parent) {
+UnixSignals::UnixSignals(BusWorker* worker) {
     static const Wakeup wakeup;
     g_wakeup = &wakeup;
     g_worker = worker;

@@ -15,7 +15,7 @@ class UnixSignals : public QObject {
 
 public:
     /// `worker` must outlive the object; null: there are no motors to stop.
-    explicit UnixSignals(BusWorker* worker, QObject* parent = nullptr);
+    explicit UnixSignals(BusWorker* worker);
     ~UnixSignals() override;
 
 signals:

@@ -19,13 +19,8 @@ constexpr int kReadableMs = 64;
 }  // namespace
 
 WindowUpdater::WindowUpdater(MainWindow& window, BusStore& store, BusWorker& worker, Commander& commander,
-                             FlightController& flight, QObject* parent)
-    : QObject(parent),
-      m_window(window),
-      m_store(store),
-      m_worker(worker),
-      m_commander(commander),
-      m_flight(flight) {
+                             FlightController& flight)
+    : m_window(window), m_store(store), m_worker(worker), m_commander(commander), m_flight(flight) {
     m_linkTimer.setSingleShot(true);
     connect(&m_linkTimer, &QTimer::timeout, this, &WindowUpdater::showLink);
     connect(&m_store, &BusStore::linkChanged, this, &WindowUpdater::showLinkSoon);

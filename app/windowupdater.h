@@ -23,7 +23,7 @@ class WindowUpdater : public QObject {
 
 public:
     WindowUpdater(MainWindow& window, BusStore& store, BusWorker& worker, Commander& commander,
-                  FlightController& flight, QObject* parent = nullptr);
+                  FlightController& flight);
 
     /// A connection is being opened.
     void begin();
