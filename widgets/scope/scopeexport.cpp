@@ -18,6 +18,7 @@
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/scope/scopestrips.h"
+#include "widgets/scope/scopewords.h"
 
 namespace nmc {
 
@@ -27,10 +28,6 @@ namespace {
 
 /// Larger numbers of samples are exported only to a file.
 constexpr std::uint64_t kMaxForClipboard = 5'000;
-
-class ExportTexts {
-    Q_DECLARE_TR_FUNCTIONS(Scope)
-};
 
 enum Form { Long, Sparse, Even };
 
@@ -64,9 +61,9 @@ SeenHistory seenOf(const ScopeStrips& strips, const History& history, int form =
 
 /// In the order of Form.
 QStringList csvForms() {
-    return {ExportTexts::tr("One row per reply, can be reopened here (*.csv)"),
-            ExportTexts::tr("One column per signal, for other programs only (*.csv)"),
-            ExportTexts::tr("One column per signal, every millisecond, for other programs only (*.csv)")};
+    return {ScopeTexts::tr("One row per reply, can be reopened here (*.csv)"),
+            ScopeTexts::tr("One column per signal, for other programs only (*.csv)"),
+            ScopeTexts::tr("One column per signal, every millisecond, for other programs only (*.csv)")};
 }
 
 /// Only the long form can be opened here again; the panel says so when another one is opened
@@ -100,14 +97,14 @@ std::string fewSamples(const SeenHistory& seen, const std::vector<ScopeModule>& 
 
 QStringList captionOf(const ScopeOrigin& origin, const QString& title, double left) {
     const QString program = Common::tr("NMC Panel %1").arg(QCoreApplication::applicationVersion()).trimmed();
-    QStringList words{title.isEmpty() ? program : ExportTexts::tr("%1, by %2").arg(title, program)};
+    QStringList words{title.isEmpty() ? program : ScopeTexts::tr("%1, by %2").arg(title, program)};
     words << texts::portName(origin.port);
     if (origin.simulated)
         words << Common::tr("SIMULATOR, no real motor moved");
     words.removeAll(QString());
     QStringList lines{words.join(u" · "_s)};
     if (origin.zero.isValid())
-        lines << ExportTexts::tr("From %1; 0 s is %2")
+        lines << ScopeTexts::tr("From %1; 0 s is %2")
                      .arg(isoDate(origin.zero.addMSecs(qRound64(left * 1e3))), isoDate(origin.zero));
     return lines;
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scope/scopemoves.h"
 
-#include <QCoreApplication>
-
 #include "widgets/common/plots.h"
 #include "widgets/scope/scopestrips.h"
+#include "widgets/scope/scopewords.h"
 
 namespace nmc {
 
@@ -13,10 +12,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr double kKeyPan = 0.1;  ///< share of the visible range
-
-class MoveTexts {
-    Q_DECLARE_TR_FUNCTIONS(Scope)
-};
 
 using Move = std::function<void(ScopeStrips&)>;
 
@@ -53,23 +48,23 @@ QList<QAction*> newScopeMoves(QObject* parent, const std::function<void(const Mo
         QObject::connect(action, &QAction::triggered, parent, [carryOut, move] { carryOut(move); });
         actions << action;
     };
-    add(u"scopeZoomInAction"_s, MoveTexts::tr("Zoom in"),
+    add(u"scopeZoomInAction"_s, ScopeTexts::tr("Zoom in"),
         {QKeySequence(Qt::Key_Plus), QKeySequence(Qt::Key_Equal)}, zoom(1 / kKeyZoom));
-    add(u"scopeZoomOutAction"_s, MoveTexts::tr("Zoom out"), {QKeySequence(Qt::Key_Minus)}, zoom(kKeyZoom));
-    add(u"scopeBackAction"_s, MoveTexts::tr("Earlier"), {QKeySequence(Qt::Key_Left)}, pan(-kKeyPan));
-    add(u"scopeForwardAction"_s, MoveTexts::tr("Later"), {QKeySequence(Qt::Key_Right)}, pan(kKeyPan));
-    add(u"scopePresentAction"_s, MoveTexts::tr("Go to live"), {QKeySequence(Qt::Key_End)},
+    add(u"scopeZoomOutAction"_s, ScopeTexts::tr("Zoom out"), {QKeySequence(Qt::Key_Minus)}, zoom(kKeyZoom));
+    add(u"scopeBackAction"_s, ScopeTexts::tr("Earlier"), {QKeySequence(Qt::Key_Left)}, pan(-kKeyPan));
+    add(u"scopeForwardAction"_s, ScopeTexts::tr("Later"), {QKeySequence(Qt::Key_Right)}, pan(kKeyPan));
+    add(u"scopePresentAction"_s, ScopeTexts::tr("Go to live"), {QKeySequence(Qt::Key_End)},
         [](ScopeStrips& strips) { strips.time().roll(); });
-    add(u"scopeUpAction"_s, MoveTexts::tr("Values up"), {QKeySequence(Qt::Key_Up)}, panValues(kKeyPan));
-    add(u"scopeDownAction"_s, MoveTexts::tr("Values down"), {QKeySequence(Qt::Key_Down)},
+    add(u"scopeUpAction"_s, ScopeTexts::tr("Values up"), {QKeySequence(Qt::Key_Up)}, panValues(kKeyPan));
+    add(u"scopeDownAction"_s, ScopeTexts::tr("Values down"), {QKeySequence(Qt::Key_Down)},
         panValues(-kKeyPan));
-    add(u"scopeValuesInAction"_s, MoveTexts::tr("Zoom values in"), {QKeySequence(Qt::CTRL | Qt::Key_Plus)},
+    add(u"scopeValuesInAction"_s, ScopeTexts::tr("Zoom values in"), {QKeySequence(Qt::CTRL | Qt::Key_Plus)},
         zoomValues(1 / kKeyZoom));
-    add(u"scopeValuesOutAction"_s, MoveTexts::tr("Zoom values out"), {QKeySequence(Qt::CTRL | Qt::Key_Minus)},
-        zoomValues(kKeyZoom));
-    add(u"scopeFitAction"_s, MoveTexts::tr("Fit the values"), {QKeySequence(Qt::Key_A)},
+    add(u"scopeValuesOutAction"_s, ScopeTexts::tr("Zoom values out"),
+        {QKeySequence(Qt::CTRL | Qt::Key_Minus)}, zoomValues(kKeyZoom));
+    add(u"scopeFitAction"_s, ScopeTexts::tr("Fit the values"), {QKeySequence(Qt::Key_A)},
         [](ScopeStrips& strips) { strips.fitValues(); });
-    add(u"scopeEverythingAction"_s, MoveTexts::tr("Show everything"), {QKeySequence(Qt::Key_Home)},
+    add(u"scopeEverythingAction"_s, ScopeTexts::tr("Show everything"), {QKeySequence(Qt::Key_Home)},
         [](ScopeStrips& strips) { emit strips.everythingWanted(); });
     return actions;
 }

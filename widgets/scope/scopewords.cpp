@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scope/scopewords.h"
 
-#include <QCoreApplication>
 #include <array>
 #include <cmath>
 
@@ -12,10 +11,6 @@
 namespace nmc {
 
 namespace {
-
-class SignalTexts {
-    Q_DECLARE_TR_FUNCTIONS(Scope)
-};
 
 std::string_view sheetName(const ScopeBit& bit, ModuleType type) {
     const auto index = static_cast<std::size_t>(bit.bit);
@@ -38,30 +33,30 @@ QString signalName(ScopeSignal signal) {
         case ScopeSignal::Position:
             return Common::tr("position");
         case ScopeSignal::Command:
-            return SignalTexts::tr("command, calculated");
+            return ScopeTexts::tr("command, calculated");
         case ScopeSignal::Error:
-            return SignalTexts::tr("error, calculated");
+            return ScopeTexts::tr("error, calculated");
         case ScopeSignal::Velocity:
-            return SignalTexts::tr("velocity");
+            return ScopeTexts::tr("velocity");
         case ScopeSignal::Analog:
             return Common::tr("A/D");
         case ScopeSignal::Acceleration:
-            return SignalTexts::tr("acceleration");
+            return ScopeTexts::tr("acceleration");
         case ScopeSignal::Pwm:
-            return SignalTexts::tr("PWM, calculated");
+            return ScopeTexts::tr("PWM, calculated");
         case ScopeSignal::Analog2:
-            return SignalTexts::tr("A/D 2");
+            return ScopeTexts::tr("A/D 2");
         case ScopeSignal::Analog3:
-            return SignalTexts::tr("A/D 3");
+            return ScopeTexts::tr("A/D 3");
         case ScopeSignal::Counter:
-            return SignalTexts::tr("count");
+            return ScopeTexts::tr("count");
         case ScopeSignal::CountRate:
-            return SignalTexts::tr("count rate");
+            return ScopeTexts::tr("count rate");
         case ScopeSignal::Custom1:
         case ScopeSignal::Custom2:
         case ScopeSignal::Custom3:
         case ScopeSignal::Custom4:
-            return SignalTexts::tr("custom trace %1").arg(*customIndex(signal) + 1);
+            return ScopeTexts::tr("custom trace %1").arg(*customIndex(signal) + 1);
     }
     return {};
 }
@@ -89,9 +84,9 @@ QString signalUnit(ScopeSignal signal, const ScopeModule& module) {
         case SignalInfo::Unit::Pwm:
             return Common::tr("of 255");
         case SignalInfo::Unit::Count:
-            return SignalTexts::tr("counts");
+            return ScopeTexts::tr("counts");
         case SignalInfo::Unit::CountRate:
-            return SignalTexts::tr("counts/s");
+            return ScopeTexts::tr("counts/s");
         case SignalInfo::Unit::Custom:
             return module.customOf(signal) != nullptr ? module.customOf(signal)->unit : QString();
     }
@@ -116,7 +111,7 @@ QString numberAt(double value, double step) {
 
 QString stretch(double seconds) {
     return std::abs(seconds) < 1 ? Common::tr("%1 ms").arg(readout(seconds * 1e3))
-                                 : SignalTexts::tr("%1 s").arg(readout(seconds));
+                                 : ScopeTexts::tr("%1 s").arg(readout(seconds));
 }
 
 QString bitName(const ScopeBit& bit, ModuleType type) {

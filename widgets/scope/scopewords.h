@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QCoreApplication>
 #include <QString>
 #include <vector>
 
@@ -32,6 +33,11 @@ namespace nmc::texts {
 }  // namespace nmc::texts
 
 namespace nmc {
+
+/// For texts of the scope that belong to none of its classes.
+class ScopeTexts {
+    Q_DECLARE_TR_FUNCTIONS(Scope)
+};
 
 /// All bits that have a name.
 [[nodiscard]] std::vector<ScopeBit> laneBits(ModuleType type);
