@@ -420,9 +420,8 @@ std::vector<ModuleState> MachineController::modules() const {
 
 std::vector<ModuleIdentity> MachineController::chain() const {
     std::vector<ModuleIdentity> identities;
-    if (m_store.link().phase == LinkPhase::Connected)
-        for (const ModuleState& module : m_store.link().modules)
-            identities.push_back(module.info.identity);
+    for (const ModuleState& module : modules())
+        identities.push_back(module.info.identity);
     return identities;
 }
 

@@ -35,20 +35,17 @@ const AxisRange::Range& AxisRange::fit(double low, double high, double seconds, 
         const double room = 0.1 * (high - low);
         m_range =
             around(low < m_range.min ? low - room : low, high > m_range.max ? high + room : high, smallest);
-        m_small = false;
+        m_smallSince.reset();
         return m_range;
     }
     const Range tight = around(low, high, smallest);
     if (tight.max - tight.min > kMuchSmaller * (m_range.max - m_range.min)) {
-        m_small = false;
-        return m_range;
-    }
-    if (!m_small) {
-        m_small = true;
+        m_smallSince.reset();
+    } else if (!m_smallSince) {
         m_smallSince = seconds;
-    } else if (seconds - m_smallSince > kShrinkDelay) {
+    } else if (seconds - *m_smallSince > kShrinkDelay) {
         m_range = tight;
-        m_small = false;
+        m_smallSince.reset();
     }
     return m_range;
 }

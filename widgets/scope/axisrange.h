@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 namespace nmc {
 
 /// An axis range that does not jump: it grows at once, in whole divisions, and shrinks only when the visible
@@ -31,8 +33,7 @@ public:
 private:
     Range m_range;
     bool m_set = false;
-    double m_smallSince = 0;
-    bool m_small = false;
+    std::optional<double> m_smallSince;  ///< s, since when the values have spanned much less
 };
 
 }  // namespace nmc
