@@ -37,7 +37,7 @@ void LoopTestController::followSteps(const ProcedureReport& report) {
         return;
     if (std::exchange(m_steps[report.module], *report.step) != *report.step)
         if (const auto run = recordOf(*module, *report.step))
-            m_window.showResponse(*run);
+            m_window.stepResponses().showRun(*run);
     if (report.kind == ProcedureKind::StepSeries && report.stage == ProcedureStage::Done &&
         !report.step->isMove())
         m_window.stepResponses().page().model().find(report.module);

@@ -103,7 +103,7 @@ protected:
         for (int ms = 1; ms < 100; ++ms)
             kept.run.points.push_back({ms / 1e3, ms < 10 ? 10.0 * ms : 100.0});
         kept.startedAt = "2026-11-21T21:21:0" + std::to_string(module.value()) + "+01:00";
-        panel->window().showResponse(kept);
+        panel->window().stepResponses().showRun(kept);
     }
     /// Saves home where the module stands, at counter 0.
     void saveHomeOf(ModuleIndex module) {

@@ -34,7 +34,7 @@ protected:
         kept.moduleName = "Module 2";
         kept.axisName = panel.composition().machine().axis(ModuleIndex(1)).name;
         kept.port = "simulator";
-        panel.window().showResponse(kept);
+        panel.window().stepResponses().showRun(kept);
     }
     [[nodiscard]] static std::size_t listed(VirtualPanel& panel) {
         return panel.window().stepResponses().runs().size();

@@ -224,7 +224,7 @@ TEST_F(LoopTestsInTheWindow, AReportSaysWithWhichGainsAndWhereEachPartWasMeasure
     openWith();
     KeptResponse run = ramp();
     run.run.taken.gains.kp = 77;
-    window->showResponse(run);
+    window->stepResponses().showRun(run);
     ProcedureReport r;
     r.kind = ProcedureKind::FrequencyResponse;
     r.stage = ProcedureStage::Done;

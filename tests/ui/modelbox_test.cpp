@@ -43,7 +43,7 @@ protected:
         return tasks.isEmpty() ? SuggestionTask{} : tasks.last().at(0).value<SuggestionTask>();
     }
     void find() {
-        window->showResponse(ramp());
+        window->stepResponses().showRun(ramp());
         click(u"identifyButton"_s);
         model().showMotor(ModuleIndex(0), motor());
     }
@@ -56,7 +56,7 @@ protected:
     void showStepBy(int counts) {
         KeptResponse run = ramp(counts);
         run.run.taken.goal = run.run.taken.from + counts;
-        window->showResponse(run);
+        window->stepResponses().showRun(run);
     }
     /// A motor whose gain is known to 21 %.
     [[nodiscard]] static Identified uncertain() {
@@ -76,10 +76,10 @@ protected:
 
 TEST_F(ModelPage, LooksIntoTheLastFiveRunsOfTheSelectedModule) {
     EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled());
-    window->showResponse(ramp(100, 1));
+    window->stepResponses().showRun(ramp(100, 1));
     EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled()) << "the run is of another module";
     for (int i = 0; i < 7; ++i)
-        window->showResponse(ramp(100 + i));
+        window->stepResponses().showRun(ramp(100 + i));
     click(u"identifyButton"_s);
     ASSERT_EQ(wanted.size(), 1);
     const auto runs = wanted.at(0).at(1).value<std::vector<ResponseRecord>>();
@@ -242,7 +242,7 @@ TEST_F(ModelPage, EachFailureHasASentenceOfItsOwn) {
          {IdentifyFailure::TooFewSamples, IdentifyFailure::DoesNotMove, IdentifyFailure::WrongWay,
           IdentifyFailure::Oscillates, IdentifyFailure::NotExplained, IdentifyFailure::Play,
           IdentifyFailure::Obstacle, IdentifyFailure::GainUnclear, IdentifyFailure::TimeConstantUnclear}) {
-        window->showResponse(ramp());
+        window->stepResponses().showRun(ramp());
         click(u"identifyButton"_s);
         model().showMotor(ModuleIndex(0), tl::unexpected(failure));
         sentences << text(u"motorModel"_s);
@@ -280,21 +280,21 @@ TEST_F(ModelPage, GainsThatAreTriedSuggestNoOthers) {
 }
 
 TEST_F(ModelPage, AMotorOfTheLastConnectionThatComesLateIsNotShown) {
-    window->showResponse(ramp());
+    window->stepResponses().showRun(ramp());
     click(u"identifyButton"_s);
     window->showLink(LinkState{});
     showServo();
     settle();
     model().showMotor(ModuleIndex(0), motor());
     EXPECT_TRUE(text(u"motorModel"_s).isEmpty());
-    window->showResponse(ramp());
+    window->stepResponses().showRun(ramp());
     EXPECT_TRUE(button(u"identifyButton"_s)->isEnabled()) << "it is not waited for any more";
 }
 
 /// The simulator, for example, and then a real motor at the same place in its chain.
 TEST_F(ModelPage, TakesNoRunsOfAnEarlierConnection) {
-    window->showResponse(ramp(100));
-    window->showResponse(ramp(110));
+    window->stepResponses().showRun(ramp(100));
+    window->stepResponses().showRun(ramp(110));
     find<QTableWidget>(u"responseRunTable"_s)->setCurrentCell(0, 2);
     click(u"responseRemoveButton"_s);
     window->showLink(LinkState{});
@@ -303,7 +303,7 @@ TEST_F(ModelPage, TakesNoRunsOfAnEarlierConnection) {
     click(u"responsePutBackButton"_s);
     EXPECT_EQ(window->stepResponses().runs().size(), 2U);
     EXPECT_FALSE(button(u"identifyButton"_s)->isEnabled());
-    window->showResponse(ramp(120));
+    window->stepResponses().showRun(ramp(120));
     click(u"identifyButton"_s);
     ASSERT_EQ(wanted.size(), 1);
     const auto runs = wanted.at(0).at(1).value<std::vector<ResponseRecord>>();

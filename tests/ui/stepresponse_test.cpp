@@ -149,7 +149,7 @@ TEST_F(Responses, WhatTheShortcutMovesComesInSight) {
 /// It settles within 10 ms, in a record of 100 ms.
 TEST_F(Responses, ThePlotShowsTheTransientOrByADoubleClickAll) {
     openWith();
-    window->showResponse(ramp());
+    window->stepResponses().showRun(ramp());
     auto* plot = find<ResponsePlot>(u"responsePlot"_s);
     const auto place = [plot](double seconds) {
         return plot->geometryShown().at(seconds, 0).x() / plot->width();
@@ -165,7 +165,7 @@ TEST_F(Responses, ThePlotShowsTheTransientOrByADoubleClickAll) {
 TEST_F(Responses, AllRunsAreLaidBelowWhenThatIsTicked) {
     openWith();
     for (const double there : {100.0, 100.0, 140.0})
-        window->showResponse(ramp(there));
+        window->stepResponses().showRun(ramp(there));
     tick(1, 0);
     auto* plot = find<ResponsePlot>(u"responsePlot"_s);
     const QImage two = plot->grab().toImage();
@@ -250,7 +250,7 @@ TEST_F(Responses, AreMadeOneAtATime) {
 
 TEST_F(Responses, TellWhatARunComesTo) {
     openWith();
-    window->showResponse(ramp(120));
+    window->stepResponses().showRun(ramp(120));
     EXPECT_EQ(result(0), u"1"_s);
     // 120 counts in 10 ms: from 10 to 90 counts in 6.67 ms, known to one sample and the ticks of both ends.
     EXPECT_TRUE(result(1).startsWith(u"6.7 ± 1.6 ms"_s)) << result(1).toStdString();
@@ -266,23 +266,23 @@ TEST_F(Responses, TellWhatARunComesTo) {
     EXPECT_EQ(result(1, 1), u"–"_s) << "there is no B";
     KeptResponse limited = ramp();
     limited.run.pwm = PwmDemand{429, 255};
-    window->showResponse(limited);
+    window->stepResponses().showRun(limited);
     EXPECT_EQ(result(6), u"limited to 255"_s);
     limited.run.pwm = PwmDemand{23, 255};
-    window->showResponse(limited);
+    window->stepResponses().showRun(limited);
     EXPECT_EQ(result(6), u"at least 23"_s);
 }
 
 TEST_F(Responses, ANewRunIsComparedWithTheOneBefore) {
     openWith();
-    window->showResponse(ramp(100));
+    window->stepResponses().showRun(ramp(100));
     EXPECT_TRUE(ticked(0, 0));
     EXPECT_EQ(result(0, 1), u"–"_s);
-    window->showResponse(ramp(110));
+    window->stepResponses().showRun(ramp(110));
     EXPECT_EQ(listed(0, 2), u"2"_s) << "newest first";
     EXPECT_TRUE(ticked(0, 0) && !ticked(0, 1));
     EXPECT_TRUE(!ticked(1, 0) && ticked(1, 1));
-    window->showResponse(ramp(120));
+    window->stepResponses().showRun(ramp(120));
     EXPECT_EQ(result(0, 0), u"3"_s);
     EXPECT_EQ(result(0, 1), u"1"_s) << "the run to compare with stays";
     EXPECT_EQ(result(2, 0), u"21.5 ± 2.0 %"_s);
@@ -298,7 +298,7 @@ TEST_F(Responses, ANewRunIsComparedWithTheOneBefore) {
 TEST_F(Responses, TheBoxesSayWhichTwoAreDrawn) {
     openWith();
     for (const double there : {100, 110, 120})
-        window->showResponse(ramp(there));
+        window->stepResponses().showRun(ramp(there));
     tick(1, 0);
     EXPECT_EQ(result(0, 0), u"2"_s);
     EXPECT_FALSE(ticked(0, 0)) << "there is only one A";
@@ -317,7 +317,7 @@ TEST_F(Responses, TheBoxesSayWhichTwoAreDrawn) {
 TEST_F(Responses, AnotherBandJudgesAllRunsAnew) {
     openWith();
     type(u"responseBandField"_s, u"20"_s);
-    window->showResponse(inTwoStages());
+    window->stepResponses().showRun(inTwoStages());
     EXPECT_TRUE(result(3).startsWith(u"9"_s) || result(3).startsWith(u"10"_s)) << result(3).toStdString();
     type(u"responseBandField"_s, u"5"_s);
     EXPECT_TRUE(result(3).startsWith(u"29"_s) || result(3).startsWith(u"30"_s)) << result(3).toStdString();
@@ -332,7 +332,7 @@ TEST_F(Responses, GainsGoBackIntoTheFieldsUnsent) {
     KeptResponse run = ramp();
     run.run.taken.gains.kp = 77;
     run.run.taken.gains.kd = 770;
-    window->showResponse(run);
+    window->stepResponses().showRun(run);
     EXPECT_EQ(reason(u"responseUseGainsButton"_s), u"Select a run in the list first."_s);
     table()->setCurrentCell(0, 2);
     find<QTabWidget>(u"servoPages"_s)->setCurrentIndex(2);
@@ -351,7 +351,7 @@ TEST_F(Responses, GainsGoBackIntoTheFieldsUnsent) {
 TEST_F(Responses, GainsAreForTheModuleOfTheRun) {
     showServos({{.held = true}, {.held = true}});
     open();
-    window->showResponse(ramp(100, 1));
+    window->stepResponses().showRun(ramp(100, 1));
     table()->setCurrentCell(0, 2);
     EXPECT_EQ(reason(u"responseUseGainsButton"_s),
               u"This run belongs to Module 2. Select that module first."_s);
@@ -364,15 +364,15 @@ TEST_F(Responses, RemoveTakesARunOffTheList) {
     openWith();
     EXPECT_FALSE(reason(u"responseRemoveButton"_s).isEmpty());
     EXPECT_FALSE(reason(u"responseExportButton"_s).isEmpty());
-    window->showResponse(ramp(100));
-    window->showResponse(ramp(110));
+    window->stepResponses().showRun(ramp(100));
+    window->stepResponses().showRun(ramp(110));
     table()->setCurrentCell(0, 2);
     click(u"responseRemoveButton"_s);
     ASSERT_EQ(table()->rowCount(), 1);
     EXPECT_EQ(listed(0, 2), u"1"_s);
     EXPECT_EQ(result(0, 0), u"–"_s);
     EXPECT_EQ(result(0, 1), u"1"_s);
-    window->showResponse(ramp(110));
+    window->stepResponses().showRun(ramp(110));
     EXPECT_EQ(listed(0, 2), u"3"_s) << "a number stands for one run";
 }
 
@@ -380,7 +380,7 @@ TEST_F(Responses, WhatWasRemovedCanBePutBack) {
     openWith();
     EXPECT_EQ(reason(u"responsePutBackButton"_s), u"No run was removed."_s);
     for (const double there : {100, 110, 120})
-        window->showResponse(ramp(there));
+        window->stepResponses().showRun(ramp(there));
     for (const int row : {1, 1}) {  // 2, then 1
         table()->setCurrentCell(row, 2);
         click(u"responseRemoveButton"_s);
@@ -399,8 +399,8 @@ TEST_F(Responses, WhatWasRemovedCanBePutBack) {
 
 TEST_F(Responses, ARunCanHaveANameAndANote) {
     openWith();
-    window->showResponse(ramp(100));
-    window->showResponse(ramp(110));
+    window->stepResponses().showRun(ramp(100));
+    window->stepResponses().showRun(ramp(110));
     QSignalSpy changes(&window->requests(), &Requests::storeRuns);
     const auto write = [this](int row, int column, const QString& words) {
         table()->setFocus();
@@ -425,14 +425,14 @@ TEST_F(Responses, ARunCanHaveANameAndANote) {
 /// The row moves down by one while the user types in it.
 TEST_F(Responses, ANewRunDoesNotTakeTheNameThatIsBeingWritten) {
     openWith();
-    window->showResponse(ramp(100));
+    window->stepResponses().showRun(ramp(100));
     table()->setFocus();
     table()->setCurrentCell(0, 3);
     QTest::keyClick(table(), Qt::Key_F2);
     auto* editor = table()->findChild<QLineEdit*>();
     ASSERT_NE(editor, nullptr);
     QTest::keyClicks(editor, u"so"_s);
-    window->showResponse(ramp(110));
+    window->stepResponses().showRun(ramp(110));
     QTest::keyClicks(editor, u"ft"_s);
     QTest::keyClick(editor, Qt::Key_Return);
     EXPECT_TRUE(eventually([&] { return listed(1, 3) == u"soft"_s; }));
@@ -442,7 +442,7 @@ TEST_F(Responses, ANewRunDoesNotTakeTheNameThatIsBeingWritten) {
 /// The file is read when a run has already been made.
 TEST_F(Responses, KeptRunsComeBelowThoseThatAreThere) {
     openWith();
-    window->showResponse(ramp(110));
+    window->stepResponses().showRun(ramp(110));
     std::vector<KeptResponse> kept{ramp(100), ramp(120)};
     kept[0].number = 1;
     kept[0].name = "old";
@@ -467,7 +467,7 @@ TEST_F(Responses, KeptRunsComeBelowThoseThatAreThere) {
 TEST_F(Responses, TheListKeepsTheLastHundredAndWhatIsShown) {
     openWith();
     for (int i = 0; i < 103; ++i)
-        window->showResponse(ramp());
+        window->stepResponses().showRun(ramp());
     ASSERT_EQ(table()->rowCount(), 100);
     EXPECT_EQ(listed(0, 2), u"103"_s);
     EXPECT_EQ(listed(98, 2), u"5"_s);
@@ -476,7 +476,7 @@ TEST_F(Responses, TheListKeepsTheLastHundredAndWhatIsShown) {
 
 TEST_F(Responses, APictureIsAsOnPaperAndSaysThatItIsSimulated) {
     openWith();
-    window->showResponse(ramp(120));
+    window->stepResponses().showRun(ramp(120));
     const auto saved = [this] {
         QSignalSpy saves(&window->requests(), &Requests::save);
         window->findChild<QAction*>(u"responseSvgAction"_s)->trigger();
@@ -497,7 +497,7 @@ TEST_F(Responses, ExportIsReadableWhateverTheLocale) {
     openWith();
     KeptResponse run = ramp(120);
     run.moduleName = "Left, \"arm\"\nof it";
-    window->showResponse(run);
+    window->stepResponses().showRun(run);
     click(u"responseExportButton"_s);
     auto* dialog = find<QFileDialog>(u"responseRunsDialog"_s);
     ASSERT_NE(dialog, nullptr);
@@ -573,7 +573,7 @@ TEST_F(Responses, AMoveIsRequestedWithItsOwnPaceThereAndBack) {
 TEST_F(Responses, MovesAreJudgedByWindowAndDwell) {
     openWith();
     for (const unsigned round : {1U, 2U, 3U})
-        window->showResponse(move(round, round == 3 ? 0.0705 : 0.0605));
+        window->stepResponses().showRun(move(round, round == 3 ? 0.0705 : 0.0605));
     find<QComboBox>(u"responseMethodBox"_s)->setCurrentIndex(2);
     type(u"responseDwellField"_s, u"0.01"_s);
     type(u"responseWindowField"_s, u"1"_s);
@@ -590,19 +590,19 @@ TEST_F(Responses, MovesAreJudgedByWindowAndDwell) {
     EXPECT_EQ(result(3), u"0 of 3 settled"_s);
     KeptResponse slow = move(1);
     slow.run.taken.gains.sr = 4;
-    window->showResponse(slow);
+    window->stepResponses().showRun(slow);
     EXPECT_EQ(result(1), u"225 ± 3 ms"_s) << "110 servo ticks of 2.048 ms, to one of them";
 }
 
 TEST_F(Responses, CursorsStandBesideThePlotWhileTheyAreWanted) {
     openWith();
-    window->showResponse(ramp(100));
+    window->stepResponses().showRun(ramp(100));
     auto* readings = window->findChild<QTableWidget*>(u"responseCursorTable"_s);
     EXPECT_FALSE(readings->isVisible());
     click(u"responseCursorsButton"_s);
     EXPECT_TRUE(readings->isVisible());
     EXPECT_EQ(readings->rowCount(), 2);
-    window->showResponse(ramp(110));
+    window->stepResponses().showRun(ramp(110));
     EXPECT_EQ(readings->rowCount(), 3) << "time, A and B";
     find(u"responsePlot"_s)->setFocus();
     QTest::keyClick(find(u"responsePlot"_s), Qt::Key_C);
@@ -613,7 +613,7 @@ TEST_F(Responses, PicturesGoToFilesAndOntoTheClipboard) {
     openWith();
     KeptResponse run = ramp(100);
     run.name = "stiffer";
-    window->showResponse(run);
+    window->stepResponses().showRun(run);
     QSignalSpy saves(&window->requests(), &Requests::save);
     for (const auto& [kind, magic] :
          {std::pair{u"Png"_s, "\x89PNG"}, std::pair{u"Svg"_s, "<?xml"}, std::pair{u"Pdf"_s, "%PDF"}}) {
@@ -639,7 +639,7 @@ TEST_F(Responses, PicturesGoToFilesAndOntoTheClipboard) {
 TEST_F(Responses, ShowingEmitsNothing) {
     openWith();
     QSignalSpy edits(&window->requests(), &Requests::axisEdited);
-    window->showResponse(ramp());
+    window->stepResponses().showRun(ramp());
     showServo({.millisecond = 20});
     report(ProcedureStage::Done);
     EXPECT_EQ(intents.size(), 0);

@@ -457,10 +457,6 @@ void MainWindow::showProcedure(const ProcedureReport& report) {
     m_session.setProcedure(report);
 }
 
-void MainWindow::showResponse(const KeptResponse& run) {
-    m_response->showRun(run);
-}
-
 ScopeFiles& MainWindow::scopeFiles() {
     return m_scope->files();
 }
@@ -589,7 +585,7 @@ void MainWindow::buildDocks() {
     connect(m_response, &ResponseDock::opened, this, &MainWindow::showSelected);
     connect(m_requests, &Requests::stageGains, m_panel, &ModulePanel::stageGains);
     connect(m_loopTests, &LoopTestsDock::opened, this, &MainWindow::showSelected);
-    connect(m_requests, &Requests::showRun, this, &MainWindow::showResponse);
+    connect(m_requests, &Requests::showRun, m_response, &ResponseDock::showRun);
     new TuningFiles(m_session, *m_response, *m_loopTests, *m_requests, this);
     for (LazyDock* dock : std::initializer_list<LazyDock*>{m_sequences, m_paths, m_axes})
         connect(dock, &LazyDock::opened, this, &MainWindow::showAllAxes);

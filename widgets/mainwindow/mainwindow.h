@@ -50,7 +50,6 @@ class SequencesDock;
 class SimulatorDock;
 class StartPage;
 class ResponseDock;
-struct KeptResponse;
 struct ProgramsShown;
 
 /// The panel's window. Values in, intents out: it has no access to the bus, a thread or a port. Every
@@ -89,8 +88,6 @@ public:
                        const std::function<void(bool may)>& decided);
     /// Shows the progress or the result of a procedure of any module.
     void showProcedure(const ProcedureReport& report);
-    /// Shows a step response that was recorded; the list of runs assigns its number.
-    void showResponse(const KeptResponse& run);
     /// Shows a message about a new cause, or about the same one again: repeats are counted.
     void showMessage(const Message& message);
     /// More is known about a cause that is shown already. This is not a repeat, and has no effect if the
