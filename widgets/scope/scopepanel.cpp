@@ -63,11 +63,18 @@ ScopePanel::ScopePanel(Requests& requests, QWidget* parent)
 
 ScopePanel::~ScopePanel() = default;
 
+template <typename T>
+void ScopePanel::set(T ScopeSetup::*part, const T& value) {
+    ScopeSetup setup = m_setup;
+    setup.*part = value;
+    change(setup);
+}
+
 void ScopePanel::connectBar() {
     connect(m_bar, &ScopeBar::widthChosen, this, &ScopePanel::setWidth);
     connect(m_bar, &ScopeBar::pauseRequested, this, &ScopePanel::setPaused);
     connect(m_bar, &ScopeBar::cursorsRequested, this, &ScopePanel::setCursorsShown);
-    connect(m_bar, &ScopeBar::laneRequested, this, &ScopePanel::setLane);
+    connect(m_bar, &ScopeBar::laneRequested, this, [this](bool shown) { set(&ScopeSetup::lane, shown); });
     connect(m_bar, &ScopeBar::signalsRequested, this, &ScopePanel::chooseSignals);
     connect(m_bar, &ScopeBar::liveRequested, this, &ScopePanel::backToLive);
     connect(m_bar, &ScopeBar::triggerRequested, m_trigger, &TriggerControl::setShown);
@@ -107,11 +114,8 @@ void ScopePanel::buildStrips() {
         m_everythingWanted = true;
         touch();
     });
-    connect(m_strips, &ScopeStrips::heightsChosen, this, [this](const auto& heights) {
-        ScopeSetup setup = m_setup;
-        setup.heights = heights;
-        change(setup);
-    });
+    connect(m_strips, &ScopeStrips::heightsChosen, this,
+            [this](const auto& heights) { set(&ScopeSetup::heights, heights); });
     m_stripsAndReadings = new QBoxLayout(QBoxLayout::TopToBottom);
     m_stripsAndReadings->addWidget(m_strips, 1);
     m_layout->addLayout(m_stripsAndReadings, 1);
@@ -122,11 +126,8 @@ void ScopePanel::buildStrips() {
 void ScopePanel::buildReadings() {
     m_readings = new CursorPanel(this);
     m_readings->setUnfolded(m_setup.readings);
-    connect(m_readings, &CursorPanel::unfoldRequested, this, [this](bool unfolded) {
-        ScopeSetup setup = m_setup;
-        setup.readings = unfolded;
-        change(setup);
-    });
+    connect(m_readings, &CursorPanel::unfoldRequested, this,
+            [this](bool unfolded) { set(&ScopeSetup::readings, unfolded); });
     connect(m_readings, &CursorPanel::frameWanted, this, &ScopePanel::touch);
     m_stripsAndReadings->addWidget(m_readings);
     placeReadings();
@@ -176,12 +177,6 @@ void ScopePanel::setSetup(const ScopeSetup& setup) {
 void ScopePanel::change(const ScopeSetup& setup) {
     setSetup(setup);
     emit setupChanged(m_setup);
-}
-
-void ScopePanel::setLane(bool shown) {
-    ScopeSetup setup = m_setup;
-    setup.lane = shown;
-    change(setup);
 }
 
 void ScopePanel::chooseSignals() {
@@ -258,9 +253,7 @@ void ScopePanel::setPaused(bool paused) {
 }
 
 void ScopePanel::setWidth(double seconds) {
-    ScopeSetup setup = m_setup;
-    setup.seconds = seconds;
-    change(setup);
+    set(&ScopeSetup::seconds, seconds);
     showWidth();  // the user may have zoomed since it was last set
 }
 

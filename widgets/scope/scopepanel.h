@@ -80,12 +80,14 @@ private:
     void move(const std::function<void(ScopeStrips&)>& how);
     void setPaused(bool paused);
     void setWidth(double seconds);
-    void setLane(bool shown);
     void setCursorsShown(bool shown);
     void moveCursor(int cursor, double seconds);
     void chooseSignals();
     void addLaneBits(QMenu& menu);
     void change(const ScopeSetup& setup);
+    /// Changes one part of the setup.
+    template <typename T>
+    void set(T ScopeSetup::*part, const T& value);
     void applyModules();
     void showWidth();
     void showTime();
