@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // nmcctl: commands for motors from a shell, through a panel or at a port of its own.
-#include <getopt.h>
-
 #include <QCoreApplication>
 #include <QProcess>
 #include <QTextStream>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "app/ctlcommands.h"
 #include "app/headlessline.h"
+#include "app/longoptions.h"
 #include "app/panelsettings.h"
 #include "app/translations.h"
 #include "app/unixsignals.h"
@@ -113,58 +114,40 @@ void readCommands(Options& options, const QStringList& words) {
 }
 
 Options readOptions(int argc, char** argv) {
-    enum : int { Socket = 256, Port, Simulator, Baud, Machine, ReadOnly, Help, Version };
-    static constexpr option kOptions[] = {
-        {"socket", required_argument, nullptr, Socket},
-        {"port", required_argument, nullptr, Port},
-        {"simulator", optional_argument, nullptr, Simulator},
-        {"baud", required_argument, nullptr, Baud},
-        {"machine", required_argument, nullptr, Machine},
-        {"read-only", no_argument, nullptr, ReadOnly},
-        {"help", no_argument, nullptr, Help},
-        {"version", no_argument, nullptr, Version},
-        {nullptr, 0, nullptr, 0},
-    };
     Options options;
-    for (int which = 0; (which = ::getopt_long(argc, argv, "+", kOptions, nullptr)) != -1;) {
-        const QString value = QString::fromLocal8Bit(optarg);
-        switch (which) {
-            case Socket:
-                options.socket = value;
-                break;
-            case Port:
-                options.line.port = value;
-                break;
-            case Simulator: {
-                const std::string chain = optarg != nullptr ? optarg : std::string(nmc::sim::kDefaultChain);
-                if (const auto parsed = nmc::sim::parseChain(chain); !parsed)
-                    refuse(nmc::texts::badChain(value, QString::fromStdString(parsed.error())));
-                options.line.port = nmc::kSimulatorPort + QLatin1Char('=') + QString::fromStdString(chain);
-                break;
-            }
-            case Baud: {
-                const auto baud = nmc::findBaud(value.toUInt());
-                if (!baud)
-                    refuse(nmc::texts::badBaud(value));
-                options.line.baud = baud->nominal;
-                break;
-            }
-            case Machine:
-                options.machine = value;
-                break;
-            case ReadOnly:
-                options.line.readOnly = true;
-                break;
-            case Help:
-                printHelp();
-                std::exit(CtlCommands::Done);
-            case Version:
-                out() << "nmcctl " NMC_VERSION << Qt::endl;
-                std::exit(CtlCommands::Done);
-            default:  // getopt has reported the problem
-                refuse(QStringLiteral("Try nmcctl --help."));
-        }
-    }
+    const auto text = [](const char* value) { return QString::fromLocal8Bit(value); };
+    const std::vector<nmc::LongOption> all{
+        {"socket", required_argument, [&](const char* value) { options.socket = text(value); }},
+        {"port", required_argument, [&](const char* value) { options.line.port = text(value); }},
+        {"simulator", optional_argument,
+         [&](const char* value) {
+             const std::string chain = value != nullptr ? value : std::string(nmc::sim::kDefaultChain);
+             if (const auto parsed = nmc::sim::parseChain(chain); !parsed)
+                 refuse(nmc::texts::badChain(text(value), QString::fromStdString(parsed.error())));
+             options.line.port = nmc::kSimulatorPort + QLatin1Char('=') + QString::fromStdString(chain);
+         }},
+        {"baud", required_argument,
+         [&](const char* value) {
+             const auto baud = nmc::findBaud(text(value).toUInt());
+             if (!baud)
+                 refuse(nmc::texts::badBaud(text(value)));
+             options.line.baud = baud->nominal;
+         }},
+        {"machine", required_argument, [&](const char* value) { options.machine = text(value); }},
+        {"read-only", no_argument, [&](const char*) { options.line.readOnly = true; }},
+        {"help", no_argument,
+         [](const char*) {
+             printHelp();
+             std::exit(CtlCommands::Done);
+         }},
+        {"version", no_argument,
+         [](const char*) {
+             out() << "nmcctl " NMC_VERSION << Qt::endl;
+             std::exit(CtlCommands::Done);
+         }},
+    };
+    if (!nmc::takeLongOptions(argc, argv, "+", all))
+        refuse(QStringLiteral("Try nmcctl --help."));
     QStringList words;
     for (int i = optind; i < argc; ++i)
         words << QString::fromLocal8Bit(argv[i]);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // nmcsim: a simulated chain of NMC modules on a pseudo-terminal.
-#include <getopt.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
@@ -8,8 +7,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "base/numbertext.h"
+#include "app/longoptions.h"
 #include "link/terminal/ptyserver.h"
 #include "link/terminal/simserver.h"
 #include "link/threadpriority.h"
@@ -94,82 +95,49 @@ T number(const char* option, const char* text, T min, T max, const char* range) 
 }
 
 Options readOptions(int argc, char** argv) {
-    enum : int {
-        Chain = 256,
-        Link,
-        Speed,
-        Stepped,
-        Unpaced,
-        ResetDeadTime,
-        DeafWhenAddrInRises,
-        LineMargin,
-        Seed,
-        EnableFaults,
-        Help,
-        Version
-    };
-    static constexpr option kOptions[] = {
-        {"chain", required_argument, nullptr, Chain},
-        {"link", required_argument, nullptr, Link},
-        {"speed", required_argument, nullptr, Speed},
-        {"stepped", no_argument, nullptr, Stepped},
-        {"unpaced", no_argument, nullptr, Unpaced},
-        {"reset-dead-time", required_argument, nullptr, ResetDeadTime},
-        {"deaf-when-addr-in-rises", no_argument, nullptr, DeafWhenAddrInRises},
-        {"line-margin", required_argument, nullptr, LineMargin},
-        {"seed", required_argument, nullptr, Seed},
-        {"enable-faults", no_argument, nullptr, EnableFaults},
-        {"help", no_argument, nullptr, Help},
-        {"version", no_argument, nullptr, Version},
-        {nullptr, 0, nullptr, 0},
-    };
     Options options;
-    for (int which = 0; (which = ::getopt_long(argc, argv, "", kOptions, nullptr)) != -1;) {
-        switch (which) {
-            case Chain:
-                options.chain = optarg;
-                break;
-            case Link:
-                options.link = optarg;
-                break;
-            case Speed:
-                options.pacing.speed = number("--speed", optarg, 0.001, 1000.0, "from 0.001 to 1000");
-                break;
-            case Stepped:
-                options.pacing.stepped = true;
-                break;
-            case Unpaced:
-                options.simulation.unpaced = true;
-                break;
-            case ResetDeadTime:
-                options.simulation.resetDeadTime =
-                    nmc::fromSeconds(1e-3 * number("--reset-dead-time", optarg, 0.0, 10'000.0,
-                                                   "of milliseconds from 0 to 10000"));
-                break;
-            case DeafWhenAddrInRises:
-                options.simulation.deafWhenAddressInputRises = true;
-                break;
-            case LineMargin:
-                options.simulation.lineMargin =
-                    1e-2 * number("--line-margin", optarg, 0.0, 5.0, "of percent from 0 to 5");
-                break;
-            case Seed:
-                options.simulation.seed =
-                    number<std::uint64_t>("--seed", optarg, 0, UINT64_MAX, "from 0 to 18446744073709551615");
-                break;
-            case EnableFaults:
-                options.simulation.enableFaults = true;
-                break;
-            case Help:
-                printHelp();
-                std::exit(0);
-            case Version:
-                std::printf("nmcsim %s\n", NMC_VERSION);
-                std::exit(0);
-            default:  // getopt has reported the problem
-                std::fprintf(stderr, "Try nmcsim --help.\n");
-                std::exit(kBadArguments);
-        }
+    nmc::sim::ChainOptions& simulation = options.simulation;
+    const std::vector<nmc::LongOption> all{
+        {"chain", required_argument, [&](const char* value) { options.chain = value; }},
+        {"link", required_argument, [&](const char* value) { options.link = value; }},
+        {"speed", required_argument,
+         [&](const char* value) {
+             options.pacing.speed = number("--speed", value, 0.001, 1000.0, "from 0.001 to 1000");
+         }},
+        {"stepped", no_argument, [&](const char*) { options.pacing.stepped = true; }},
+        {"unpaced", no_argument, [&](const char*) { simulation.unpaced = true; }},
+        {"reset-dead-time", required_argument,
+         [&](const char* value) {
+             simulation.resetDeadTime = nmc::fromSeconds(
+                 1e-3 * number("--reset-dead-time", value, 0.0, 10'000.0, "of milliseconds from 0 to 10000"));
+         }},
+        {"deaf-when-addr-in-rises", no_argument,
+         [&](const char*) { simulation.deafWhenAddressInputRises = true; }},
+        {"line-margin", required_argument,
+         [&](const char* value) {
+             simulation.lineMargin =
+                 1e-2 * number("--line-margin", value, 0.0, 5.0, "of percent from 0 to 5");
+         }},
+        {"seed", required_argument,
+         [&](const char* value) {
+             simulation.seed =
+                 number<std::uint64_t>("--seed", value, 0, UINT64_MAX, "from 0 to 18446744073709551615");
+         }},
+        {"enable-faults", no_argument, [&](const char*) { simulation.enableFaults = true; }},
+        {"help", no_argument,
+         [](const char*) {
+             printHelp();
+             std::exit(0);
+         }},
+        {"version", no_argument,
+         [](const char*) {
+             std::printf("nmcsim %s\n", NMC_VERSION);
+             std::exit(0);
+         }},
+    };
+    if (!nmc::takeLongOptions(argc, argv, "", all)) {
+        std::fprintf(stderr, "Try nmcsim --help.\n");
+        std::exit(kBadArguments);
     }
     if (optind < argc)
         refuse("\"" + std::string(argv[optind]) + "\" is not an option. Try nmcsim --help.");
