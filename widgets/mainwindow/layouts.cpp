@@ -111,9 +111,7 @@ void Layouts::add(QDockWidget& dock) {
 }
 
 QDockWidget& Layouts::dock(const QString& objectName) const {
-    return **std::find_if(m_docks.begin(), m_docks.end(), [&objectName](const QDockWidget* dock) {
-        return dock->objectName() == objectName;
-    });
+    return *m_window.findChild<QDockWidget*>(objectName);
 }
 
 /// The first layout has the keys that existed before the others were added.

@@ -22,11 +22,6 @@ using namespace Qt::StringLiterals;
 MessagePanel::MessagePanel(const MessageModel& model, Requests& requests, QWidget* parent)
     : QWidget(parent), m_requests(requests), m_list(new MessageList(model, this)) {
     look::name(this, u"messagePanel"_s, tr("Messages and their filter"));
-    build();
-    showLogFile({});
-}
-
-void MessagePanel::build() {
     m_kind = form::newChoice(
         {u"messageKindBox"_s, tr("Kind of messages shown"), {{Common::tr("All kinds"), {}}}}, this);
     m_kind->setToolTip(tr("Filters the messages by kind."));
@@ -61,6 +56,7 @@ void MessagePanel::build() {
     auto* first = form::newLine(this, {{m_kind, 1}, {m_module, 1}, m_notOver}, 0.5);
     auto* second = form::newLine(this, {{m_text, 1}, save}, 0.5);
     form::fill(this, form::newColumn(this, {first, second, {m_list, 1}, m_place}, 0.5), 0.5);
+    showLogFile({});
 }
 
 void MessagePanel::reveal(const QString& key) {

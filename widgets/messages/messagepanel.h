@@ -32,7 +32,6 @@ public:
     void showLogFile(const QString& file);
 
 private:
-    void build();
     void filter();
     void saveAs();
 

@@ -112,8 +112,8 @@ TracesDialog::Row TracesDialog::newRow(std::size_t index, const QList<form::Opti
     row.unit = form::newText({objectName(u"Unit"_s), of(Common::tr("Unit")), TraceDefinition::kLongestUnit,
                               tr("Shown beside the name.")},
                              this);
-    for (QLineEdit* field : {row.name, static_cast<QLineEdit*>(row.first.factor),
-                             static_cast<QLineEdit*>(row.second.factor), static_cast<QLineEdit*>(row.cutoff)})
+    for (QLineEdit* field :
+         std::initializer_list<QLineEdit*>{row.name, row.first.factor, row.second.factor, row.cutoff})
         connect(field, &QLineEdit::textChanged, this, &TracesDialog::refresh);
     connect(row.second.signal, &QComboBox::currentIndexChanged, this, &TracesDialog::refresh);
     return row;
@@ -193,10 +193,8 @@ void TracesDialog::refresh() {
     QString problem;
     for (const Row& row : m_rows) {
         const bool named = !row.name->text().trimmed().isEmpty();
-        for (QWidget* field :
-             {static_cast<QWidget*>(row.first.signal), static_cast<QWidget*>(row.first.factor),
-              static_cast<QWidget*>(row.second.signal), static_cast<QWidget*>(row.cutoff),
-              static_cast<QWidget*>(row.unit)})
+        for (QWidget* field : std::initializer_list<QWidget*>{row.first.signal, row.first.factor,
+                                                              row.second.signal, row.cutoff, row.unit})
             field->setEnabled(named);
         row.second.factor->setEnabled(named && row.second.signal->currentIndex() > 0);
         if (problem.isEmpty())
