@@ -862,14 +862,6 @@ ManualWindow& MainWindow::manual() {
     return manual != nullptr ? *manual : *new ManualWindow(Manual(), this);
 }
 
-void MainWindow::openManual(const QString& page) {
-    manual().openAt(page);
-}
-
-void MainWindow::openManualAt(const QWidget* widget) {
-    manual().openFor(widget);
-}
-
 void MainWindow::openProblemReport() {
     auto* dialog = findChild<ReportDialog*>();
     if (dialog == nullptr) {

@@ -144,9 +144,7 @@ public:
     void askBeforeRestart();
     /// Fills the menu with the commands of the selected module, in its present state.
     void fillModuleMenu(QMenu& menu);
-    /// Opens the manual at a page such as "keys.md"; openManualAt() opens it at the description of a widget.
-    void openManual(const QString& page);
-    void openManualAt(const QWidget* widget);
+    [[nodiscard]] ManualWindow& manual();
     /// Shows everything that helps to find out what went wrong, for reading and saving.
     void openProblemReport();
     /// Opens the palette, in which every command of the window can be found by its words.
@@ -178,7 +176,6 @@ protected:
     [[nodiscard]] QMenu* createPopupMenu() override { return nullptr; }
 
 private:
-    [[nodiscard]] ManualWindow& manual();
     void buildTop();
     void buildRibbons(QWidget* top);
     void buildDocks();

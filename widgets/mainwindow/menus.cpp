@@ -15,6 +15,7 @@
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
+#include "widgets/help/manualwindow.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/colourchoice.h"
@@ -149,10 +150,10 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QSettings& settings) {
     QMenu* help = bar.addMenu(Menus::tr("&Help"));
     look::name(help, u"helpMenu"_s, Menus::tr("Help"));
     QAction* manual = addAction(help, u"manualAction"_s, Menus::tr("&Manual"), Qt::Key_F1, window,
-                                [&window] { window.openManualAt(QApplication::focusWidget()); });
+                                [&window] { window.manual().openFor(QApplication::focusWidget()); });
     manual->setShortcutContext(Qt::ApplicationShortcut);  // in every window
     addAction(help, u"keysAction"_s, Menus::tr("&Keyboard shortcuts"), {}, window,
-              [&window] { window.openManual(u"keys.md"_s); });
+              [&window] { window.manual().openAt(u"keys.md"_s); });
     addAction(help, u"findCommandAction"_s, Menus::tr("&Find a command…"), Qt::CTRL | Qt::Key_K, window,
               &MainWindow::openPalette);
     addAction(help, u"safetyAction"_s, Menus::tr("&Safety"), {}, window, [&window] { openSafety(window); });
