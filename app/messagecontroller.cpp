@@ -38,7 +38,9 @@ MessageController::MessageController(MainWindow& window, const BusStore& store,
     panel.showLogFile(m_log.file(QDateTime::currentDateTime()));
     connect(&m_store, &BusStore::linkChanged, this, &MessageController::look);
     connect(&m_procedures, &ProcedureController::reported, this, &MessageController::showEnd);
-    connect(&positions, &PositionKeeper::offered, this, &MessageController::showPositionOffer);
+    connect(&positions, &PositionKeeper::offered, this, [this](const PositionMemory::Offer& offer) {
+        report(texts::positionRemembered(offer, scaleOf(*m_store.module(offer.module))));
+    });
     connect(&positions, &PositionKeeper::over, this,
             [this](ModuleIndex module) { end(texts::key::position(module)); });
 }
@@ -51,10 +53,6 @@ void MessageController::keepLog(const QString& line) {
 
 AxisScale MessageController::scaleOf(const ModuleState& module) const {
     return nmc::scaleOf(module, m_store.machine().axis(module.info.index));
-}
-
-void MessageController::showPositionOffer(const PositionMemory::Offer& offer) {
-    report(texts::positionRemembered(offer, scaleOf(*m_store.module(offer.module))));
 }
 
 void MessageController::showEnd(const ProcedureReport& procedure) {

@@ -54,7 +54,6 @@ private:
     void keepLog(const QString& line);
     /// Keeps the record that the message offers.
     [[nodiscard]] Message recorded(Message message);
-    void showPositionOffer(const PositionMemory::Offer& offer);
     void showEnd(const ProcedureReport& report);
     [[nodiscard]] AxisScale scaleOf(const ModuleState& module) const;
     void take(const News& news);

@@ -83,10 +83,7 @@ void BodePlot::showCurves(std::vector<Curve> curves, double honest) {
 void BodePlot::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.fillRect(rect(), palette().base());
-    paintTo(painter, rect());
-}
-
-void BodePlot::paintTo(QPainter& painter, const QRectF& area) const {
+    const QRectF area = rect();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(font());
     if (m_curves.empty()) {

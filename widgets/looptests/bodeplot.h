@@ -41,7 +41,6 @@ private:
     struct Pane;
     /// Adds the lines of a curve to those of the magnitude and those of the phase.
     void addLines(const Curve& curve, std::vector<Line>& loud, std::vector<Line>& late) const;
-    void paintTo(QPainter& painter, const QRectF& area) const;
     static void paintSpread(QPainter& painter, const Pane& pane, const Line& line);
     void paintPane(QPainter& painter, const Pane& pane) const;
     void paintLegend(QPainter& painter, const QRectF& area,

@@ -52,7 +52,6 @@ constexpr auto kLeft = Qt::LeftDockWidgetArea;
 constexpr auto kRight = Qt::RightDockWidgetArea;
 constexpr auto kBottom = Qt::BottomDockWidgetArea;
 constexpr bool kOpen = true;
-constexpr bool kClosed = false;
 
 // clang-format off
 const std::array kRows{

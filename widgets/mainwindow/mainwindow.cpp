@@ -115,7 +115,8 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     showSelected();
     showOperator();
     restoreLayout();
-    showSafetyOnce();
+    if (!m_settings.value(kSafetyRead, false).toBool())
+        showMessage(texts::safety());
 }
 
 MainWindow::~MainWindow() {
@@ -501,11 +502,6 @@ void MainWindow::takeMessageAction(const Message& message, MessageAction action)
         endMessage(message.key);
     }
     emit messageAction(message, action);
-}
-
-void MainWindow::showSafetyOnce() {
-    if (!m_settings.value(kSafetyRead, false).toBool())
-        showMessage(texts::safety());
 }
 
 void MainWindow::requestStop() {

@@ -188,7 +188,6 @@ private:
     void makeRoomForMotions(int higher);
     void restoreLayout();
     void saveLayout();
-    void showSafetyOnce();
     void showSession();
     void showModules();
     void showSelected();
