@@ -154,7 +154,7 @@ QWidget* SequencesPage::buildSequences() {
     m_newSequence = new Command(
         {.name = u"newSequenceButton"_s, .text = tr("New sequence"), .accessible = tr("New sequence")}, box,
         [this] {
-            const std::string name = freeName(m_program.sequences, tr("Sequence").toStdString());
+            const std::string name = freeName(m_machine.program.sequences, tr("Sequence").toStdString());
             edit(tr("New sequence"), [&](Program& program) { program.sequences.push_back({name, {}}); });
             m_sequence->setCurrentText(QString::fromStdString(name));
         });
@@ -200,7 +200,7 @@ QWidget* SequencesPage::buildSequences() {
     connect(m_sequenceName, &QLineEdit::editingFinished, this, [this] {
         const std::string from = sequence();
         const std::string to = m_sequenceName->text().simplified().toStdString();
-        if (from.empty() || to.empty() || from == to || m_program.sequence(to) != nullptr)
+        if (from.empty() || to.empty() || from == to || m_machine.program.sequence(to) != nullptr)
             return m_sequenceName->setText(QString::fromStdString(from));
         edit(tr("Rename sequence"), [&](Program& program) { renameSequence(program, from, to); });
         m_sequence->setCurrentText(QString::fromStdString(to));
@@ -297,11 +297,11 @@ QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
 // ---- edits ----
 
 void SequencesPage::edit(const QString& what, const std::function<void(Program&)>& change) {
-    Program edited = m_program;
+    Program edited = m_machine.program;
     change(edited);
     // An editor may have been open when operator mode began.
-    if (locked().isEmpty() && edited != m_program && !contradiction(edited))
-        m_edits.push(new Edit(*this, what, m_program, std::move(edited)));
+    if (locked().isEmpty() && edited != m_machine.program && !contradiction(edited))
+        m_edits.push(new Edit(*this, what, m_machine.program, std::move(edited)));
 }
 
 void SequencesPage::editRows(const QString& what, const std::function<void(Sequence&)>& change) {
@@ -313,7 +313,6 @@ void SequencesPage::editRows(const QString& what, const std::function<void(Seque
 }
 
 void SequencesPage::put(const Program& program) {
-    m_program = program;
     m_machine.program = program;
     showProgram();
     emit m_requests.programEdited(program);
@@ -348,10 +347,8 @@ void SequencesPage::start(std::size_t row, bool singleStep) {
 void SequencesPage::showSession(const LinkState& link, const Machine& machine) {
     m_link = link;
     m_link.modules = asOfSequence(link.modules);
-    const bool another = machine.program != m_program;
+    const bool another = machine.program != m_machine.program;
     m_machine = machine;
-    if (another)
-        m_program = machine.program;
     showAxes();
     showProgram();
     if (another)
@@ -381,7 +378,7 @@ void SequencesPage::showForesightText(const QString& text) {
 
 void SequencesPage::showProgram() {
     QStringList names;
-    for (const Sequence& sequence : m_program.sequences)
+    for (const Sequence& sequence : m_machine.program.sequences)
         names << QString::fromStdString(sequence.name);
     QStringList shown;
     for (int i = 0; i < m_sequence->count(); ++i)
@@ -402,7 +399,7 @@ void SequencesPage::showProgram() {
     const QString named = m_sequence->currentText();
     if (std::exchange(m_named, named) != named || !m_sequenceName->hasFocus())
         m_sequenceName->setText(named);
-    m_points->showPoints(m_program.points, [this](ModuleIndex module) { return scaleOf(module); });
+    m_points->showPoints(m_machine.program.points, [this](ModuleIndex module) { return scaleOf(module); });
     const auto modules = static_cast<int>(std::max(m_link.modules.size(), m_machine.axes.size()));
     std::vector<ModuleType> types;
     for (int i = 0; i < modules; ++i) {
@@ -412,7 +409,7 @@ void SequencesPage::showProgram() {
                         : expected                     ? expected->type
                                                        : ModuleType::Servo);
     }
-    if (m_rows->showRows(m_program, sequence(), modules, types)) {
+    if (m_rows->showRows(m_machine.program, sequence(), modules, types)) {
         // A dry run was one of the rows before.
         m_foreseeing = false;
         showForesightText({});
@@ -474,7 +471,7 @@ void SequencesPage::refreshPoints() {
     QString used = none;
     if (point != nullptr) {
         reason = whyNotStarted(kMoveToPoint, 0, withMoveTo(m_machine, point->name));
-        const auto user = userOfPoint(m_program, point->name);
+        const auto user = userOfPoint(m_machine.program, point->name);
         used = user ? tr("Row %1 of \"%2\" uses this point. Change that row first.")
                           .arg(user->row + 1)
                           .arg(QString::fromStdString(user->sequence))
@@ -497,7 +494,7 @@ void SequencesPage::refreshRows() {
     m_rowTable->setToolTip(free ? tr("Double-click a cell or press F2 to edit it.") : reason);
     look::setPossible(m_sequenceName, noSequence, tr("Type a new name for this sequence, then press Enter."));
     m_newSequence->setPossible(reason, tr("Adds an empty sequence."));
-    const auto caller = userOfSequence(m_program, sequence());
+    const auto caller = userOfSequence(m_machine.program, sequence());
     m_removeSequence->setPossible(!any || !free ? noSequence
                                   : caller
                                       ? tr("Row %1 of \"%2\" calls this sequence. Change that row first.")
@@ -512,7 +509,7 @@ void SequencesPage::refreshRows() {
         if (!row || !free)
             return noRow;
         const int to = static_cast<int>(*row) + by;
-        Sequence tried = *m_program.sequence(sequence());
+        Sequence tried = *m_machine.program.sequence(sequence());
         if (to < 0 || !nmc::moveRow(tried, *row, static_cast<std::size_t>(to)))
             return tr("The row cannot move farther: a repeat must stay below the row it goes back to.");
         return QString();
@@ -585,13 +582,14 @@ std::string SequencesPage::sequence() const {
 
 const Point* SequencesPage::chosenPoint() const {
     const QModelIndexList rows = m_pointTable->selectionModel()->selectedRows();
-    const bool any = !rows.isEmpty() && rows.front().row() < static_cast<int>(m_program.points.size());
-    return any ? &m_program.points[static_cast<std::size_t>(rows.front().row())] : nullptr;
+    const bool any =
+        !rows.isEmpty() && rows.front().row() < static_cast<int>(m_machine.program.points.size());
+    return any ? &m_machine.program.points[static_cast<std::size_t>(rows.front().row())] : nullptr;
 }
 
 std::optional<std::size_t> SequencesPage::chosenRow() const {
     const QModelIndexList rows = m_rowTable->selectionModel()->selectedRows();
-    const Sequence* shown = m_program.sequence(sequence());
+    const Sequence* shown = m_machine.program.sequence(sequence());
     // The table may call this while it still has its previous rows.
     if (rows.isEmpty() || shown == nullptr ||
         rows.front().row() >= static_cast<int>(std::min(shown->rows.size(), m_rows->rows().size())))

@@ -75,7 +75,6 @@ private:
     Requests& m_requests;
     LinkState m_link;
     Machine m_machine;
-    Program m_program;
     std::optional<SequenceReport> m_run;
     bool m_foreseeing = false;
     QString m_named;  ///< the sequence that the field for its name shows
