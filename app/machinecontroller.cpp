@@ -40,14 +40,6 @@ MachineController::MachineController(QSettings& settings, MainWindow& window, co
     m_keepTimer.setSingleShot(true);
     m_keepTimer.setInterval(kKeepUnsavedAfterMs);
     connect(&m_keepTimer, &QTimer::timeout, this, &MachineController::keepUnsaved);
-    wire();
-}
-
-MachineController::~MachineController() {
-    keepUnsaved();
-}
-
-void MachineController::wire() {
     MachineMenu& menu = m_window.machineMenu();
     connect(&menu, &MachineMenu::newRequested, this, &MachineController::beginNew);
     connect(&menu, &MachineMenu::openRequested, this, &MachineController::open);
@@ -56,6 +48,10 @@ void MachineController::wire() {
     connect(&menu, &MachineMenu::applyRequested, this, &MachineController::apply);
     connect(&menu, &MachineMenu::differencesDropped, this, [this] { m_pending.reset(); });
     connect(&m_store, &BusStore::linkChanged, this, &MachineController::followLink);
+}
+
+MachineController::~MachineController() {
+    keepUnsaved();
 }
 
 void MachineController::start() {
@@ -86,9 +82,8 @@ void MachineController::edit(ModuleIndex module, const AxisSettings& settings) {
 }
 
 void MachineController::changedAxes() {
-    const bool nothingExpected =
-        std::none_of(m_machine.axes.begin(), m_machine.axes.end(),
-                     [](const AxisSettings& axis) { return axis.expected.has_value(); });
+    const bool nothingExpected = std::ranges::none_of(
+        m_machine.axes, [](const AxisSettings& axis) { return axis.expected.has_value(); });
     if (nothingExpected && !chain().empty())
         return acceptChain(chain());
     changed();
@@ -225,10 +220,6 @@ void MachineController::copy(const AxisCopy& copy) {
     showPending();
 }
 
-Machine MachineController::pendingMachine() const {
-    return m_pending->copy ? withCopy(*m_pending->copy, m_machine, modules()) : m_pending->content.machine;
-}
-
 std::vector<Difference> MachineController::differences() const {
     return m_pending->copy ? copyDifferences(*m_pending->copy, m_machine, modules())
                            : compare(m_pending->content.machine, m_machine, modules());
@@ -266,7 +257,8 @@ void MachineController::apply(const std::vector<PartId>& chosen) {
         return;
     }
     const std::vector<ModuleState> present = modules();
-    const Machine file = pendingMachine();
+    const Machine file =
+        m_pending->copy ? withCopy(*m_pending->copy, m_machine, present) : m_pending->content.machine;
     const std::vector<ModuleIntent> intents = sendings(file, m_machine, present, chosen);
     Machine machine = applied(file, m_machine, present, chosen);
     std::vector<bus::GroupChange> groups;
@@ -275,9 +267,7 @@ void MachineController::apply(const std::vector<PartId>& chosen) {
     const auto sent = static_cast<int>(intents.size() + groups.size());
     if (const int moving = m_store.movingMotors(); sent > 0 && moving > 0)
         return m_window.showMessage(texts::machineNotApplied(moving));
-    const bool whole = std::none_of(now.begin(), now.end(), [](const Difference& row) {
-        return row.applying == Applying::OtherHardware;
-    });
+    const bool whole = std::ranges::find(now, Applying::OtherHardware, &Difference::applying) == now.end();
     const Pending from = *std::exchange(m_pending, std::nullopt);
     m_window.endMessage(texts::key::kNotApplied);
     m_window.machineMenu().closeDifferences();

@@ -78,7 +78,6 @@ private:
         std::vector<Difference> shown{};  ///< the rows of the table
     };
 
-    void wire();
     /// Empty if the file cannot be read, which the window then shows.
     [[nodiscard]] std::optional<Pending> read(const QString& path);
     void beginNew();
@@ -90,8 +89,6 @@ private:
     void showPending();
     /// What applying the file or the copy would change now.
     [[nodiscard]] std::vector<Difference> differences() const;
-    /// The machine with everything that the file or the copy contains.
-    [[nodiscard]] Machine pendingMachine() const;
     /// The user has changed axes: this implies that the present chain is the expected one, unless one is.
     void changedAxes();
     void apply(const std::vector<PartId>& chosen);
