@@ -161,7 +161,7 @@ void MotionKeeper::held(ModuleIndex module) {
 bool MotionKeeper::moves(const ModuleState& module) const {
     const ModuleIndex index = module.info.index;
     for (const auto& [id, modules] : m_pending)
-        if (std::find(modules.begin(), modules.end(), index) != modules.end())
+        if (std::ranges::find(modules, index) != modules.end())
             return true;
     const auto asked = m_askedAt.find(index);
     if (asked != m_askedAt.end() && module.latestTime < asked->second + kShows)

@@ -26,7 +26,7 @@ QString fileOf(const QString& folder, const QString& port) {
 }
 
 bool startsMoving(const RememberedPositions& now, const RememberedPositions& kept) {
-    return std::any_of(now.begin(), now.end(), [&kept](const auto& axis) {
+    return std::ranges::any_of(now, [&kept](const auto& axis) {
         const auto before = kept.find(axis.first);
         return axis.second.moving && (before == kept.end() || !before->second.moving);
     });

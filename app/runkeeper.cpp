@@ -48,9 +48,9 @@ FileWriter::Disk sparing(FileWriter::Disk disk) {
 /// Finds the axis by the name it had then, even if its place in the chain has changed.
 [[nodiscard]] ModuleIndex moduleOf(const KeptResponse& run, const Machine& machine) {
     const auto isIt = [&run](const AxisSettings& axis) { return axis.name == run.axisName; };
-    if (run.axisName.empty() || std::count_if(machine.axes.begin(), machine.axes.end(), isIt) != 1)
+    if (run.axisName.empty() || std::ranges::count_if(machine.axes, isIt) != 1)
         return run.run.module;
-    const auto axis = std::find_if(machine.axes.begin(), machine.axes.end(), isIt);
+    const auto axis = std::ranges::find_if(machine.axes, isIt);
     return ModuleIndex(static_cast<std::uint8_t>(axis - machine.axes.begin()));
 }
 

@@ -78,9 +78,8 @@ void CommandPalette::filter() {
         QTreeWidgetItem* item = m_list->topLevelItem(i);
         const Entry& entry = m_entries[static_cast<std::size_t>(item->data(What, kEntry).toULongLong())];
         const QString all = entry.sentence + u' ' + entry.text + u' ' + entry.place;
-        const bool fits = std::all_of(words.begin(), words.end(), [&all](const QString& word) {
-            return all.contains(word, Qt::CaseInsensitive);
-        });
+        const bool fits = std::ranges::all_of(
+            words, [&all](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
         item->setHidden(!fits);
         if (fits && first == nullptr)
             first = item;

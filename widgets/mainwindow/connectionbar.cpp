@@ -116,8 +116,7 @@ void ConnectionBar::requestConnect(bool readOnly) {
 void ConnectionBar::fillPorts() {
     QList<PortEntry> wanted = m_ports;
     const auto lists = [&wanted](const QString& name) {
-        return std::any_of(wanted.cbegin(), wanted.cend(),
-                           [&name](const PortEntry& e) { return e.name == name; });
+        return std::ranges::any_of(wanted, [&name](const PortEntry& e) { return e.name == name; });
     };
     if (!lists(kSimulatorPort))
         wanted.append({kSimulatorPort, {}});
@@ -144,10 +143,9 @@ void ConnectionBar::fillPorts() {
 }
 
 void ConnectionBar::showPorts(const QList<PortEntry>& ports) {
-    const bool same = std::equal(ports.cbegin(), ports.cend(), m_ports.cbegin(), m_ports.cend(),
-                                 [](const PortEntry& a, const PortEntry& b) {
-                                     return a.name == b.name && a.description == b.description;
-                                 });
+    const bool same = std::ranges::equal(ports, m_ports, [](const PortEntry& a, const PortEntry& b) {
+        return a.name == b.name && a.description == b.description;
+    });
     if (same)
         return;
     m_ports = ports;
@@ -222,16 +220,14 @@ void ConnectionBar::showLink(const LinkState& state) {
                       tr("The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it."));
     m_stop->setEnabled(state.hasChain());
     const auto modules = static_cast<int>(state.modules.size());
-    const auto reachable = static_cast<int>(
-        std::count_if(state.modules.cbegin(), state.modules.cend(),
-                      [](const ModuleState& m) { return !m.silent && hasStop(m.info.identity.type); }));
+    const auto reachable = static_cast<int>(std::ranges::count_if(
+        state.modules, [](const ModuleState& m) { return !m.silent && hasStop(m.info.identity.type); }));
     // While the chain is not polled, it is unknown which modules a stop reaches.
     const bool asked = modules > 0 && state.phase == LinkPhase::Connected;
     const QString reach = asked ? texts::stopReach(reachable, modules) : Common::tr("goes to all modules");
     m_stop->showReach(open ? reach : state.hasChain() ? Common::tr("waits for the port") : QString());
     // The result of the last stop is out of date once something moves again or the port is closed.
-    const bool moving = std::any_of(state.modules.cbegin(), state.modules.cend(),
-                                    [](const ModuleState& m) { return m.moving(); });
+    const bool moving = std::ranges::any_of(state.modules, [](const ModuleState& m) { return m.moving(); });
     const QString seen = u"%1 %2"_s.arg(static_cast<int>(state.phase)).arg(moving);
     if (seen != m_linkSeen) {
         m_linkSeen = seen;

@@ -73,8 +73,7 @@ const std::array kRows{
 constexpr int kLeastWidth = 18;
 
 const Row& rowOf(const QDockWidget& dock) {
-    return *std::find_if(kRows.begin(), kRows.end(),
-                         [&dock](const Row& row) { return row.dock == dock.objectName(); });
+    return *std::ranges::find_if(kRows, [&dock](const Row& row) { return row.dock == dock.objectName(); });
 }
 
 }  // namespace
@@ -208,7 +207,7 @@ void Layouts::keepColumn(int wider) {
 QDockWidget* Layouts::beside(QDockWidget& dock) const {
     if (m_window.dockWidgetArea(&dock) != kBottom)
         return nullptr;
-    const auto found = std::find_if(m_docks.begin(), m_docks.end(), [&](QDockWidget* other) {
+    const auto found = std::ranges::find_if(m_docks, [&](QDockWidget* other) {
         return other != &dock && !other->isFloating() && !other->visibleRegion().isEmpty() &&
                m_window.dockWidgetArea(other) == kBottom && other->y() == dock.y();
     });

@@ -712,10 +712,10 @@ std::vector<ModuleIndex> MainWindow::watchedModules() const {
     std::vector<ModuleIndex> watched = m_scope->setup().fixedModules();
     if (m_axes->seen())
         for (const ModuleState& module : m_session.link().modules)
-            if (std::find(watched.begin(), watched.end(), module.info.index) == watched.end())
+            if (std::ranges::find(watched, module.info.index) == watched.end())
                 watched.push_back(module.info.index);
     const std::optional<ModuleIndex> selected = selectedModule();
-    if (selected && std::find(watched.begin(), watched.end(), *selected) == watched.end())
+    if (selected && std::ranges::find(watched, *selected) == watched.end())
         watched.push_back(*selected);
     return watched;
 }

@@ -54,7 +54,7 @@ bool PressFilter::isOnButton(const QPoint& global) const {
         !m_button.rect().contains(m_button.mapFromGlobal(global)))
         return false;
     const QWidgetList windows = QApplication::topLevelWidgets();
-    return std::none_of(windows.begin(), windows.end(), [&](const QWidget* other) {
+    return std::ranges::none_of(windows, [&](const QWidget* other) {
         return other != window && other->isVisible() && other->windowType() != Qt::ToolTip &&
                other->frameGeometry().contains(global);
     });

@@ -52,7 +52,7 @@ void Session::setNow(TimePoint now) {
     std::vector<bool> live = liveModules();
     if (std::exchange(m_live, live) != live)
         emit changed();
-    else if (std::find(live.begin(), live.end(), false) != live.end())
+    else if (std::ranges::find(live, false) != live.end())
         emit aged();
 }
 

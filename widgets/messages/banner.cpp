@@ -21,8 +21,9 @@ using namespace Qt::StringLiterals;
 
 namespace {
 bool asksForSomething(const Message& message) {
-    return std::any_of(message.actions.begin(), message.actions.end(),
-                       [](const Message::Action& action) { return action.id != MessageAction::ShowRecord; });
+    return std::ranges::any_of(message.actions, [](const Message::Action& action) {
+        return action.id != MessageAction::ShowRecord;
+    });
 }
 }  // namespace
 

@@ -155,8 +155,7 @@ void ResponsePage::step() {
 }
 
 const KeptResponse* ResponsePage::find(std::optional<int> number) const {
-    const auto found = std::find_if(m_kept.begin(), m_kept.end(),
-                                    [number](const KeptResponse& kept) { return kept.number == number; });
+    const auto found = std::ranges::find(m_kept, number, &KeptResponse::number);
     return found != m_kept.end() ? &*found : nullptr;
 }
 
@@ -293,8 +292,7 @@ void ResponsePage::useGains() {
 
 void ResponsePage::removeChosen() {
     const std::optional<int> chosen = m_table->chosen();
-    const auto found = std::find_if(m_kept.begin(), m_kept.end(),
-                                    [chosen](const KeptResponse& kept) { return kept.number == chosen; });
+    const auto found = std::ranges::find(m_kept, chosen, &KeptResponse::number);
     if (found == m_kept.end())
         return;
     m_removed.push_back(std::move(*found));
@@ -310,9 +308,7 @@ void ResponsePage::putBack() {
     KeptResponse run = std::move(m_removed.back());
     m_removed.pop_back();
     judge(run);
-    const auto place =
-        std::lower_bound(m_kept.begin(), m_kept.end(), run.number,
-                         [](const KeptResponse& kept, int number) { return kept.number < number; });
+    const auto place = std::ranges::lower_bound(m_kept, run.number, {}, &KeptResponse::number);
     m_kept.insert(place, std::move(run));
     showList();
     emit m_requests.storeRuns();

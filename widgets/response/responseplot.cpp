@@ -141,10 +141,10 @@ ResponsePlot::View ResponsePlot::fitted() const {
         low = std::min(low, curve->goal - curve->band);
         high = std::max(high, curve->goal + curve->band);
         right = std::max(right, m_whole ? curve->record : curve->transient);
-        std::for_each(curve->parts.begin(), curve->parts.end(), takeIn);
+        std::ranges::for_each(curve->parts, takeIn);
     }
     for (const Curve& curve : m_others)
-        std::for_each(curve.parts.begin(), curve.parts.end(), takeIn);
+        std::ranges::for_each(curve.parts, takeIn);
     takeIn(m_fitted);
     takeIn(m_predicted);
     takeIn(m_range);

@@ -56,8 +56,7 @@ void CursorTable::setCell(int row, int column, const QString& text) {
 }
 
 const std::optional<StretchFigures>& CursorTable::figures(const ScopeStretch& stretch) {
-    auto kept = std::find_if(m_kept.begin(), m_kept.end(),
-                             [&](const Kept& one) { return one.stretch.of == stretch.of; });
+    auto kept = std::ranges::find_if(m_kept, [&](const Kept& one) { return one.stretch.of == stretch.of; });
     if (kept == m_kept.end())
         kept = m_kept.insert(kept, Kept{{stretch.of}});
     if (kept->stretch == stretch)

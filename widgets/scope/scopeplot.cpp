@@ -2,6 +2,7 @@
 #include "widgets/scope/scopeplot.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -29,10 +30,9 @@ ScopePlot::ScopePlot(QWidget* parent) : PlotCanvas(parent) {
 }
 
 void ScopePlot::setTraces(std::vector<Trace> traces) {
-    const bool same = std::equal(
-        traces.begin(), traces.end(), m_traces.begin(), m_traces.end(), [](const Trace& a, const Trace& b) {
-            return a.module == b.module && a.signal == b.signal && a.scale == b.scale;
-        });
+    const bool same = std::ranges::equal(traces, m_traces, [](const Trace& a, const Trace& b) {
+        return a.module == b.module && a.signal == b.signal && a.scale == b.scale;
+    });
     if (!same)
         forget();
     m_traces = std::move(traces);

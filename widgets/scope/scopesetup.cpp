@@ -113,15 +113,14 @@ ScopeSetup ScopeSetup::fromText(const QString& text, const ScopeSetup& initial) 
             if (key == word)
                 setup.bits[type] = bitsIn(value);
     }
-    const bool nothing = std::all_of(setup.strips.begin(), setup.strips.end(),
-                                     [](const auto& shown) { return shown.empty(); });
+    const bool nothing = std::ranges::all_of(setup.strips, [](const auto& shown) { return shown.empty(); });
     if (nothing && !setup.lane)
         setup.strips = initial.strips;
     return setup;
 }
 
 bool ScopeSetup::shows(std::size_t strip, const SignalRef& signal) const {
-    return std::find(strips[strip].begin(), strips[strip].end(), signal) != strips[strip].end();
+    return std::ranges::find(strips[strip], signal) != strips[strip].end();
 }
 
 void ScopeSetup::set(std::size_t strip, const SignalRef& signal, bool shown) {
@@ -141,7 +140,7 @@ std::vector<ScopeBit> ScopeSetup::bitsOf(ModuleType type) const {
 std::vector<ModuleIndex> ScopeSetup::fixedModules() const {
     std::vector<ModuleIndex> modules;
     const auto add = [&](const SignalRef& signal) {
-        if (signal.module && std::find(modules.begin(), modules.end(), *signal.module) == modules.end())
+        if (signal.module && std::ranges::find(modules, *signal.module) == modules.end())
             modules.push_back(*signal.module);
     };
     for (const auto& strip : strips)

@@ -88,9 +88,8 @@ void ScopeStrips::setModules(const std::vector<ScopeModule>& modules, std::optio
 }
 
 bool ScopeStrips::followsSelection() const {
-    return std::any_of(m_setup.strips.begin(), m_setup.strips.end(), [](const auto& strip) {
-        return std::any_of(strip.begin(), strip.end(),
-                           [](const SignalRef& signal) { return !signal.module.has_value(); });
+    return std::ranges::any_of(m_setup.strips, [](const auto& strip) {
+        return std::ranges::any_of(strip, [](const SignalRef& signal) { return !signal.module.has_value(); });
     });
 }
 
@@ -187,9 +186,8 @@ void ScopeStrips::label(const History& history, double now) {
 std::vector<ScopePlot::Trace> ScopeStrips::tracesOf(const std::vector<SignalRef>& strip,
                                                     const History& history, double from, double to) const {
     const TimePoint zero = history.zero().value_or(TimePoint{});
-    const bool mixed = std::any_of(strip.begin(), strip.end(), [&](const SignalRef& signal) {
-        return signal.module != strip.front().module;
-    });
+    const bool mixed = std::ranges::any_of(
+        strip, [&](const SignalRef& signal) { return signal.module != strip.front().module; });
     std::vector<ScopePlot::Trace> traces;
     for (const SignalRef& signal : strip) {
         const std::optional<ModuleIndex> index = signal.module ? signal.module : m_selected;

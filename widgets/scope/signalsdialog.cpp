@@ -132,9 +132,8 @@ void SignalsDialog::filter(const QString& text) {
         bool any = false;
         for (int k = 0; k < group->childCount(); ++k) {
             const QString name = group->text(0) + u' ' + group->child(k)->text(0);
-            const bool found = std::all_of(words.begin(), words.end(), [&](const QString& word) {
-                return name.contains(word, Qt::CaseInsensitive);
-            });
+            const bool found = std::ranges::all_of(
+                words, [&](const QString& word) { return name.contains(word, Qt::CaseInsensitive); });
             group->child(k)->setHidden(!found);
             any = any || found;
         }

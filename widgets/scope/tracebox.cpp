@@ -23,7 +23,7 @@ void TraceBox::showTraces(const std::vector<ScopePlot::Trace>& traces) {
     if (labels == m_labels)
         return;
     m_labels = labels;
-    const auto again = std::find_if(traces.begin(), traces.end(), [&chosen](const ScopePlot::Trace& one) {
+    const auto again = std::ranges::find_if(traces, [&chosen](const ScopePlot::Trace& one) {
         return chosen && one.module == chosen->module && one.signal == chosen->signal;
     });
     const auto row =

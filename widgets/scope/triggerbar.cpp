@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <algorithm>
 
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
@@ -140,9 +141,8 @@ void TriggerBar::listSources() {
     for (std::size_t i = 0; i < m_modules.size(); ++i)
         if (const ModuleIndex index(static_cast<std::uint8_t>(i)); index != m_selected)
             addSources(index, m_modules[i]);
-    const auto again =
-        chosen >= 0 ? std::find(m_sources.begin(), m_sources.end(), before[static_cast<std::size_t>(chosen)])
-                    : m_sources.end();
+    const auto again = chosen >= 0 ? std::ranges::find(m_sources, before[static_cast<std::size_t>(chosen)])
+                                   : m_sources.end();
     m_source->setCurrentIndex(again != m_sources.end() ? static_cast<int>(again - m_sources.begin())
                               : m_sources.empty()      ? -1
                                                        : 0);
