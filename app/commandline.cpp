@@ -91,8 +91,6 @@ QStringList withOptionalValues(const QStringList& arguments) {
 }
 
 QString portTable(const QList<PortEntry>& ports) {
-    if (ports.isEmpty())
-        return {};
     QStringList lines;
     for (const PortEntry& port : ports)
         lines << (port.description.isEmpty() ? port.name : port.name + QLatin1Char('\t') + port.description);
