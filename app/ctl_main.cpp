@@ -135,18 +135,8 @@ Options readOptions(int argc, char** argv) {
          }},
         {"machine", required_argument, [&](const char* value) { options.machine = text(value); }},
         {"read-only", no_argument, [&](const char*) { options.line.readOnly = true; }},
-        {"help", no_argument,
-         [](const char*) {
-             printHelp();
-             std::exit(CtlCommands::Done);
-         }},
-        {"version", no_argument,
-         [](const char*) {
-             out() << "nmcctl " NMC_VERSION << Qt::endl;
-             std::exit(CtlCommands::Done);
-         }},
     };
-    if (!nmc::takeLongOptions(argc, argv, "+", all))
+    if (!nmc::takeLongOptions(argc, argv, "+", all, &printHelp, "nmcctl " NMC_VERSION))
         refuse(QStringLiteral("Try nmcctl --help."));
     QStringList words;
     for (int i = optind; i < argc; ++i)

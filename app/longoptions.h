@@ -4,6 +4,8 @@
 #include <getopt.h>
 
 #include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <vector>
 
@@ -18,9 +20,19 @@ struct LongOption {
 };
 
 /// Takes the options in their order; `order` is as for getopt_long(). The other words are from optind on.
-/// Returns false after one that does not exist or lacks its value, which has been reported.
+/// Returns false after one that does not exist or lacks its value, which has been reported. Two more end the
+/// program: --help, which prints what `help` prints, and --version.
 [[nodiscard]] inline bool takeLongOptions(int argc, char** argv, const char* order,
-                                          const std::vector<LongOption>& options) {
+                                          std::vector<LongOption> options, void (*help)(),
+                                          const char* version) {
+    options.push_back({"help", no_argument, [help](const char*) {
+                           help();
+                           std::exit(EXIT_SUCCESS);
+                       }});
+    options.push_back({"version", no_argument, [version](const char*) {
+                           std::puts(version);
+                           std::exit(EXIT_SUCCESS);
+                       }});
     std::vector<option> table;
     for (const LongOption& one : options)
         table.push_back({one.name, one.argument, nullptr, 0});

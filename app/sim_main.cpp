@@ -124,18 +124,8 @@ Options readOptions(int argc, char** argv) {
                  number<std::uint64_t>("--seed", value, 0, UINT64_MAX, "from 0 to 18446744073709551615");
          }},
         {"enable-faults", no_argument, [&](const char*) { simulation.enableFaults = true; }},
-        {"help", no_argument,
-         [](const char*) {
-             printHelp();
-             std::exit(0);
-         }},
-        {"version", no_argument,
-         [](const char*) {
-             std::printf("nmcsim %s\n", NMC_VERSION);
-             std::exit(0);
-         }},
     };
-    if (!nmc::takeLongOptions(argc, argv, "", all)) {
+    if (!nmc::takeLongOptions(argc, argv, "", all, &printHelp, "nmcsim " NMC_VERSION)) {
         std::fprintf(stderr, "Try nmcsim --help.\n");
         std::exit(kBadArguments);
     }
