@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <utility>
+#include <vector>
 
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
@@ -49,24 +50,41 @@ OperatorDialog::OperatorDialog(const OperatorRights& rights, QWidget* window) : 
         {"operatorHomingBox", tr("&Homing"), &OperatorRights::homing},
         {"operatorOutputsBox", tr("&Outputs"), &OperatorRights::outputs},
     };
+    std::vector<std::pair<QCheckBox*, bool OperatorRights::*>> boxes;
     for (const auto& one : all) {
         auto* box = form::newCheck({QString::fromLatin1(one.name), one.text}, this);
         box->setChecked(rights.*one.right);
         layout()->addWidget(box);
-        m_rights.push_back({box, one.right});
+        boxes.emplace_back(box, one.right);
     }
     m_pin = newPinField(u"operatorPinField"_s, tr("P&IN to leave operator mode, at least 4 characters"));
-    m_again = newPinField(u"operatorPinAgainField"_s, tr("PIN &again"));
-    addEnd(tr("E&nter operator mode"), u"operatorBeginButton"_s, [this] { lock(); });
+    const auto* again = newPinField(u"operatorPinAgainField"_s, tr("PIN &again"));
+    addEnd(tr("E&nter operator mode"), u"operatorBeginButton"_s, [this, again, boxes] {
+        const QString pin = m_pin->text();
+        if (pin.size() < kShortestPin)
+            return m_problem->setText(tr("The PIN is too short: use at least 4 characters."));
+        if (pin != again->text())
+            return m_problem->setText(tr("The two PINs differ. Type the same PIN twice."));
+        OperatorRights chosen;
+        for (const auto& [box, right] : boxes)
+            chosen.*right = box->isChecked();
+        emit locked(chosen, pin);
+        accept();
+    });
 }
 
 OperatorDialog::OperatorDialog(std::function<bool(const QString&)> isPin, const QString& forgotten,
                                QWidget* window)
     : OperatorDialog(window) {
-    m_isPin = std::move(isPin);
-    m_forgotten = forgotten;
     m_pin = newPinField(u"operatorPinField"_s, tr("P&IN"));
-    addEnd(tr("&Leave operator mode"), u"operatorLeaveButton"_s, [this] { unlock(); });
+    addEnd(tr("&Leave operator mode"), u"operatorLeaveButton"_s, [this, isPin = std::move(isPin), forgotten] {
+        if (!isPin(m_pin->text())) {
+            m_problem->setText(tr("Wrong PIN. %1").arg(forgotten));
+            return m_pin->selectAll();
+        }
+        emit unlocked();
+        accept();
+    });
 }
 
 QLineEdit* OperatorDialog::newPinField(const QString& name, const QString& label) {
@@ -88,29 +106,6 @@ void OperatorDialog::addEnd(const QString& goOn, const QString& goOnName, const 
     layout()->addWidget(m_problem);
     static_cast<QVBoxLayout*>(layout())->addLayout(form::newLine(this, {nullptr, go, cancel}));
     m_pin->setFocus();
-}
-
-void OperatorDialog::lock() {
-    const QString pin = m_pin->text();
-    if (pin.size() < kShortestPin)
-        return m_problem->setText(tr("The PIN is too short: use at least 4 characters."));
-    if (pin != m_again->text())
-        return m_problem->setText(tr("The two PINs differ. Type the same PIN twice."));
-    OperatorRights rights;
-    for (const Right& one : m_rights)
-        rights.*one.right = one.box->isChecked();
-    emit locked(rights, pin);
-    accept();
-}
-
-void OperatorDialog::unlock() {
-    if (!m_isPin(m_pin->text())) {
-        m_problem->setText(tr("Wrong PIN. %1").arg(m_forgotten));
-        m_pin->selectAll();
-        return;
-    }
-    emit unlocked();
-    accept();
 }
 
 }  // namespace nmc

@@ -3,11 +3,9 @@
 
 #include <QDialog>
 #include <functional>
-#include <vector>
 
 #include "model/settings/operatorrights.h"
 
-class QCheckBox;
 class QLabel;
 class QLineEdit;
 
@@ -30,22 +28,12 @@ signals:
     void unlocked();
 
 private:
-    struct Right {
-        QCheckBox* box;
-        bool OperatorRights::*right;
-    };
     explicit OperatorDialog(QWidget* window);
     QLineEdit* newPinField(const QString& name, const QString& label);
     void addEnd(const QString& goOn, const QString& goOnName, const std::function<void()>& act);
-    void lock();
-    void unlock();
 
-    std::vector<Right> m_rights;
     QLineEdit* m_pin = nullptr;
-    QLineEdit* m_again = nullptr;
     QLabel* m_problem = nullptr;
-    std::function<bool(const QString&)> m_isPin;
-    QString m_forgotten;
 };
 
 }  // namespace nmc
