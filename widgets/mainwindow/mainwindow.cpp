@@ -431,7 +431,11 @@ void MainWindow::showSelected() {
     }
     m_simulator->showSelected(selectedModule());
     showPendant();
-    showScopeModules();
+    // Without a connection, the scope still shows the last samples, and whose they are.
+    if (const LinkState& link = m_session.link(); !link.modules.empty()) {
+        m_scope->showModules(m_session.scopeModules(), selectedModule());
+        m_scope->showSession(QString::fromStdString(link.port), link.simulated);
+    }
     reviewQuestions();
 }
 
@@ -634,11 +638,6 @@ void MainWindow::restoreLayout() {
         m_bar->choosePort(port, m_settings.value(kLastBaud).toUInt());
 }
 
-void MainWindow::saveLayout() {
-    m_settings.setValue(kGeometry, saveGeometry());
-    m_layouts->save();
-}
-
 void MainWindow::resetLayout() {
     m_settings.remove(m_layouts->key(kSimulatorOpen));
     m_layouts->reset();
@@ -674,15 +673,6 @@ void MainWindow::stepNow() {
 }
 
 // ---- the scope ----
-
-/// Without a connection, the scope still shows the last samples, and whose they are.
-void MainWindow::showScopeModules() {
-    const LinkState& link = m_session.link();
-    if (link.modules.empty())
-        return;
-    m_scope->showModules(m_session.scopeModules(), selectedModule());
-    m_scope->showSession(QString::fromStdString(link.port), link.simulated);
-}
 
 const std::vector<ScopeModule>& MainWindow::scopeModules() const {
     return m_scope->modules();
@@ -825,7 +815,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     const bool unsaved = !m_mayClose && !m_workMayWait && (file.modified || file.saving);
     if (!moving && !unsaved) {
         endHold();
-        saveLayout();
+        m_settings.setValue(kGeometry, saveGeometry());
+        m_layouts->save();
         event->accept();
         return;
     }

@@ -187,13 +187,11 @@ private:
     void showAllAxes();
     void makeRoomForMotions(int higher);
     void restoreLayout();
-    void saveLayout();
     void showSession();
     void showModules();
     void showSelected();
     void preparePage();
     void showPhase(LinkPhase before);
-    void showScopeModules();
     void showPendant();
     void showOperator();
     void reviewMessages();
