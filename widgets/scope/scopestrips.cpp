@@ -108,7 +108,6 @@ std::vector<SignalRef> ScopeStrips::signalsOf(std::size_t strip) const {
 }
 
 void ScopeStrips::arrange() {
-    ScopePlot* lowest = nullptr;
     for (std::size_t i = 0; i < m_plots.size(); ++i) {
         m_signals[i] = signalsOf(i);
         const bool shown = !m_signals[i].empty();
@@ -116,11 +115,10 @@ void ScopeStrips::arrange() {
             m_plots[i] = newPlot(i);
         if (m_plots[i] != nullptr)
             m_plots[i]->setVisible(shown);
-        if (shown)
-            lowest = m_plots[i];
     }
-    for (ScopePlot* plot : shownPlots())
-        plot->setTimeLabels(plot == lowest);
+    const std::vector<ScopePlot*> plots = shownPlots();
+    for (ScopePlot* plot : plots)
+        plot->setTimeLabels(plot == plots.back());
     shareHeight();
     m_lane->setVisible(m_setup.lane);
     const ScopeModule module =
