@@ -171,6 +171,18 @@ void fill(QWidget* box, QLayout* content, double around) {
     box->setLayout(content);
 }
 
+void clear(QHBoxLayout& line) {
+    while (QLayoutItem* item = line.takeAt(0)) {
+        // It may be the button whose click is being handled.
+        if (QWidget* button = item->widget()) {
+            button->hide();
+            button->deleteLater();
+            button->setObjectName(QString());
+        }
+        delete item;
+    }
+}
+
 }  // namespace form
 
 FormGrid::FormGrid(QWidget* box, int columns, const Spacing& spacing) : FoldingGrid(box), m_columns(columns) {

@@ -122,15 +122,7 @@ void Banner::present() {
         return;
     m_shown = shown;
     m_others = others;
-    while (QLayoutItem* item = m_actions->takeAt(0)) {
-        // It may be the button whose click is being handled.
-        if (QWidget* button = item->widget()) {
-            button->hide();
-            button->deleteLater();
-            button->setObjectName(QString());
-        }
-        delete item;
-    }
+    form::clear(*m_actions);
     if (!shown) {
         hide();
         setAccessibleName(tr("Important message"));

@@ -64,15 +64,7 @@ void MessageRow::showEntry(const MessageEntry& entry) {
     m_body->setVisible(!m_entry.message.body.isEmpty());
     setToolTip(m_entry.message.details);
     setAccessibleName(when.join(u", "_s) + u": "_s + m_entry.message.headline);
-    while (QLayoutItem* item = m_actions->takeAt(0)) {
-        // It may be the button whose click is being handled.
-        if (QWidget* button = item->widget()) {
-            button->hide();
-            button->setObjectName(QString());
-            button->deleteLater();
-        }
-        delete item;
-    }
+    form::clear(*m_actions);
     for (const Message::Action& action : m_entry.message.actions) {
         // The record can still be viewed; all other actions have become pointless.
         if (m_entry.ended() && action.id != MessageAction::ShowRecord)
