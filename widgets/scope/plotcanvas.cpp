@@ -29,10 +29,8 @@ void PlotCanvas::changeEvent(QEvent* event) {
 }
 
 void PlotCanvas::setCursors(const std::optional<Cursors>& cursors) {
-    if (m_cursors == cursors)
-        return;
-    m_cursors = cursors;
-    update();
+    if (std::exchange(m_cursors, cursors) != cursors)
+        update();
 }
 
 // ---- painting ----

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "widgets/common/look.h"
 #include "widgets/common/words.h"
@@ -151,17 +152,13 @@ void ScopePlot::forget() {
 }
 
 void ScopePlot::showMarker(const std::optional<double>& seconds) {
-    if (m_marker == seconds)
-        return;
-    m_marker = seconds;
-    update();
+    if (std::exchange(m_marker, seconds) != seconds)
+        update();
 }
 
 void ScopePlot::showLevel(const std::optional<double>& level) {
-    if (m_level == level)
-        return;
-    m_level = level;
-    update();
+    if (std::exchange(m_level, level) != level)
+        update();
 }
 
 void ScopePlot::fit() {

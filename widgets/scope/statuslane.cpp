@@ -2,6 +2,7 @@
 #include "widgets/scope/statuslane.h"
 
 #include <QPainter>
+#include <utility>
 
 #include "widgets/common/look.h"
 
@@ -84,10 +85,8 @@ void StatusLane::showFrame(const ScopePlot::View& view, const ModuleHistory* his
 }
 
 void StatusLane::showCursors(const std::optional<CursorTimes>& cursors) {
-    if (m_cursors == cursors)
-        return;
-    m_cursors = cursors;
-    update();
+    if (std::exchange(m_cursors, cursors) != cursors)
+        update();
 }
 
 void StatusLane::paintEvent(QPaintEvent* /*event*/) {
