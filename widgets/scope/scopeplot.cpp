@@ -144,10 +144,9 @@ void ScopePlot::setValueAxis(const AxisRange::Range& range) {
 void ScopePlot::forget() {
     m_range.reset();
     m_manual.reset();
-    for (TraceDrawing& drawing : m_drawings)
-        drawing.clear();
-    for (TraceDrawing& drawing : m_under)
-        drawing.clear();
+    for (auto* drawings : {&m_under, &m_drawings})
+        for (TraceDrawing& drawing : *drawings)
+            drawing.clear();
     update();
 }
 
@@ -201,10 +200,9 @@ AxisRange::Range ScopePlot::valueRange() const {
 
 void ScopePlot::paintTraces(QPainter& painter) {
     painter.setClipRect(m_geometry.area);
-    for (const TraceDrawing& drawing : m_under)
-        drawing.paint(painter, m_geometry);
-    for (const TraceDrawing& drawing : m_drawings)
-        drawing.paint(painter, m_geometry);
+    for (const auto* drawings : {&m_under, &m_drawings})
+        for (const TraceDrawing& drawing : *drawings)
+            drawing.paint(painter, m_geometry);
 }
 
 void ScopePlot::paintMarks(QPainter& painter) {
