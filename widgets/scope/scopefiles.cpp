@@ -131,12 +131,7 @@ void ScopeFiles::addMoveButton(const QString& objectName, const QString& text, c
 
 void ScopeFiles::recordOrEnd() {
     if (m_recording)
-        emit recordingEndRequested();
-    else
-        chooseToRecord();
-}
-
-void ScopeFiles::chooseToRecord() {
+        return emit recordingEndRequested();
     askWhereToSave(m_panel,
                    {u"scopeRecordDialog"_s, tr("Record to a file"), filters(), m_folder,
                     QDateTime::currentDateTime().toString(u"yyyy-MM-dd HHmmss"_s)},

@@ -67,7 +67,6 @@ private:
     Row addRow(const QString& name, const QString& title, const QString& verb, const QString& meaning);
     void showRecordAction();
     void recordOrEnd();
-    void chooseToRecord();
     [[nodiscard]] static QStringList filters();
     void choose(const QString& objectName, const QString& title, void (ScopeFiles::*wanted)(const QString&));
     void addMoveButton(const QString& objectName, const QString& text, const QString& meaning, double share);

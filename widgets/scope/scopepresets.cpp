@@ -58,7 +58,10 @@ void ScopePresets::fillMenu() {
     m_removes->setEnabled(!m_presets.empty());
     m_removes->clear();
     for (const QString& name : m_presets.keys())
-        m_removes->addAction(menuText(name), this, [this, name] { remove(name); });
+        m_removes->addAction(menuText(name), this, [this, name] {
+            m_presets.remove(name);
+            changed();
+        });
 }
 
 void ScopePresets::askForName() {
@@ -86,7 +89,10 @@ void ScopePresets::askForName() {
     connect(name, &QLineEdit::textChanged, dialog, refresh);
     connect(cancel, &QPushButton::clicked, dialog, &QDialog::reject);
     connect(saves, &QPushButton::clicked, dialog, &QDialog::accept);
-    connect(dialog, &QDialog::accepted, this, [this, name] { save(name->text().trimmed()); });
+    connect(dialog, &QDialog::accepted, this, [this, name] {
+        m_presets.insert(name->text().trimmed(), m_setup);
+        changed();
+    });
     form::fill(
         dialog,
         form::newColumn(dialog, {form::newLine(dialog, {form::newLabel(Common::tr("Name"), name), name}),
@@ -94,16 +100,6 @@ void ScopePresets::askForName() {
         1);
     refresh();
     dialog->open();
-}
-
-void ScopePresets::save(const QString& name) {
-    m_presets.insert(name, m_setup);
-    changed();
-}
-
-void ScopePresets::remove(const QString& name) {
-    m_presets.remove(name);
-    changed();
 }
 
 void ScopePresets::changed() {

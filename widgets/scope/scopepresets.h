@@ -35,8 +35,6 @@ signals:
 private:
     void fillMenu();
     void askForName();
-    void save(const QString& name);
-    void remove(const QString& name);
     void changed();
 
     QWidget* m_panel;
