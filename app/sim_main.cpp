@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "base/numbertext.h"
 #include "app/longoptions.h"
+#include "base/numbertext.h"
 #include "link/terminal/ptyserver.h"
 #include "link/terminal/simserver.h"
 #include "link/threadpriority.h"

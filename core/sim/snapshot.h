@@ -24,7 +24,7 @@ struct LaterServoSnapshot {
     bool fastPath = false;
     bool advancedFeatures = false;  ///< CMC only; an SC always has them
     // SC only.
-    double voltSense = 0;  ///< volts at VOLT_SENSE
+    double voltSense = 0;        ///< volts at VOLT_SENSE
     bool limitStopsOff = false;  ///< action at a limit: motor off, or an abrupt stop
     bool limitStopsAbruptly = false;
     bool threePhase = false;

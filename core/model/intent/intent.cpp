@@ -304,8 +304,8 @@ std::optional<MotionSpec> motionOf(const intent::GoHome& goHome, const ModuleSta
 }
 
 std::optional<Refusal> whyNotDeclare(const ModuleState& module) {
-    return firstUnmet({{module.position().has_value(), Refusal::PositionUnknown},
-                       {!module.moving(), Refusal::Moving}});
+    return firstUnmet(
+        {{module.position().has_value(), Refusal::PositionUnknown}, {!module.moving(), Refusal::Moving}});
 }
 
 std::optional<Refusal> whyInaccessible(IntentKind kind, const ModuleState& module) {
