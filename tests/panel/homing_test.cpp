@@ -152,7 +152,7 @@ TEST_F(HomingPage, ScanAgainIsDroppedForAMoveOfOtherAxes) {
     ASSERT_TRUE(panel.waitFor([&] { return second().gains.has_value(); }));
     tell(intent::Enable{});
     ASSERT_TRUE(panel.waitFor([&] { return second().servoOn(); }));
-    type("homingVelocityField", u"0.2"_s);
+    panel.type("homingVelocityField", u"0.2"_s);
     click("homeButton");
     ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
     panel.window().findChild<QAction*>(u"scanAction"_s)->trigger();
@@ -165,8 +165,8 @@ TEST_F(HomingPage, ScanAgainIsDroppedForAMoveOfOtherAxes) {
 TEST_F(HomingPage, TheIndexBehindTheLimit) {
     ASSERT_NO_FATAL_FAILURE(begin());
     panel.type("homingVelocityField", u"1.5"_s);
-    panel.type("homingIndexVelocityField", u"0.3"_s);
     click("thenIndexBox");
+    panel.type("homingIndexVelocityField", u"0.3"_s);
     click("makeZeroBox");
     EXPECT_TRUE(text("homingStagesLabel").contains(u"Searching\u00A0for\u00A0the\u00A0index"_s));
     click("homeButton");
