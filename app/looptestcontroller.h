@@ -7,6 +7,7 @@
 
 #include "link/command/procedurecontroller.h"
 #include "link/connection/busstore.h"
+#include "model/response/responsefile.h"
 #include "widgets/mainwindow/mainwindow.h"
 
 namespace nmc {

@@ -18,6 +18,7 @@
 
 class QDockWidget;
 class QMenu;
+class QPushButton;
 class QSettings;
 
 namespace nmc {
