@@ -67,9 +67,6 @@ void keepRoom(QWidget* widget);
 /// Shows a window in front of the others, and gives it the keyboard.
 void showInFront(QWidget* window);
 
-/// Shows a window in front of all others, and gives it the focus.
-void showInFront(QWidget* window);
-
 /// Names a control for tests and for assistive technology in one go.
 void name(QWidget* widget, const QString& objectName, const QString& accessibleName);
 /// The object name of a widget that a window may have once for each type of module.
