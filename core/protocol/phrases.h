@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For describe.cpp and describereply.cpp only.
+// For describe.cpp only.
 
 #include <string>
 #include <string_view>

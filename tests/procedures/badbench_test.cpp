@@ -265,8 +265,8 @@ void BadBench::expectOffOrHeld() {
     EXPECT_EQ(at.servoOn ? 0 : bench.truth().pwm, 0);
 }
 
-/// Checks what the program keeps of a test: whole steps (Composition::followSteps), forward edges
-/// (SquareWavePage).
+/// Checks what the program keeps of a test: whole steps (LoopTestController::followSteps()), forward
+/// edges (SquareWavePage).
 void BadBench::expectNoModel(const ProcedureReport& report) const {
     const bool whole = report.stage == ProcedureStage::Done || report.failure == ProcedureFailure::NotStill;
     if (kind() == Kind::Step && report.step && whole)
