@@ -281,6 +281,32 @@ TEST_F(Controls, TheMonitorsDockIsClosedAtFirstAndHasAMenuEntry) {
     EXPECT_TRUE(find(u"messagesDock"_s)->isVisible());
 }
 
+/// The name of an axis may look like markup; a tool tip is a label, too.
+TEST_F(Controls, ShowNoTextAsMarkup) {
+    int seen = 0;
+    for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper, ModuleType::Io}) {
+        showInEveryDock({type, 1});
+        window->findChild<QAction*>(u"groupsAction"_s)->trigger();
+        window->findChild<QAction*>(u"safetyAction"_s)->trigger();
+        for (QLabel* label : window->findChildren<QLabel*>()) {
+            label->ensurePolished();  // as it is before it is shown
+            EXPECT_EQ(label->textFormat(), Qt::PlainText)
+                << label->objectName().toStdString() << ": " << label->text().toStdString();
+            ++seen;
+        }
+    }
+    EXPECT_GT(seen, 100);
+    QToolTip::showText({}, u"<b>X</b>"_s);
+    int tips = 0;
+    for (const QWidget* widget : QApplication::topLevelWidgets())
+        if (const auto* tip = qobject_cast<const QLabel*>(widget); tip && tip->inherits("QTipLabel")) {
+            EXPECT_EQ(tip->textFormat(), Qt::PlainText);
+            ++tips;
+        }
+    EXPECT_GE(tips, 1);
+    QToolTip::hideText();
+}
+
 TEST_F(Controls, HelpSaysToFitAHardwareStop) {
     window->findChild<QAction*>(u"safetyAction"_s)->trigger();
     auto* box = find(u"safetyDialog"_s);

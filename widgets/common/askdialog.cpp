@@ -57,7 +57,6 @@ AskDialog::AskDialog(const Question& question, std::initializer_list<Choice> cho
     glyph->setFont(look::scaled(font(), 1.6));
     glyph->showSeverity(Severity::Attention);
     m_label->setObjectName(question.textName);
-    m_label->setTextFormat(Qt::PlainText);
     m_label->setWordWrap(true);
     m_label->setMinimumWidth(fontMetrics().height() * kQuestionWidth);
     for (const Choice& choice : choices)

@@ -10,7 +10,6 @@
 namespace nmc {
 
 ElidedLabel::ElidedLabel(int lines, QWidget* parent) : QLabel(parent), m_lines(lines) {
-    setTextFormat(Qt::PlainText);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 

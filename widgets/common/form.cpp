@@ -133,7 +133,6 @@ QLabel* newParagraph(const QString& name, const QString& what, QWidget* box, int
     else
         look::nameText(label, name, what);
     label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
     if (lines > 0) {
         label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
         label->setAlignment(Qt::AlignLeft | Qt::AlignTop);

@@ -207,7 +207,6 @@ void setReadout(QLabel* label, const QString& text) {
 QLabel* newMutedLabel(const QString& text, QWidget* parent, const QString& objectName) {
     auto* label = new MutedLabel(text, parent);
     label->setObjectName(objectName);
-    label->setTextFormat(Qt::PlainText);
     return label;
 }
 

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QHash>
 #include <QIcon>
+#include <QLabel>
 #include <QProxyStyle>
 #include <QStyleOption>
 #include <QWidget>
@@ -72,11 +73,18 @@ QColor seenAs(QPalette::ColorRole wanted, const QPalette& palette, const Drawn& 
 }
 
 /// Fusion with visible frames: its own are darkened shades of the window colour, or of the highlight where
-/// the focus is, and disappear on dark windows.
+/// the focus is, and disappear on dark windows. Labels have no markup.
 class Style : public QProxyStyle {
 public:
     Style() : QProxyStyle(u"Fusion"_s) {}
 
+    using QProxyStyle::polish;
+    /// Names, units and paths are shown as they are, also where they look like markup; a tool tip is a label.
+    void polish(QWidget* widget) override {
+        QProxyStyle::polish(widget);
+        if (auto* label = qobject_cast<QLabel*>(widget))
+            label->setTextFormat(Qt::PlainText);
+    }
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
         const bool framed = element == PE_Frame || element == PE_FrameLineEdit ||

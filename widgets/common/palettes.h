@@ -34,7 +34,7 @@ void useColours(Colours colours);
 /// the window's palette.
 void adoptReadable(QWidget* window);
 
-/// Fusion, with frames that have a contrast of 3:1 in every palette.
+/// Fusion, with frames that have a contrast of 3:1 in every palette, and labels and tool tips without markup.
 [[nodiscard]] QStyle* newStyle();
 
 }  // namespace nmc::look

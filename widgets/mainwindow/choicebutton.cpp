@@ -27,7 +27,6 @@ ChoiceButton::ChoiceButton(const QString& objectName, const QString& icon, QWidg
     m_needs->setObjectName(objectName + u"Needs"_s);
     for (QLabel* label : {m_icon, m_title, m_needs}) {
         label->setForegroundRole(QPalette::ButtonText);
-        label->setTextFormat(Qt::PlainText);
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
     }
     for (QLabel* label : {m_title, m_needs})

@@ -38,7 +38,6 @@ void openBox(MainWindow& window, const QString& objectName, const QString& title
              const QString& more) {
     auto* box = new QMessageBox(QMessageBox::NoIcon, title, text, QMessageBox::Close, &window);
     box->setInformativeText(more);
-    box->setTextFormat(Qt::PlainText);
     box->setAttribute(Qt::WA_DeleteOnClose);
     look::name(box, objectName, title);
     // Not modal: the panel stays usable, and STOP ALL with it.

@@ -16,7 +16,6 @@ Ribbon::Ribbon(const QString& objectName, const QString& accessibleName, const Q
     : QFrame(parent), m_layout(new QHBoxLayout(this)), m_text(new QLabel(text, this)) {
     look::name(this, objectName, accessibleName);
     m_text->setObjectName(objectName + u"Text"_s);
-    m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
     m_text->setAlignment(Qt::AlignCenter);
     const int unit = look::gridUnit(this);

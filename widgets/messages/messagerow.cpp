@@ -29,7 +29,6 @@ MessageRow::MessageRow(const MessageEntry& entry, QWidget* parent)
     m_when->setFont(look::tabular(font()));
     m_when->setWordWrap(true);
     for (QLabel* label : {m_headline, m_body}) {
-        label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     }

@@ -107,7 +107,6 @@ QWidget* ScopeBar::newRecordRow() {
     connect(back, &QToolButton::clicked, this, &ScopeBar::liveRequested);
     look::name(m_record, u"scopeRecordLabel"_s, tr("Source of the picture"));
     m_record->setWordWrap(true);
-    m_record->setTextFormat(Qt::PlainText);
     m_recordRow->setLayout(form::newLine(this, {back, {m_record, 1}}, form::kUsual));
     m_recordRow->layout()->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
     m_recordRow->hide();

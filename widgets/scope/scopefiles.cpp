@@ -70,7 +70,6 @@ ScopeFiles::Row ScopeFiles::addRow(const QString& name, const QString& title, co
     Row row{new QWidget(this), new QLabel(this), new QPushButton(verb, this)};
     row.widget->setLayout(form::newLine(this, {row.label, row.button, nullptr}, form::kUsual));
     row.widget->layout()->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
-    row.label->setTextFormat(Qt::PlainText);
     look::name(row.label, name + u"Label"_s, title);
     look::name(row.button, name + u"EndButton"_s, verb);
     row.button->setToolTip(meaning);

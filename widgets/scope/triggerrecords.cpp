@@ -42,7 +42,6 @@ TriggerRecords::TriggerRecords(Requests& requests, QWidget* parent)
       m_kept(kUsuallyKept) {
     look::name(this, u"triggerRecords"_s, tr("Saved pictures"));
     look::nameText(m_state, u"triggerSavedLabel"_s, tr("Saved pictures"));
-    m_state->setTextFormat(Qt::PlainText);
     m_keep->showValue(kUsuallyKept);
     connect(m_wanted, &QCheckBox::clicked, this, [this](bool wanted) { wanted ? chooseFolder() : stop(); });
     connect(m_keep, &NumberField::editingFinished, this, &TriggerRecords::takeKept);
