@@ -1929,12 +1929,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Motor ist in Bewegung. Eine Position wird aus dem Stillstand angefahren: zuerst stoppen.</translation>
     </message>
     <message>
-        <source>The acceleration is 0: the motor could not start or stop. Enter an acceleration.</source>
-        <translation>Die Beschleunigung ist 0: Der Motor könnte weder anlaufen noch anhalten. Eine Beschleunigung eingeben.</translation>
+        <source>The acceleration is 0 or unknown: the motor might not start or stop. Enter an acceleration.</source>
+        <translation>Die Beschleunigung ist 0 oder unbekannt: Der Motor könnte vielleicht nicht anlaufen oder anhalten. Eine Beschleunigung eingeben.</translation>
     </message>
     <message>
-        <source>The velocity is 0: the motor would not move. Enter a velocity.</source>
-        <translation>Die Geschwindigkeit ist 0: Der Motor würde sich nicht bewegen. Eine Geschwindigkeit eingeben.</translation>
+        <source>The velocity is 0 or unknown: the motor might not move, or move too fast. Enter a velocity.</source>
+        <translation>Die Geschwindigkeit ist 0 oder unbekannt: Der Motor würde sich vielleicht nicht oder zu schnell bewegen. Eine Geschwindigkeit eingeben.</translation>
     </message>
     <message>
         <source>Note</source>

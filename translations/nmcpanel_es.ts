@@ -1929,12 +1929,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El motor está en movimiento. Párelo primero: un movimiento a una posición empieza con el motor parado.</translation>
     </message>
     <message>
-        <source>The acceleration is 0: the motor could not start or stop. Enter an acceleration.</source>
-        <translation>La aceleración es 0: el motor no podría arrancar ni parar. Introduzca una aceleración.</translation>
+        <source>The acceleration is 0 or unknown: the motor might not start or stop. Enter an acceleration.</source>
+        <translation>La aceleración es 0 o desconocida: el motor quizá no podría arrancar ni parar. Introduzca una aceleración.</translation>
     </message>
     <message>
-        <source>The velocity is 0: the motor would not move. Enter a velocity.</source>
-        <translation>La velocidad es 0: el motor no se movería. Introduzca una velocidad.</translation>
+        <source>The velocity is 0 or unknown: the motor might not move, or move too fast. Enter a velocity.</source>
+        <translation>La velocidad es 0 o desconocida: el motor quizá no se movería o se movería demasiado rápido. Introduzca una velocidad.</translation>
     </message>
     <message>
         <source>Note</source>

@@ -1929,12 +1929,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le moteur est en mouvement. Arrêtez-le d’abord&#xa0;: un déplacement vers une position part de l’arrêt.</translation>
     </message>
     <message>
-        <source>The acceleration is 0: the motor could not start or stop. Enter an acceleration.</source>
-        <translation>L’accélération est à 0&#xa0;: le moteur ne pourrait ni démarrer ni s’arrêter. Saisissez une accélération.</translation>
+        <source>The acceleration is 0 or unknown: the motor might not start or stop. Enter an acceleration.</source>
+        <translation>L’accélération est à 0 ou inconnue&#xa0;: le moteur pourrait ne pas démarrer ou ne pas s’arrêter. Saisissez une accélération.</translation>
     </message>
     <message>
-        <source>The velocity is 0: the motor would not move. Enter a velocity.</source>
-        <translation>La vitesse est à 0&#xa0;: le moteur ne bougerait pas. Saisissez une vitesse.</translation>
+        <source>The velocity is 0 or unknown: the motor might not move, or move too fast. Enter a velocity.</source>
+        <translation>La vitesse est à 0 ou inconnue&#xa0;: le moteur pourrait ne pas bouger, ou bouger trop vite. Saisissez une vitesse.</translation>
     </message>
     <message>
         <source>Note</source>

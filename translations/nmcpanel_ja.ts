@@ -1926,12 +1926,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モーターが動いています。先に停止してください。位置への移動は停止状態から始めます。</translation>
     </message>
     <message>
-        <source>The acceleration is 0: the motor could not start or stop. Enter an acceleration.</source>
-        <translation>加速度が0です。モーターは起動も停止もできません。加速度を入力してください。</translation>
+        <source>The acceleration is 0 or unknown: the motor might not start or stop. Enter an acceleration.</source>
+        <translation>加速度が0または不明です。モーターが起動や停止をできないおそれがあります。加速度を入力してください。</translation>
     </message>
     <message>
-        <source>The velocity is 0: the motor would not move. Enter a velocity.</source>
-        <translation>速度が0です。モーターは動きません。速度を入力してください。</translation>
+        <source>The velocity is 0 or unknown: the motor might not move, or move too fast. Enter a velocity.</source>
+        <translation>速度が0または不明です。モーターが動かない、または速すぎるおそれがあります。速度を入力してください。</translation>
     </message>
     <message>
         <source>Note</source>

@@ -229,6 +229,12 @@ TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {
               u"Module 2 has stopped."_s);
 }
 
+/// What another host has loaded is not known, but need not be 0.
+TEST(Texts, NoVelocityOrAccelerationIsCalledZeroThatMayBeUnknown) {
+    EXPECT_TRUE(texts::refusal(Refusal::NoVelocity).startsWith(u"The velocity is 0 or unknown"_s));
+    EXPECT_TRUE(texts::refusal(Refusal::NoAcceleration).startsWith(u"The acceleration is 0 or unknown"_s));
+}
+
 /// Also of those that are not expected there.
 TEST(Texts, EveryFailureOfEveryProcedureHasWords) {
     for (auto kind = ProcedureKind::Homing; kind <= ProcedureKind::Repeatability; kind = next(kind))

@@ -196,9 +196,10 @@ QString refusal(Refusal refusal) {
                 "The motor is moving. Stop it first: a move to a position starts from standstill.");
         case Refusal::NoAcceleration:
             return Texts::tr(
-                "The acceleration is 0: the motor could not start or stop. Enter an acceleration.");
+                "The acceleration is 0 or unknown: the motor might not start or stop. Enter an acceleration.");
         case Refusal::NoVelocity:
-            return Texts::tr("The velocity is 0: the motor would not move. Enter a velocity.");
+            return Texts::tr(
+                "The velocity is 0 or unknown: the motor might not move, or move too fast. Enter a velocity.");
         case Refusal::NothingLoaded:
             return Texts::tr("Load a move first.");
         case Refusal::PositionUnknown:

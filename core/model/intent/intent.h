@@ -218,9 +218,9 @@ enum class Refusal : std::uint8_t {
     ServoRateUnknown,  ///< SR is unknown, and therefore speeds per second as well
     ServoOff,          ///< enable first
     Moving,            ///< trapezoidal moves start from standstill only
-    NoAcceleration,    ///< with acceleration 0, the motor would never start or stop
-    NoVelocity,
-    NothingLoaded,  ///< no confirmed load waits for a start
+    NoAcceleration,    ///< 0 or unknown: the motor might never start or stop
+    NoVelocity,        ///< 0, or unknown because another host has loaded it
+    NothingLoaded,     ///< no confirmed load waits for a start
     PositionUnknown,
     HomeUnknown,     ///< not searched for or saved, or the counter may have been set since
     ServoOn,         ///< PWM mode requires the servo to be off
