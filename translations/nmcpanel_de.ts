@@ -13076,8 +13076,8 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>von oben</translation>
     </message>
     <message>
-        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight to its goal.</source>
-        <translation>„Position anfahren“, „Zur Referenz“ und „Schritt“ kommen von dieser Seite an ihr Ziel. Eine geladene Fahrt geht direkt.</translation>
+        <source>Go, Go home, steps, points and sequences approach their goals from this side. Loaded moves and paths go straight to theirs.</source>
+        <translation>„Anfahren“, „Zur Referenz“, Schritte, Punkte und Abläufe kommen von dieser Seite an ihr Ziel. Geladene Fahrten und Bahnen gehen direkt.</translation>
     </message>
     <message>
         <source>Confirm position…</source>

@@ -13076,8 +13076,8 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
         <translation>desde arriba</translation>
     </message>
     <message>
-        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight to its goal.</source>
-        <translation>“Ir a posición”, “Ir a referencia” y “Paso” llegan a su destino desde este lado. Un movimiento cargado va directo.</translation>
+        <source>Go, Go home, steps, points and sequences approach their goals from this side. Loaded moves and paths go straight to theirs.</source>
+        <translation>“Desplazar”, “Ir a referencia”, los pasos, los puntos y las secuencias llegan a su destino desde este lado. Los movimientos cargados y las trayectorias van directos.</translation>
     </message>
     <message>
         <source>Confirm position…</source>

@@ -13076,8 +13076,8 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
         <translation>par le haut</translation>
     </message>
     <message>
-        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight to its goal.</source>
-        <translation>«&#xa0;Aller à la position&#xa0;», «&#xa0;Aller à l’origine&#xa0;» et «&#xa0;Pas&#xa0;» approchent leur cible de ce côté. Un déplacement chargé y va directement.</translation>
+        <source>Go, Go home, steps, points and sequences approach their goals from this side. Loaded moves and paths go straight to theirs.</source>
+        <translation>«&#xa0;Y aller&#xa0;», «&#xa0;Aller à l’origine&#xa0;», les pas, les points et les séquences approchent leur cible de ce côté. Les déplacements chargés et les trajectoires y vont directement.</translation>
     </message>
     <message>
         <source>Confirm position…</source>

@@ -13056,8 +13056,8 @@ It works only while the link works: fit a hardware stop as well.</source>
         <translation>上から</translation>
     </message>
     <message>
-        <source>Go to, Go home and Step approach their goal from this side. A loaded move goes straight to its goal.</source>
-        <translation>「位置へ移動」、「原点へ移動」、「ステップ」は、目標位置にこの側から接近します。ロード済みの移動は直接向かいます。</translation>
+        <source>Go, Go home, steps, points and sequences approach their goals from this side. Loaded moves and paths go straight to theirs.</source>
+        <translation>「移動」、「原点へ移動」、ステップ、ポイント、シーケンスは、目標位置にこの側から接近します。ロード済みの移動とパスは直接向かいます。</translation>
     </message>
     <message>
         <source>Confirm position…</source>

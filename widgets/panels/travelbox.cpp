@@ -102,7 +102,7 @@ void TravelBox::buildBacklash(FormGrid* grid) {
          .accessible = tr("Approach direction of every goal"),
          .options = {{tr("from below"), false}, {tr("from above"), true}},
          .meaning = tr(
-             "Go to, Go home and Step approach their goal from this side. A loaded move goes straight to its goal.")},
+             "Go, Go home, steps, points and sequences approach their goals from this side. Loaded moves and paths go straight to theirs.")},
         this);
     grid->addRow(Common::tr("Backlash"), m_backlash, {m_side});
     connect(m_backlash, &QuantityField::nativeEdited, this, &TravelBox::keepBacklash);
