@@ -318,7 +318,9 @@ TEST(Texts, ReadoutsAreGroupedAndSigned) {
     EXPECT_EQ(texts::grouped(-1234567), u"\u22121\u202f234\u202f567"_s);
     EXPECT_EQ(texts::readout(1953.125), u"1\u202f953"_s);
     EXPECT_EQ(texts::readout(0.5), u"0.5"_s);
+    EXPECT_EQ(texts::readout(-0.5), u"\u22120.5"_s);
     EXPECT_EQ(texts::readout(0), u"0"_s);
+    EXPECT_EQ(texts::readout(-1e-9), u"0"_s) << "it has six decimals";
     EXPECT_EQ(texts::readout(999.99), u"1\u202f000"_s);
 }
 

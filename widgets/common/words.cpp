@@ -372,14 +372,14 @@ QString readout(double value, int significant) {
     const double magnitude = std::abs(value);
     const int before = magnitude < 1 ? 1 : static_cast<int>(std::floor(std::log10(magnitude))) + 1;
     const int decimals = magnitude == 0.0 ? 0 : qBound(0, significant - before, 6);
-    QString text = fixed(magnitude, decimals);
+    QString text = fixed(value, decimals);
     if (decimals > 0) {
         while (text.endsWith(u'0'))
             text.chop(1);
         if (text.endsWith(QLocale().decimalPoint()))
             text.chop(QLocale().decimalPoint().size());
     }
-    return value < 0 ? QChar(0x2212) + text : text;
+    return text;
 }
 
 QString countOfModules(int count) {

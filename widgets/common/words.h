@@ -41,8 +41,8 @@ void setModuleNames(const QStringList& names);
 /// A number with exactly `decimals` decimals, grouped, with the locale's decimal mark and a true minus sign,
 /// but none before a 0.
 [[nodiscard]] QString fixed(double value, int decimals);
-/// A readout with `significant` significant digits, grouped, with the locale's decimal mark and a true minus
-/// sign.
+/// A readout with `significant` significant digits, at most six of them decimals, as fixed() without its last
+/// zeros.
 [[nodiscard]] QString readout(double value, int significant = 4);
 [[nodiscard]] QString countOfModules(int count);
 /// "a, b and c"
