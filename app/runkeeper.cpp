@@ -31,7 +31,7 @@ const QString kSuffix = QLatin1Char('.') + QLatin1String(kRunFileSuffix.data(), 
 
 [[nodiscard]] bool setAside(const QString& path) {
     for (int number = 1; number < 100; ++number)
-        if (QFile::rename(path, QStringLiteral("%1.unread-%2").arg(path).arg(number)))
+        if (QFile::rename(path, path + QStringLiteral(".unread-%1").arg(number)))
             return true;
     return false;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/texts.h"
 
+#include "widgets/common/unitwords.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -227,6 +228,13 @@ TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {
     EXPECT_EQ(texts::stopConfirmed({ModuleIndex(1), bus::StopCause::HoldExpired}), u"It has stopped."_s);
     EXPECT_EQ(texts::stopConfirmed({ModuleIndex(1), bus::StopCause::GroupHalfStarted}),
               u"Module 2 has stopped."_s);
+}
+
+/// A name may look like a place marker.
+TEST(Texts, NamesAreShownAsTheyAre) {
+    EXPECT_EQ(texts::machineOpened(u"/home/anna/50%1.json"_s, 3, 0).headline,
+              u"\"50%1.json\" is open. Settings applied: 3."_s);
+    EXPECT_EQ(texts::analogReading({.perCount = 1, .unit = "%1"}, 7), u"7 %1 (7 of 255)"_s);
 }
 
 /// What another host has loaded is not known, but need not be 0.

@@ -90,8 +90,8 @@ void ChainModel::showLink(const LinkState& state, const Machine& machine, const 
 
 /// The row as it is read out: what it shows, and what a struck-out position means.
 QString ChainModel::spoken(const Row& row) const {
-    const QString who =
-        tr("%1, address %2, %3, %4").arg(row.facts.name).arg(row.facts.address).arg(row.type, row.activity);
+    const QString who = tr("%1, address %2, %3, %4")
+                            .arg(row.facts.name, QString::number(row.facts.address), row.type, row.activity);
     if (!row.facts.motor)
         return who;
     QString where = row.counts ? row.position + u' ' + row.unit : tr("unknown");
@@ -151,8 +151,7 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
         case Qt::ToolTipRole:
             // In full, since there may be no room for all of it in the list.
             return tr("%1, %2, at address %3 on the wire")
-                       .arg(row.facts.name, row.type)
-                       .arg(row.facts.address) +
+                       .arg(row.facts.name, row.type, QString::number(row.facts.address)) +
                    u'\n' + row.activity + u": "_s + texts::activityMeaning(row.facts.activity) +
                    (row.facts.motor ? u'\n' + texts::homeMeaning(row.facts.home, row.facts.zero, row.seen,
                                                                  row.facts.scale)

@@ -30,19 +30,18 @@ QString homeMeaning(const Place& place, const Zero& zero, TimePoint seen, const 
             "Home is unknown. Search for home, or move there and choose Save as home. A restart of the module loses home again.");
     const QString where = texts::place(zero, scale, place->counts);
     // Counted up to the last status, whose age is shown beside it.
-    const double minutes = std::floor(toSeconds(seen - place->since) / 60.0);
+    const QString minutes = QString::number(std::floor(toSeconds(seen - place->since) / 60.0));
     switch (place->source) {
         case HomeFact::Source::Search:
-            return Texts::tr("Home is at %1. A search found it %2 min ago.").arg(where).arg(minutes);
+            return Texts::tr("Home is at %1. A search found it %2 min ago.").arg(where, minutes);
         case HomeFact::Source::Saved:
-            return Texts::tr("Home is at %1. It was saved %2 min ago.").arg(where).arg(minutes);
+            return Texts::tr("Home is at %1. It was saved %2 min ago.").arg(where, minutes);
         case HomeFact::Source::Declared:
-            return Texts::tr("Home is at %1. You confirmed the position %2 min ago.").arg(where).arg(minutes);
+            return Texts::tr("Home is at %1. You confirmed the position %2 min ago.").arg(where, minutes);
         case HomeFact::Source::Remembered:
             return Texts::
                 tr("Home is at %1, not verified: restored %2 min ago from the last known position. Search for home to verify it.")
-                    .arg(where)
-                    .arg(minutes);
+                    .arg(where, minutes);
     }
     return {};
 }

@@ -68,7 +68,7 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
             m.actions = {connectFully(), scanAgain()};
             break;
     }
-    m.details = Texts::tr("Port %1, %2 Bd").arg(port).arg(failed.baud);
+    m.details = Texts::tr("Port %1, %2 Bd").arg(port, QString::number(failed.baud));
     return m;
 }
 
@@ -153,8 +153,7 @@ Message repliesInPieces(const QString& port, int gapMs) {
     return {
         .key = u"pieces"_s,
         .headline = Texts::tr("The adapter at %1 passes answers on in pieces, up to %2 ms apart.")
-                        .arg(portName(port))
-                        .arg(gapMs),
+                        .arg(portName(port), QString::number(gapMs)),
         .body = Texts::tr(
             "USB hubs, Bluetooth and device servers do that. The panel waits for the rest, so updates are slower. No action needed.")};
 }

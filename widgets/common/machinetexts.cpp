@@ -179,7 +179,7 @@ QString fileProblem(const QString& file, const FileProblem& problem) {
         return Texts::
             tr("\"%1\" was written by a newer NMC Panel: its format is %2; this version reads formats up to %3.")
                 .arg(file, QString::fromStdString(problem.found), plainNumber(problem.max));
-    return Texts::tr("\"%1\" line %2: %3").arg(file).arg(problem.line).arg(wrongInLine(problem));
+    return Texts::tr("\"%1\" line %2: %3").arg(file, QString::number(problem.line), wrongInLine(problem));
 }
 
 Message machineNotOpened(const QString& file, const FileProblem& problem) {
@@ -204,16 +204,17 @@ Message machineNotSaved(const QString& file, const FileProblem& problem) {
 }
 
 Message machineOpened(const QString& file, int parts, int sent) {
-    return {
-        .key = key::kMachineFile + u".opened"_s,
-        .headline = Texts::tr("\"%1\" is open. Settings applied: %2.").arg(machineFileName(file)).arg(parts),
-        .body = commandsSent(sent)};
+    return {.key = key::kMachineFile + u".opened"_s,
+            .headline = Texts::tr("\"%1\" is open. Settings applied: %2.")
+                            .arg(machineFileName(file), QString::number(parts)),
+            .body = commandsSent(sent)};
 }
 
 Message axisCopied(ModuleIndex from, int parts, int sent) {
-    return {.key = key::kMachineFile + u".copied"_s,
-            .headline = Texts::tr("Settings copied from %1: %2.").arg(moduleName(from)).arg(parts),
-            .body = commandsSent(sent)};
+    return {
+        .key = key::kMachineFile + u".copied"_s,
+        .headline = Texts::tr("Settings copied from %1: %2.").arg(moduleName(from), QString::number(parts)),
+        .body = commandsSent(sent)};
 }
 
 Message machineNotApplied(int movingMotors) {

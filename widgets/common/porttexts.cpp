@@ -41,13 +41,12 @@ QString intoUdev(const QString& rule) {
 
 Message inUse(const PortError& error) {
     Message m;
-    m.headline =
-        error.pid == 0 ? Texts::tr("%1 is used by another program.").arg(shown(error.port))
-        : error.program.empty()
-            ? Texts::tr("%1 is used by another program (pid %2).").arg(shown(error.port)).arg(error.pid)
-            : Texts::tr("%1 is used by %2 (pid %3).")
-                  .arg(shown(error.port), shown(error.program))
-                  .arg(error.pid);
+    m.headline = error.pid == 0 ? Texts::tr("%1 is used by another program.").arg(shown(error.port))
+                 : error.program.empty()
+                     ? Texts::tr("%1 is used by another program (pid %2).")
+                           .arg(shown(error.port), QString::number(error.pid))
+                     : Texts::tr("%1 is used by %2 (pid %3).")
+                           .arg(shown(error.port), shown(error.program), QString::number(error.pid));
     m.body = Texts::tr("Close it and try again.");
     m.actions = {retry(), choosePort()};
     if (error.program == "ModemManager") {

@@ -119,9 +119,10 @@ QString why(const SequenceReport& report) {
 QString runPlace(const SequenceReport& report) {
     QStringList parts;
     for (const RowPlace& place : report.places) {
-        QString part = Texts::tr("%1, row %2").arg(QString::fromStdString(place.sequence)).arg(place.row + 1);
+        QString part = Texts::tr("%1, row %2")
+                           .arg(QString::fromStdString(place.sequence), QString::number(place.row + 1));
         for (const auto& [row, rounds] : place.rounds)
-            part = Texts::tr("%1, pass %2").arg(part).arg(rounds + 1);
+            part = Texts::tr("%1, pass %2").arg(part, QString::number(rounds + 1));
         parts << part;
     }
     return parts.join(u" › "_s);
@@ -144,8 +145,7 @@ QString axisLine(const DryRun::Axis& axis, const AxisScale& scale) {
     const auto [lowest, highest] = scale.ordered(axis.lowest, axis.highest);
     return Texts::tr("%1: %2 to %3, %4 in all, moves: %5")
         .arg(moduleName(axis.module), position(scale, lowest), position(scale, highest),
-             distance(scale, axis.travelled))
-        .arg(axis.moves);
+             distance(scale, axis.travelled), QString::number(axis.moves));
 }
 
 }  // namespace
@@ -187,9 +187,7 @@ QString sequenceProblem(const SequenceProblem& problem) {
     if (!hasRow)
         return wrong(problem);
     return Texts::tr("%1, row %2: %3")
-        .arg(QString::fromStdString(problem.sequence))
-        .arg(problem.row + 1)
-        .arg(wrong(problem));
+        .arg(QString::fromStdString(problem.sequence), QString::number(problem.row + 1), wrong(problem));
 }
 
 QString sequenceState(const SequenceReport& report) {

@@ -168,7 +168,7 @@ QString analog(const AnalogScale& scale, int value) {
 }
 
 QString analogReading(const AnalogScale& scale, std::optional<int> value) {
-    return value ? Texts::tr("%1 (%2 of 255)").arg(analog(scale, *value)).arg(*value) : u"–"_s;
+    return value ? Texts::tr("%1 (%2 of 255)").arg(analog(scale, *value), QString::number(*value)) : u"–"_s;
 }
 
 }  // namespace nmc::texts

@@ -60,11 +60,9 @@ QStringList aboutPort(const ProblemFacts& facts) {
     for (const PortEntry& port : facts.ports)
         lines << adapterLine(port);
     const QString port = link.port.empty() ? u"no port yet"_s : QString::fromStdString(link.port);
-    lines << u"Connection %1: %2, %3 Bd, %4%5%6"_s.arg(link.connection)
-                 .arg(port)
-                 .arg(link.baud)
-                 .arg(phaseName(link.phase), link.simulated ? u", simulated"_s : QString(),
-                      link.readOnly ? u", read-only"_s : QString())
+    lines << u"Connection %1: %2, %3 Bd, %4%5%6"_s.arg(
+                 QString::number(link.connection), port, QString::number(link.baud), phaseName(link.phase),
+                 link.simulated ? u", simulated"_s : QString(), link.readOnly ? u", read-only"_s : QString())
           << u"%1 exchanges/s, %2 errors, mean round trip %3 ms"_s.arg(facts.figures.exchangesPerSecond)
                  .arg(facts.figures.errors)
                  .arg(facts.figures.meanRoundTripMs);

@@ -278,9 +278,9 @@ void MainWindow::showPrograms(const ProgramsShown& programs) {
         !programs.inControl.isEmpty()
             ? tr("PROGRAM — \"%1\" may move motors. Esc or any command of yours ends that.")
                   .arg(programs.inControl)
-        : programs.path.isEmpty()
-            ? tr("PROGRAMS — may connect once a port is open.")
-            : tr("PROGRAMS — may connect at %1. Connected: %2.").arg(programs.path).arg(programs.connected));
+        : programs.path.isEmpty() ? tr("PROGRAMS — may connect once a port is open.")
+                                  : tr("PROGRAMS — may connect at %1. Connected: %2.")
+                                        .arg(programs.path, QString::number(programs.connected)));
 }
 
 void MainWindow::askForControl(const QString& program, const std::function<bool()>& stands,

@@ -39,7 +39,7 @@ std::optional<TuningReport> TuningFiles::report() const {
     report.module = texts::moduleName(info.index);
     report.chip =
         tr("PIC-SERVO, version %1, address %2").arg(info.identity.version).arg(info.address.value());
-    report.port = tr("%1, %2 Bd").arg(QString::fromStdString(link.port)).arg(link.baud);
+    report.port = tr("%1, %2 Bd").arg(QString::fromStdString(link.port), QString::number(link.baud));
     report.simulated = link.simulated;
     report.made = QDateTime::currentDateTime();
     report.gains = module->gains;

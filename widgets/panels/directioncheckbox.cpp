@@ -60,9 +60,8 @@ QString DirectionCheckBox::question() const {
     constexpr double kWhole = 255.0;
     const AxisScale scale = m_context.scale();
     return tr("The motor of %1 will move a little, forward and in reverse. It is driven in pulses of less than 0.1 s, with slowly rising power up to %2 % of its supply, until it has moved %3. A motor that runs freely may coast farther; more than %4 ends the check. Keep clear of it.")
-        .arg(texts::moduleName(m_context.state().info.index))
-        .arg(qRound(kStrongestPush * 100.0 / kWhole))
-        .arg(texts::distance(scale, kMovedCounts),
+        .arg(texts::moduleName(m_context.state().info.index),
+             QString::number(qRound(kStrongestPush * 100.0 / kWhole)), texts::distance(scale, kMovedCounts),
              texts::distance(scale, directionReach(m_context.settings().unit)));
 }
 

@@ -107,8 +107,8 @@ void ScopeFiles::showRecording(const std::optional<Recording>& recording) {
 void ScopeFiles::showOpening(const std::optional<Opening>& opening) {
     if (opening)
         look::setText(m_openingRow.label, tr("Opening %1, %2 %")
-                                              .arg(QFileInfo(opening->path).fileName())
-                                              .arg(static_cast<int>(opening->share * 100)));
+                                              .arg(QFileInfo(opening->path).fileName(),
+                                                   QString::number(static_cast<int>(opening->share * 100))));
     m_openingRow.widget->setVisible(opening.has_value());
 }
 

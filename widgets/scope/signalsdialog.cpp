@@ -118,7 +118,7 @@ void SignalsDialog::addRows(const QString& title, std::optional<ModuleIndex> mod
         for (std::size_t strip = 0; strip < ScopeSetup::kStrips; ++strip) {
             used = used || m_setup.shows(strip, {module, signal});
             row->setToolTip(static_cast<int>(strip) + 1,
-                            tr("%1: %2 in strip %3").arg(title, name).arg(strip + 1));
+                            tr("%1: %2 in strip %3").arg(title, name, QString::number(strip + 1)));
         }
     }
     group->setExpanded(used);

@@ -98,7 +98,7 @@ void TriggerRecords::take(const History& history, const ScopeTrigger::Picture& p
                           const std::vector<ScopeModule>& modules, const ScopeOrigin& origin) {
     if (m_prefix.isEmpty())
         return;
-    const QString file = u"%1 trigger %2.csv"_s.arg(m_prefix).arg(m_saved++ % m_kept + 1, 3, 10, QChar(u'0'));
+    const QString file = m_prefix + u" trigger %1.csv"_s.arg(m_saved++ % m_kept + 1, 3, 10, QChar(u'0'));
     emit m_requests.save(QDir(m_folder).filePath(file),
                          samplesBetween(picture.from, picture.to, history, modules, origin));
     showState();
