@@ -380,7 +380,8 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
     hold.press = same ? session.held.press : nextPress();
     const ModuleState& module = *m_store.module(hold.module);
     const auto refusal = whyNot(hold, module);
-    m_connection.dropSearch();
+    if (!refusal && !same)  // one that goes on does not keep the user from a search
+        m_connection.dropSearch();
     if ((refusal && !same) || !m_commander.hold(hold)) {
         const Refusal reason = refusal.value_or(Refusal::Moving);
         const AxisScale scale = scaleOf(module, m_store.machine().axis(hold.module));

@@ -576,6 +576,31 @@ TEST_F(OtherPrograms, WaitForTheEndOfAJogThatHasNotBegun) {
     EXPECT_GT(rest["result"]["position"].get<double>(), 50);
 }
 
+/// The search waits until the other motor stands; a jog that begins meanwhile would end that wait.
+TEST_F(OtherPrograms, DoNotKeepTheUserFromASearchByAJogThatGoesOn) {
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    Json gains = kGains;
+    gains["axis"] = 2;
+    ASSERT_EQ(client.call("set_gains", gains)["result"]["accepted"], true);
+    ASSERT_TRUE(client.call("wait", {{"axis", 2}}).contains("result"));
+    ASSERT_EQ(client.call("enable", {{"axis", 2}})["result"]["accepted"], true);
+    ASSERT_TRUE(client.call("wait", {{"axis", 2}}).contains("result"));
+    ASSERT_EQ(client.call("move_by", {{"axis", 2}, {"by", 100'000}})["result"]["accepted"], true);
+    const Json jog{{"axis", 1}, {"velocity", 0.5}};
+    ASSERT_EQ(client.call("jog", jog)["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor(
+        [&] { return moves(sim) && panel.composition().store().module(ModuleIndex(1))->moving(); }));
+    ASSERT_EQ(client.call("jog", jog)["result"]["accepted"], true);
+    panel.window().findChild<QAction*>(u"scanAction"_s)->trigger();
+    for (int i = 0; i < 100 && panel.chainsFound() < 2; ++i) {
+        client.call("jog", jog);
+        panel.answersFor(0.05);
+    }
+    EXPECT_EQ(panel.chainsFound(), 2);
+    EXPECT_EQ(sim.violations(), "");
+}
+
 TEST_F(OtherPrograms, AreToldWhyAJogHasEndedByItself) {
     OtherProgram client(panel, path());
     ASSERT_NO_FATAL_FAILURE(ready(client));
