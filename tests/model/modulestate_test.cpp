@@ -99,6 +99,23 @@ TEST(ModuleState, OnlyTwoMannersOfStoppingTakeTheLoadedVelocityAway) {
     }
 }
 
+/// A search for home stops in the same manners.
+TEST(ModuleState, ASearchThatEndsWithMotorOffLeavesTheLoadedVelocity) {
+    servo::LoadTrajectory again = velocityMode(0, 100);
+    again.velocity.reset();
+    for (const bool off : {true, false}) {
+        ModuleState module = holdingServo();
+        module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
+        module.apply(executedAt(
+            1.1, servo::SetHoming{.onLimit1Change = true, .motorOff = off, .stopAbruptly = !off}));
+        module.apply(sampleOf(1.2, kMoveDone | kPower | kHoming, kServoOn));
+        module.apply(sampleOf(1.3, kMoveDone | kPower, off ? std::uint8_t{0} : kServoOn));
+        module.apply(executedAt(2.0, stopWith(servo::StopManner::Here)));
+        module.apply(executedAt(3.0, again));
+        EXPECT_EQ(module.goalVelocity, off ? 3 : 0);
+    }
+}
+
 /// Attached: without a velocity, a run has the one that another host has loaded.
 TEST(ModuleState, ARunWhoseVelocityIsUnknownShowsInThePositionOnly) {
     servo::LoadTrajectory run = velocityMode(0, 100);

@@ -13,7 +13,7 @@ void HomeWatch::onSetHoming(const SetHoming& homing, TimePoint time) {
     m_limit1 = homing.onLimit1Change;
     m_limit2 = homing.onLimit2Change;
     m_stops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
-    m_switchesOff = homing.motorOff;
+    m_stopsByOff = m_switchesOff = homing.motorOff;
 }
 
 void HomeWatch::apply(const bus::CommandExecuted& executed) {

@@ -30,6 +30,8 @@ public:
     [[nodiscard]] bool onCurrentLimit() const { return m_currentLimit; }
     /// True if the chip itself stops the motor, or switches it off, when a condition occurs.
     [[nodiscard]] bool stops() const { return m_stops; }
+    /// True if it does so by Motor off.
+    [[nodiscard]] bool stopsByOff() const { return m_stopsByOff; }
     /// True if a servo that is found off may have been switched off by homing.
     [[nodiscard]] bool switchesOff() const { return m_switchesOff; }
 
@@ -44,6 +46,7 @@ private:
     bool m_positionError = false;
     bool m_currentLimit = false;
     bool m_stops = false;
+    bool m_stopsByOff = false;
     bool m_switchesOff = false;
 };
 

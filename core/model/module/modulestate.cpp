@@ -146,16 +146,16 @@ bool ModuleState::limitEnds(int direction) const {
 }
 
 /// The chip has stopped by itself: it holds there, and the loaded goal is no longer reached.
-void ModuleState::endedByChip() {
+void ModuleState::endedByChip(servo::StopManner manner) {
     motion = MotionMode::Velocity;
     goalVelocity = 0.0;
-    stopped(servo::StopManner::Abruptly, info.identity);
+    stopped(manner, info.identity);
     m_goal.reset();
 }
 
 void ModuleState::endAtLimit() {
     if (servoOn() && latest->servoStatus().moveDone() && limitEnds(direction()))
-        endedByChip();
+        endedByChip(servo::StopManner::Abruptly);
 }
 
 void ModuleState::watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore) {
@@ -182,7 +182,7 @@ bool ModuleState::watchHome(const bus::Sample& sample) {
     if (!found || !isServo())
         return found;
     if (homing.stops()) {
-        endedByChip();
+        endedByChip(homing.stopsByOff() ? servo::StopManner::MotorOff : servo::StopManner::Abruptly);
         // An abrupt or a smooth stop switches on a servo that is off, as by command.
         offCommanded = offCommanded && homing.switchesOff();
     }

@@ -170,7 +170,7 @@ private:
     [[nodiscard]] bool watchHome(const bus::Sample& sample);
     /// Direction of a motion that we started, -1 or 1; 0: unknown.
     [[nodiscard]] int direction() const;
-    void endedByChip();
+    void endedByChip(servo::StopManner manner);
     void endAtLimit();
     void watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore);
     [[nodiscard]] LimitWatch::Limits closedLimits() const;
