@@ -99,6 +99,20 @@ TEST(ModuleState, OnlyTwoMannersOfStoppingTakeTheLoadedVelocityAway) {
     }
 }
 
+/// Seen off, it was not stopped in one of those two.
+TEST(ModuleState, AConfirmedMotorOffLeavesTheLoadedVelocity) {
+    servo::LoadTrajectory again = velocityMode(0, 100);
+    again.velocity.reset();
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
+    module.apply(executedAt(2.0, stopWith(servo::StopManner::MotorOff)));
+    module.apply(sampleOf(2.1, kMoveDone | kPosError | kPower, 0));
+    module.confirmedAtRest();
+    module.apply(executedAt(3.0, stopWith(servo::StopManner::Here)));
+    module.apply(executedAt(3.1, again));
+    EXPECT_EQ(module.goalVelocity, 3);
+}
+
 /// A search for home stops in the same manners.
 TEST(ModuleState, ASearchThatEndsWithMotorOffLeavesTheLoadedVelocity) {
     servo::LoadTrajectory again = velocityMode(0, 100);

@@ -274,7 +274,7 @@ void ModuleState::doubtGains() {
 void ModuleState::confirmedAtRest() {
     motion = motion == MotionMode::Velocity ? motion : MotionMode::None;
     goalVelocity = 0.0;
-    stopped(servo::StopManner::Abruptly, info.identity);
+    stopped(servoOn() ? servo::StopManner::Abruptly : servo::StopManner::MotorOff, info.identity);
     m_motionUnknown = m_drifts = false;
     m_restedAt.reset();
     // A stop whose answer was lost may have cut a move short. The outcome of a stop that was carried out is
