@@ -115,6 +115,7 @@ void readCommands(Options& options, const QStringList& words) {
 
 Options readOptions(int argc, char** argv) {
     Options options;
+    bool hasBaud = false;
     const auto text = [](const char* value) { return QString::fromLocal8Bit(value); };
     const std::vector<nmc::LongOption> all{
         {"socket", required_argument, [&](const char* value) { options.socket = text(value); }},
@@ -132,6 +133,7 @@ Options readOptions(int argc, char** argv) {
              if (!baud)
                  refuse(nmc::texts::badBaud(text(value)));
              options.line.baud = baud->nominal;
+             hasBaud = true;
          }},
         {"machine", required_argument, [&](const char* value) { options.machine = text(value); }},
         {"read-only", no_argument, [&](const char*) { options.line.readOnly = true; }},
@@ -143,8 +145,10 @@ Options readOptions(int argc, char** argv) {
         words << QString::fromLocal8Bit(argv[i]);
     if (words.isEmpty())
         refuse(QStringLiteral("A command is missing. nmcctl --help lists them."));
-    if (options.line.port.isEmpty() && (options.line.readOnly || !options.machine.isEmpty()))
-        refuse(QStringLiteral("--machine and --read-only need --port or --simulator."));
+    if (options.line.port.isEmpty() && (hasBaud || options.line.readOnly || !options.machine.isEmpty()))
+        refuse(QStringLiteral("--baud, --machine and --read-only need --port or --simulator."));
+    if (!options.line.port.isEmpty() && !options.socket.isEmpty())
+        refuse(QStringLiteral("--socket is that of a panel, and --port and --simulator do without one."));
     readCommands(options, words);
     return options;
 }

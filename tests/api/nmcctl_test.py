@@ -100,7 +100,8 @@ class AtItsOwnLine(unittest.TestCase):
         self.place.check_refuses(
             self, (("dance",), 'no command "dance"'), (("--simulator=frog", "list"), "frog"),
             (("--baud", "7", "list"), "baud rate"), (("serve",), "--port"),
-            (("--read-only", "list"), "--port"), ((), "command is missing"),
+            (("--read-only", "list"), "--port"), (("--baud", "19200", "list"), "--port"),
+            (("--socket", "/none.sock", "--simulator=servo", "list"), "--socket"), ((), "command is missing"),
             (("--simulator=servo", "record", str(self.place.folder)), str(self.place.folder)),
             (("--simulator=servo", "--machine", "/none.json", "list"), "none.json"),
             (("--simulator=servo", "--machine", self.place.file("bad.json", "{"), "list"), "bad.json"))
