@@ -87,16 +87,13 @@ constexpr std::array kNotAsTheyAre{"hello", "describe",        "state",         
     return isOneOf(method, std::array{"move", "move_by", "go_home", "home"});
 }
 
-/// Numbers of an axis may carry its unit. Counts have no second: velocities of a PIC-SERVO are then in the
-/// chip's own unit (AxisScale).
+/// Numbers of an axis may carry its unit.
 [[nodiscard]] QString unitOf(Kind kind, const Json& axis) {
-    const QString unit = shown(axis.at("unit"));
-    const QString time = unit == QLatin1String("counts") ? QStringLiteral("/tick") : QStringLiteral("/s");
     switch (kind) {
         case Kind::Velocity:
-            return unit + time;
+            return shown(axis.at("velocity_unit"));
         case Kind::Acceleration:
-            return unit + time + QLatin1Char('2');
+            return shown(axis.at("velocity_unit")) + QLatin1Char('2');
         case Kind::Position:
         case Kind::Distance:
         case Kind::Axis:
@@ -105,7 +102,7 @@ constexpr std::array kNotAsTheyAre{"hello", "describe",        "state",         
         case Kind::Text:
             break;
     }
-    return unit;
+    return shown(axis.at("unit"));
 }
 
 }  // namespace

@@ -208,8 +208,9 @@ class PanelAsWritten(threading.Thread):
 
     It sends the news of a method ahead of each answer to it, so that they have arrived when that has.
     """
-    AXIS = {"number": 1, "name": "", "type": "servo", "version": 4, "unit": "counts", "counts_per_unit": 1, "gains": None,
-            "travel_limits_in_force": True, "on": True, "position": 0, "state": "Holding", "analog": [], "pins": []}
+    AXIS = {"number": 1, "name": "", "type": "servo", "version": 4, "unit": "counts", "velocity_unit": "counts/tick",
+            "counts_per_unit": 1, "gains": None, "travel_limits_in_force": True, "on": True, "position": 0,
+            "state": "Holding", "analog": [], "pins": []}
     RESULTS = {"hello": {"protocol": "1.0", "program": "test", "asks_user": False}, "request_control": {"granted": True},
                "state": {**AXIS, "port": "none", "simulated": True, "modules": [AXIS, {**AXIS, "number": 2}]}, "wait": AXIS}
 
@@ -341,6 +342,13 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 self.assertEqual(code, BAD_ARGUMENTS)
                 self.assertIn("counts/tick", problems)
                 self.assertNotIn(words[0], [method for method, _ in panel.requests])
+
+    def test_takes_velocities_of_an_axis_whose_own_unit_is_called_counts_per_second(self):
+        panel = PanelAsWritten(self)
+        panel.RESULTS = {**panel.RESULTS, "state": {**panel.AXIS, "velocity_unit": "counts/s"}}
+        words = ("move", "1", "5counts", "--velocity", "20counts/s", "--acceleration", "30counts/s2")
+        self.assertEqual(panel.ctl(*words), (DONE, "", ""))
+        self.assertEqual(panel.parameters_of("move"), [{"axis": 1, "to": 5, "velocity": 20, "acceleration": 30}])
 
 
     def test_asks_for_control_again_once_it_is_lost(self):

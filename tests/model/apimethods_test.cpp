@@ -339,7 +339,9 @@ TEST(ApiMethods, ReportUnitsAndTheGainsThatAreKnown) {
     chain.machine.axes[0].unit = {UnitKind::Millimetres, 100.0};
     const Json modules = api::stateOf(chain.link, chain.machine)["modules"];
     EXPECT_EQ(modules[0]["unit"], "mm");
+    EXPECT_EQ(modules[0]["velocity_unit"], "mm/s");
     EXPECT_EQ(modules[1]["unit"], "steps");
+    EXPECT_EQ(modules[1]["velocity_unit"], "steps/s");
     EXPECT_EQ(modules[0]["gains"], (Json{{"kp", 100},
                                          {"kd", 1'000},
                                          {"ki", 0},
@@ -354,6 +356,10 @@ TEST(ApiMethods, ReportUnitsAndTheGainsThatAreKnown) {
     const Json reversed = api::stateOf(chain.link, chain.machine)["modules"][0];
     EXPECT_EQ(reversed["unit"], "drops");
     EXPECT_EQ(reversed["position"].dump(), "0.0") << "not -0.0";
+    chain.machine.axes[0].unit = {UnitKind::Own, 1.0, "counts"};
+    EXPECT_EQ(api::stateOf(chain.link, chain.machine)["modules"][0]["velocity_unit"], "counts/s");
+    chain.machine.axes[0].unit = {};
+    EXPECT_EQ(api::stateOf(chain.link, chain.machine)["modules"][0]["velocity_unit"], "counts/tick");
 }
 
 TEST(ApiMethods, ReportInputsAndOutputs) {

@@ -79,6 +79,7 @@ Json ioPinsOf(const ModuleState& module, const AxisSettings& axis) {
 
 Json stateOf(const ModuleState& module, const AxisSettings& axis) {
     const AxisScale scale = scaleOf(module, axis);
+    const std::string unit = symbolOf(axis.unit, module.isStepper());
     const StatusReport report = module.latest.value_or(StatusReport{});
     const auto inUnits = [&](const std::optional<std::int32_t>& counts) {
         return counts ? Json(scale.position(*counts) + 0.0) : Json();  // + 0.0: no -0 on a reversed axis
@@ -87,7 +88,8 @@ Json stateOf(const ModuleState& module, const AxisSettings& axis) {
     const TravelForce force = travelForce(module);
     return {{"number", module.info.index.value() + 1},
             {"name", axis.name},
-            {"unit", symbolOf(axis.unit, module.isStepper())},
+            {"unit", unit},
+            {"velocity_unit", unit + (scale.native() && !scale.steps() ? "/tick" : "/s")},
             {"counts_per_unit", scale.counts(1.0)},
             {"type", module.isKnown() ? Json(nameOf(module.info.identity.type)) : Json()},
             {"version", module.info.identity.version},
