@@ -443,7 +443,8 @@ CtlCommands::Exit CtlCommands::gains(const Command& command, const Words& words)
             return usage(command, QStringLiteral("Gains are sent only with --set."));
         const Json& gains = axis.at("gains");
         if (gains.is_null())
-            m_out << "not known: they cannot be read from a module\n";
+            m_out << (axis.at("type") == "servo" ? "not known: they cannot be read from a module\n"
+                                                 : "none: only a PIC-SERVO has gains\n");
         for (const auto& [name, value] : gains.items())
             m_out << text(name) << '=' << shown(value) << '\n';
         return Done;

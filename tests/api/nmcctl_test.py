@@ -83,6 +83,10 @@ class AtItsOwnLine(unittest.TestCase):
         self.assertEqual([pin["input"] for pin in io["pins"]], [True] * 12)
         self.assertNotIn(None, [pin["high"] for pin in io["pins"]], "it waits until each module has reported")
 
+    def test_shows_that_a_module_has_no_gains_or_none_that_are_known(self):
+        code, out, _ = self.place.ctl("--simulator=servo,step,io", "-", text="gains 1\ngains 2\ngains 3\n")
+        self.assertEqual((code, [row.split(":")[0] for row in out.splitlines()]), (DONE, ["not known", "none", "none"]))
+
     def test_carries_out_a_script_until_a_command_fails(self):
         script = f"# ready\ngains 1 --set {GAINS}\n\nenable 1\nmove 1 500\nmove-by 1 -200 --velocity=2\nmove 1 9e9\nmove 1 0\n"
         code, out, problems = self.place.ctl("--simulator=servo", "-", text=script)
