@@ -472,10 +472,13 @@ Arrival::State ApiController::arrivalOf(Pending& wait, const std::vector<ModuleI
 }
 
 void ApiController::noteFinished(const bus::OperationFinished& finished) {
+    // Null if the port had closed before the window heard of it: such a command ends without its chain.
+    const ModuleState* module = m_store.module(finished.module);
     if (const auto pending = m_pending.find(finished.module);
         pending != m_pending.end() && pending->second == finished.id) {
         m_pending.erase(pending);
-        m_doneAt[finished.module] = m_store.module(finished.module)->latestTime;
+        if (module != nullptr)
+            m_doneAt[finished.module] = module->latestTime;
     }
     for (auto& [client, session] : m_sessions) {
         const auto own = session.operations.find(finished.module);
@@ -483,8 +486,9 @@ void ApiController::noteFinished(const bus::OperationFinished& finished) {
             continue;
         if (finished.outcome != bus::Outcome::Done)
             session.failures[finished.module] = texts::operationFailed(finished).headline;
-        else if (const auto goal = session.goals.find(finished.module); goal != session.goals.end())
-            goal->second = m_store.module(finished.module)->goal();
+        else if (const auto goal = session.goals.find(finished.module);
+                 goal != session.goals.end() && module != nullptr)
+            goal->second = module->goal();
     }
 }
 

@@ -317,6 +317,20 @@ TEST_F(OtherPrograms, WaitNoLongerForAStopOnceTheLineIsLost) {
     EXPECT_FALSE(moves(sim)) << "the stop was sent again";
 }
 
+/// The bus thread has ended, and refuses what is requested until the window hears of that.
+TEST_F(OtherPrograms, MayRequestAMoveOfALineThatWasLostJustNow) {
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    sim.unplug();
+    while (sim.open())
+        panel.freeze(std::chrono::milliseconds(1));
+    const int move = client.request("move", {{"axis", 1}, {"to", 500}});
+    // No time passes in the window here.
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !client.arrived().empty(); }));
+    EXPECT_EQ(client.answer(move)["result"]["accepted"], true) << "the window has not heard of it yet";
+    EXPECT_EQ(client.call("wait")["error"]["data"]["reason"], "NotConnected");
+}
+
 /// The stop is not over when the line is lost, and no program is let in at that time.
 TEST_F(OtherPrograms, WaitForNoStopOfALineThatWasLostBeforeTheyCame) {
     OtherProgram client(panel, path());
