@@ -506,11 +506,13 @@ CtlCommands::Exit CtlCommands::request(const api::Method& method, const Json& pa
 CtlCommands::Exit CtlCommands::jog(const Command& command, const Words& words) {
     const Json axis = axisState(words.values[0]).value_or(Json());
     const auto velocity = valueOf({"velocity", Kind::Velocity, true, {}}, words.values[1], axis);
-    const auto until = endOf({{QStringLiteral("seconds"), words.values[2]}});
+    const QMap<QString, QString> seconds{{QStringLiteral("seconds"), words.values[2]}};
+    auto until = endOf(seconds);
     if (!velocity || !until)
         return usage(command, velocity ? until.error() : velocity.error());
     if (const auto problem = takeControl())
         return *problem;
+    until = endOf(seconds);  // from now on: the user may have taken a while to answer
     const Json parameters{{"axis", axisOf(words.values[0])}, {"velocity", *velocity}};
     for (bool begun = false; !until->hasExpired(); begun = true) {
         if (const auto held = m_client.call("jog", parameters); !held)

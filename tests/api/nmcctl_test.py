@@ -290,6 +290,15 @@ class PanelThatQuits(PanelAsWritten):
         return self.connection.shutdown(socket.SHUT_RDWR)
 
 
+class PanelThatHesitates(PanelAsWritten):
+    """One whose user takes a while to let a program move motors."""
+
+    def answer(self, lines, request):
+        if request["method"] == "request_control":
+            time.sleep(0.3)
+        super().answer(lines, request)
+
+
 class AtAPanelThatAnswersAsWritten(unittest.TestCase):
     def test_what_was_begun_was_not_refused(self):
         for reason in ("NotSettled", "NotCarriedOut", "Unresponsive"):
@@ -325,6 +334,11 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
         self.assertEqual(panel.parameters_of("stop"), [{"axis": 1}])
         methods = [method for method, _ in panel.requests]
         self.assertNotIn("jog", methods[methods.index("stop"):])
+
+    def test_jogs_from_when_the_user_has_agreed(self):
+        panel = PanelThatHesitates(self)
+        self.assertEqual(panel.ctl("jog", "1", "0.5", "0.2")[0], DONE)
+        self.assertNotEqual(panel.parameters_of("jog"), [])
 
     def test_tells_one_who_waits_for_somebody_elses_motor_how_that_ended(self):
         for reason, expected in (("NotSettled", NOT_CARRIED_OUT), ("NotCarriedOut", NOT_CARRIED_OUT),
