@@ -14,10 +14,11 @@ rate 1. A call that the panel refuses raises Refused. Not for use by several thr
 """
 from __future__ import annotations
 
-import getpass
 import json
 import os
+import pwd
 import socket
+import stat
 import sys
 import time
 from collections import deque
@@ -70,8 +71,26 @@ class Sample(NamedTuple):
 
 def sockets() -> list[Path]:
     """Where panels let programs in; what a panel left behind when it crashed is passed over."""
-    runtime = os.environ.get("XDG_RUNTIME_DIR") or f"/tmp/runtime-{getpass.getuser()}"  # as Qt does
-    return [path for path in sorted(Path(runtime, "nmcpanel").glob("*.sock")) if _is_served(path)]
+    runtime = next(filter(_is_private, _runtime_folders()), None)
+    paths = sorted(Path(runtime, "nmcpanel").glob("*.sock")) if runtime else []
+    return [path for path in paths if _is_served(path)]
+
+
+def _runtime_folders() -> Iterator[str]:
+    """Where Qt, and so the panel, looks for a folder that is this user's alone."""
+    yield os.environ.get("XDG_RUNTIME_DIR", "")
+    try:
+        user = pwd.getpwuid(os.geteuid()).pw_name
+    except KeyError:
+        user = ""
+    yield f"{os.environ.get('TMPDIR') or '/tmp'}/runtime-{user}"
+
+
+def _is_private(folder: str) -> bool:
+    with suppress(OSError):
+        status = os.lstat(folder)
+        return status.st_uid == os.geteuid() and status.st_mode & ~0o7000 == stat.S_IFDIR | 0o700
+    return False
 
 
 def _is_served(path: Path) -> bool:

@@ -6,6 +6,7 @@ import itertools
 import json
 import math
 import os
+import pwd
 import socket
 import subprocess
 import sys
@@ -147,6 +148,29 @@ class WithoutAPanel(unittest.TestCase):
         written.join()
         self.assertEqual([request.get("params") for request in written.requests if request["method"] == "subscribe"],
                          [{"samples": True}, None, {"samples": True}, None])
+
+    def test_finds_the_sockets_where_qt_has_them(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            own, given = folder / f"runtime-{pwd.getpwuid(os.geteuid()).pw_name}", folder / "given"
+            for runtime in (own, given):
+                (runtime / "nmcpanel").mkdir(parents=True)
+                runtime.chmod(0o700)
+                listener = socket.socket(socket.AF_UNIX)
+                self.addCleanup(listener.close)
+                listener.bind(str(runtime / "nmcpanel" / "one.sock"))
+                listener.listen()
+            (folder / "link").symlink_to(given)
+            for runtime, expected in (("", own), (given, given), (folder / "none", own), (folder / "link", own)):
+                environment = {"XDG_RUNTIME_DIR": str(runtime), "TMPDIR": name, "LOGNAME": "somebody"}
+                with self.subTest(runtime), unittest.mock.patch.dict(os.environ, environment):
+                    self.assertEqual(sockets(), [expected / "nmcpanel" / "one.sock"])
+            given.chmod(0o755)
+            with unittest.mock.patch.dict(os.environ, {"XDG_RUNTIME_DIR": str(given), "TMPDIR": name}):
+                self.assertEqual(sockets(), [own / "nmcpanel" / "one.sock"], "others may enter the one that is given")
+            own.chmod(0o755)
+            with unittest.mock.patch.dict(os.environ, {"XDG_RUNTIME_DIR": "", "TMPDIR": name}):
+                self.assertEqual(sockets(), [], "it may be anybody's")
 
     def test_says_what_is_wrong_with_a_path(self):
         for path, problem in (("/none.sock", "No such file"), ("/" + 200 * "x", "too long")):
