@@ -319,6 +319,15 @@ TEST_F(Messages, AChainIsAcceptedOnlyInTheConnectionThatLacksAModule) {
     EXPECT_TRUE(offers(u"scanAgain"_s)) << "it connects, and sends no command";
 }
 
+TEST_F(Messages, AChainIsLookedForUntilAnotherOneIsConnectedTo) {
+    window->showLink(connection(1));
+    window->showMessage(texts::linkLost(u"/dev/ttyUSB0"_s, {}));
+    window->showLink(connection(1, LinkPhase::Disconnected));
+    EXPECT_TRUE(offers(u"scanAgain"_s)) << "it connects to the same port";
+    window->showLink(connection(2, LinkPhase::Connecting));
+    EXPECT_FALSE(offers(u"scanAgain"_s)) << "that would end what runs on the other chain";
+}
+
 TEST_F(Messages, AButtonThatIsHeldWhileItsConnectionGoesDoesNothing) {
     tripTheSecond();
     QPointer<QAbstractButton> pressed = button(u"bannerAction_clearAndStayOff"_s);

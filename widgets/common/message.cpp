@@ -18,6 +18,7 @@ namespace {
 /// What an action requires besides its message.
 struct Needs {
     bool ownChain = false;              ///< the chain that the message is about
+    bool noOtherChain = false;          ///< nothing was connected to since
     bool telling = false;               ///< a connection that is not read-only
     bool machine = false;               ///< it changes the machine or the chain, which an operator may not do
     std::optional<IntentKind> right{};  ///< the right that an operator needs, as for the same control
@@ -45,13 +46,14 @@ Needs needsOf(MessageAction action) {
         case MessageAction::RestoreWork:
         case MessageAction::DiscardWork:
             return {.machine = true};
-        case MessageAction::Retry:
         case MessageAction::ScanAgain:
+        case MessageAction::Reconnect:
+            return {.noOtherChain = true};
+        case MessageAction::Retry:
         case MessageAction::UseSimulator:
         case MessageAction::ChoosePort:
         case MessageAction::CopyCommand:
         case MessageAction::How:
-        case MessageAction::Reconnect:
         case MessageAction::ConnectOffered:
         case MessageAction::Understood:
         case MessageAction::LookedAt:
@@ -73,8 +75,9 @@ bool isLeft(MessageAction action, const OperatorRights& rights) {
 
 bool mayAct(const Message& message, MessageAction action, const LinkState& link) {
     const Needs needs = needsOf(action);
-    const bool own = link.isOpen() && message.connection == link.connection;
-    return (!needs.ownChain || own) && (!needs.telling || (!link.readOnly && !link.lent));
+    const bool last = message.connection == link.connection;
+    return (!needs.ownChain || (last && link.isOpen())) && (!needs.noOtherChain || last) &&
+           (!needs.telling || (!link.readOnly && !link.lent));
 }
 
 Message withoutImpossible(Message message, const LinkState& link) {

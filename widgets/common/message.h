@@ -75,8 +75,9 @@ struct Message {
 };
 
 /// The only place that decides whether a button may act. A button that sends to modules or concerns the chain
-/// acts only in the connection of its message, while that is open; one that sends anything but a stop does
-/// not act in a read-only connection.
+/// acts only in the connection of its message, while that is open; one that looks for the chain, also after
+/// that, until there is another connection; one that sends anything but a stop does not act in a read-only
+/// connection.
 [[nodiscard]] bool mayAct(const Message& message, MessageAction action, const LinkState& link);
 /// Returns the message without the buttons that may not act, and never may again. Buttons that an operator
 /// may not use stay, with the reason.
