@@ -65,7 +65,7 @@ class Sample(NamedTuple):
     status: int  #: the status byte; of a PIC-I/O the levels of IO1 (1) to IO8 (128)
     aux: int  #: auxiliary status or inputs, as last reported; of a PIC-I/O the levels of IO9 (1) to IO12 (8)
     analog: int | None = None  #: the A/D byte, as last reported; of a PIC-I/O that of A/D 1
-    gap: bool = False  #: replies of this module are missing before this one
+    gap: bool = False  #: replies of this module are missing before this one, or this program was too slow for them
     counted: bool | None = None  #: of a PIC-I/O: this reply had the counter
 
 
@@ -233,12 +233,19 @@ class Panel:
             others = [line for line in self._notifications if line["method"] != "samples"]
             self._notifications = deque(others, maxlen=KEPT_NOTIFICATIONS)
         self._sampling += 1
+        gaps = 0  # how often this program was too slow
+        told: dict[int, int] = {}  # how many of them the samples of an axis have shown
         try:
             for line in self.notifications():
                 if line["method"] == "samples":
+                    gaps += line["params"]["missed"] > 0
                     for module in line["params"]["modules"]:
+                        axis = module["axis"]
                         for row in module["rows"]:
-                            yield Sample(module["axis"], *row[:len(Sample._fields) - 1])
+                            sample = Sample(axis, *row[:len(Sample._fields) - 1])
+                            gap = told.get(axis, 0) != gaps
+                            told[axis] = gaps
+                            yield sample._replace(gap=True) if gap else sample
         finally:
             self._sampling -= 1
             if self._sampling == 0:

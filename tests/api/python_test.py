@@ -149,6 +149,24 @@ class WithoutAPanel(unittest.TestCase):
         self.assertEqual([request.get("params") for request in written.requests if request["method"] == "subscribe"],
                          [{"samples": True}, None, {"samples": True}, None])
 
+    def test_shows_for_each_axis_where_it_was_too_slow(self):
+        def samples(missed, *axes):
+            rows = 2 * [[0, 0, None, None, 0, 0, 0, False, None]]
+            return {"method": "samples",
+                    "params": {"missed": missed, "modules": [{"axis": axis, "rows": rows} for axis in axes]}}
+
+        def answers(request):
+            if "id" not in request:
+                return []
+            begun = request["method"] == "subscribe"
+            return [{"id": request["id"], "result": {}},
+                    *([samples(0, 1, 2), samples(7, 1), samples(0, 1, 2)] if begun else [])]
+
+        with Panel(PanelAsWritten(self, answers).path) as panel:
+            gaps = [(sample.axis, sample.gap) for sample in itertools.islice(panel.samples(), 10)]
+        self.assertEqual(gaps, [(1, False), (1, False), (2, False), (2, False), (1, True), (1, False),
+                                (1, False), (1, False), (2, True), (2, False)])
+
     def test_finds_the_sockets_where_qt_has_them(self):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
