@@ -46,6 +46,8 @@ void ApiFeed::subscribe(ApiServer::Client client, const Json& parameters) {
     subscription.state = parameters.value("state", false);
     subscription.events = parameters.value("events", false);
     subscription.samples = parameters.value("samples", false);
+    if (!subscription.samples)
+        subscription.missed = 0;  // it has missed none of those that it may want later
 }
 
 void ApiFeed::publishState() {

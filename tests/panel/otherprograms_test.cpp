@@ -791,6 +791,21 @@ TEST_F(OtherPrograms, ThatAreTooSlowAreToldHowManySamplesTheyMissed) {
     EXPECT_EQ(accounted, samples);
 }
 
+TEST_F(OtherPrograms, ThatWantSamplesAgainHaveMissedNoneOfThem) {
+    OtherProgram client(panel, path());
+    client.hello();
+    EXPECT_TRUE(client.call("subscribe", {{"samples", true}}).contains("result"));
+    client.setReading(false);
+    ASSERT_TRUE(panel.answersFor(15.0));  // of which it misses some
+    const int ended = client.request("subscribe");
+    ASSERT_TRUE(panel.answersFor(0.1));
+    client.setReading(true);
+    EXPECT_TRUE(client.answer(ended).contains("result"));
+    client.arrived().clear();
+    EXPECT_TRUE(client.call("subscribe", {{"samples", true}}).contains("result"));
+    EXPECT_EQ(client.notification("samples")["params"]["missed"], 0);
+}
+
 /// Whatever arrives, it is answered or its sender is cut off, and nothing moves.
 TEST_F(OtherPrograms, SurviveNonsense) {
     std::mt19937 random(7);
