@@ -116,7 +116,11 @@ void readCommands(Options& options, const QStringList& words) {
 Options readOptions(int argc, char** argv) {
     Options options;
     bool hasBaud = false;
-    const auto text = [](const char* value) { return QString::fromLocal8Bit(value); };
+    const auto text = [](const char* value) {
+        if (*value == '\0')  // most likely a variable of a script that is not set
+            refuse(QStringLiteral("The value of an option is empty."));
+        return QString::fromLocal8Bit(value);
+    };
     const std::vector<nmc::LongOption> all{
         {"socket", required_argument, [&](const char* value) { options.socket = text(value); }},
         {"port", required_argument, [&](const char* value) { options.line.port = text(value); }},

@@ -106,6 +106,8 @@ class AtItsOwnLine(unittest.TestCase):
             (("--baud", "7", "list"), "baud rate"), (("serve",), "--port"),
             (("--read-only", "list"), "--port"), (("--baud", "19200", "list"), "--port"),
             (("--socket", "/none.sock", "--simulator=servo", "list"), "--socket"), ((), "command is missing"),
+            (("--port", "", "list"), "empty"), (("--socket", "", "list"), "empty"),
+            (("--simulator=servo", "--machine", "", "list"), "empty"),
             (("--simulator=servo", "record", str(self.place.folder)), str(self.place.folder)),
             (("--simulator=servo", "--machine", "/none.json", "list"), "none.json"),
             (("--simulator=servo", "--machine", self.place.file("bad.json", "{"), "list"), "bad.json"))
