@@ -434,6 +434,8 @@ CtlCommands::Exit CtlCommands::record(const Command& command, const Words& words
 }
 
 CtlCommands::Exit CtlCommands::gains(const Command& command, const Words& words) {
+    if (words.has("set") && words.has("get"))
+        return usage(command, QStringLiteral("Gains are either shown or sent."));
     const auto state = axisState(words.values[0]);
     if (!state)
         return report(state.error());

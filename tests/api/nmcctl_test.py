@@ -491,6 +491,7 @@ class ThroughAServedLine(AServedLine):
             self, (("move", "1"), "missing"), (("move", "1", "far"), "not a number"), (("move", "1", "5mm"), "counts"),
             (("move", "1", "5", "6"), "too much"), (("move", "1", "5", "--fast"), "--fast"),
             (("move", "Y", "5"), "no such axis"), (("gains", "1", "--set", "kp=99999"), "kp"),
+            (("gains", "1", "--get", "--set", "kp=1"), "either"),
             (("run-sequence", "none"), "no sequence"), (("set-output", "2", "1", "maybe"), "maybe"),
             (("watch", "--seconds", "x"), "seconds"))
 
