@@ -168,9 +168,9 @@ class Panel:
     def _read(self) -> dict[str, Any]:
         try:
             line = self._lines.readline()
-        except OSError as error:
+        except (OSError, UnicodeDecodeError) as error:  # the latter if it has gone within a character
             raise PanelError("the panel has gone away") from error
-        if not line:
+        if not line.endswith("\n"):
             raise PanelError("the panel has gone away")
         return json.loads(line)
 

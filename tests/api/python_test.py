@@ -52,7 +52,10 @@ class PanelWithoutASocket(Panel):
 
 
 class PanelAsWritten(threading.Thread):
-    """One for one program, which sends what `answers` returns for each request, up to None, at which it quits."""
+    """One for one program, which sends what `answers` returns for each request, up to None, at which it quits.
+
+    A text is sent as it is.
+    """
 
     def __init__(self, test, answers):
         super().__init__(daemon=True)
@@ -69,13 +72,13 @@ class PanelAsWritten(threading.Thread):
     def run(self):
         with self.listener:
             connection, _ = self.listener.accept()
-        with connection, connection.makefile("rw", encoding="utf-8") as lines:
+        with connection, connection.makefile("rw", encoding="utf-8", errors="surrogateescape") as lines:
             for line in lines:
                 self.requests.append(json.loads(line))
                 for answer in self.answers(self.requests[-1]):
                     if answer is None:
                         return
-                    lines.write(json.dumps({"jsonrpc": "2.0", **answer}) + "\n")
+                    lines.write(answer if isinstance(answer, str) else json.dumps({"jsonrpc": "2.0", **answer}) + "\n")
                 lines.flush()
 
 
@@ -97,6 +100,11 @@ class WithoutAPanel(unittest.TestCase):
             KeptPanel(written.path)
         self.assertEqual((str(caught.exception), caught.exception.reason), ("Bad news.", "OtherProtocol"))
         self.assertEqual(panels[0]._socket.fileno(), -1, "it is closed")
+
+    def test_says_that_the_panel_has_gone_within_a_line_or_a_character(self):
+        for part in ('{"jsonrpc": "2.0", "id": 1, "resu', '{"jsonrpc": "2.0", "id": 1, "result": "\udcc2'):
+            with self.subTest(part), self.assertRaises(PanelError):
+                Panel(PanelAsWritten(self, lambda _, part=part: [part, None]).path)
 
     def test_is_told_why_a_panel_cuts_it_off(self):
         def answers(request):
