@@ -292,6 +292,16 @@ class PanelThatQuits(PanelAsWritten):
         return self.connection.shutdown(socket.SHUT_RDWR)
 
 
+class PanelThatCannotRead(PanelThatQuits):
+    """One that does so because it cannot read that call, and says so."""
+
+    def answer(self, lines, request):
+        if request["method"] == self.method:
+            self.send(lines, {"id": None, "error": {"code": -32700, "message": "Bad news.",
+                                                    "data": {"reason": "LineTooLong"}}})
+        return super().answer(lines, request)
+
+
 class PanelThatHesitates(PanelAsWritten):
     """One whose user takes a while to let a program move motors."""
 
@@ -406,6 +416,10 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 code, out, problems = PanelThatQuits(self, method).ctl("move", "1", "500", "--wait")
                 self.assertEqual((code, out), (NOT_REACHED, ""))
                 self.assertTrue(problems.endswith("The panel has gone.\n"), problems)
+
+    def test_says_why_the_panel_cuts_it_off(self):
+        panel = PanelThatCannotRead(self, "start_sequence")
+        self.assertEqual(panel.ctl("run-sequence", "none"), (REFUSED, "", "Bad news.\n"))
 
     def test_sends_gains_by_their_names_only(self):
         names = ("kp", "kd", "ki", "il", "ol", "cl", "el", "sr", "db", "sm")

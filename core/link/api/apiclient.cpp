@@ -50,9 +50,11 @@ ApiClient::Or<ApiClient::Json> ApiClient::call(const std::string& method, const 
         if (!arrived)
             return tl::unexpected(arrived.error());
         Json& answer = **arrived;
+        const Json id = answer.value("id", Json());
+        const bool unread = id.is_null() && answer.contains("error");  // it cannot say which line that was
         if (answer.contains("method")) {
             m_notifications.push_back(std::move(answer));
-        } else if (answer.value("id", Json()) == m_lastId) {
+        } else if (id == m_lastId || unread) {
             if (answer.contains("result"))
                 return answer["result"];
             const Json& error = answer.at("error");
