@@ -442,6 +442,16 @@ TEST(ApiRecording, HoldsWhatTheScopeWouldSave) {
               (AnalogInput{"pressure", {0.5, -10, "kPa"}}));
 }
 
+TEST(ApiRecording, TakesAnOwnUnitThatIsCalledCountsForWhatItIs) {
+    Chain chain;
+    chain.machine.axes[0].unit = {UnitKind::Own, 10.0, "counts"};
+    api::ApiRecording recording(api::stateOf(chain.link, chain.machine), "test", "now");
+    const auto read = testing_support::readRecording(
+        recording.head() + recording.rowsOf(Json::parse(R"({"missed": 0, "modules": [
+            {"axis": 1, "rows": [[0, 0, null, null, 0, 0, 0, false, null]]}]})")));
+    EXPECT_EQ(read.header.modules[0].unit, chain.machine.axes[0].unit);
+}
+
 TEST(ApiRecording, EndsWithItsChain) {
     api::ApiRecording recording = apiRecording();
     const auto samples = [](int axis, double time) {

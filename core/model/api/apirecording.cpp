@@ -24,8 +24,10 @@ namespace {
             module.identity = {type, axis.at("version").get<std::uint8_t>()};
     const std::string unit = axis.at("unit").get<std::string>();
     module.unit = {UnitKind::Own, axis.at("counts_per_unit").get<double>(), unit};
+    const bool isCounts = module.unit.countsPerUnit == 1.0;  // an own unit may be called that
     for (const UnitKind kind : {UnitKind::Native, UnitKind::Turns, UnitKind::Degrees, UnitKind::Millimetres})
-        if (unit == symbolOf({kind}, module.identity.type == ModuleType::Stepper))
+        if (unit == symbolOf({kind}, module.identity.type == ModuleType::Stepper) &&
+            (kind != UnitKind::Native || isCounts))
             module.unit = {kind, module.unit.countsPerUnit};
     for (const Json& input : axis.at("analog"))
         if (module.identity.type == ModuleType::Io)
