@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // nmcctl: commands for motors from a shell, through a panel or at a port of its own.
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QProcess>
 #include <QTextStream>
 #include <cstdlib>
@@ -122,7 +123,9 @@ Options readOptions(int argc, char** argv) {
         return QString::fromLocal8Bit(value);
     };
     const std::vector<nmc::LongOption> all{
-        {"socket", required_argument, [&](const char* value) { options.socket = text(value); }},
+        {"socket", required_argument,
+         // QLocalSocket would look for a relative path in the folder for temporary files.
+         [&](const char* value) { options.socket = QFileInfo(text(value)).absoluteFilePath(); }},
         {"port", required_argument, [&](const char* value) { options.line.port = text(value); }},
         {"simulator", optional_argument,
          [&](const char* value) {

@@ -509,6 +509,11 @@ class ThroughAServedLine(AServedLine):
             (("run-sequence", "none"), "no sequence"), (("set-output", "2", "1", "maybe"), "maybe"),
             (("watch", "--seconds", "x"), "seconds"))
 
+    def test_takes_the_socket_from_where_it_is_called(self):
+        listing = self.place.start("--socket", self.place.socket.name, "list", cwd=self.place.socket.parent,
+                                   stdout=subprocess.DEVNULL)
+        self.assertEqual(listing.wait(), DONE)
+
     def test_passes_over_the_socket_of_a_panel_that_crashed(self):
         left = self.place.socket.with_name("crashed.sock")
         with socket.socket(socket.AF_UNIX) as crashed:
