@@ -116,7 +116,7 @@ void readCommands(Options& options, const QStringList& words) {
 
 Options readOptions(int argc, char** argv) {
     Options options;
-    bool hasBaud = false;
+    bool hasPort = false, hasBaud = false, simulates = false;
     const auto text = [](const char* value) {
         if (*value == '\0')  // most likely a variable of a script that is not set
             refuse(QStringLiteral("The value of an option is empty."));
@@ -126,13 +126,18 @@ Options readOptions(int argc, char** argv) {
         {"socket", required_argument,
          // QLocalSocket would look for a relative path in the folder for temporary files.
          [&](const char* value) { options.socket = QFileInfo(text(value)).absoluteFilePath(); }},
-        {"port", required_argument, [&](const char* value) { options.line.port = text(value); }},
+        {"port", required_argument,
+         [&](const char* value) {
+             options.line.port = text(value);
+             hasPort = true;
+         }},
         {"simulator", optional_argument,
          [&](const char* value) {
              const std::string chain = value != nullptr ? value : std::string(nmc::sim::kDefaultChain);
              if (const auto parsed = nmc::sim::parseChain(chain); !parsed)
                  refuse(nmc::texts::badChain(text(value), QString::fromStdString(parsed.error())));
              options.line.port = nmc::kSimulatorPort + QLatin1Char('=') + QString::fromStdString(chain);
+             simulates = true;
          }},
         {"baud", required_argument,
          [&](const char* value) {
@@ -154,6 +159,8 @@ Options readOptions(int argc, char** argv) {
         refuse(QStringLiteral("A command is missing. nmcctl --help lists them."));
     if (options.line.port.isEmpty() && (hasBaud || options.line.readOnly || !options.machine.isEmpty()))
         refuse(QStringLiteral("--baud, --machine and --read-only need --port or --simulator."));
+    if (hasPort && simulates)
+        refuse(QStringLiteral("--simulator does without the chain at --port."));
     if (!options.line.port.isEmpty() && !options.socket.isEmpty())
         refuse(QStringLiteral("--socket is that of a panel, and --port and --simulator do without one."));
     readCommands(options, words);

@@ -107,6 +107,7 @@ class AtItsOwnLine(unittest.TestCase):
             (("--read-only", "list"), "--port"), (("--baud", "19200", "list"), "--port"),
             (("--socket", "/none.sock", "--simulator=servo", "list"), "--socket"), ((), "command is missing"),
             (("--port", "", "list"), "empty"), (("--socket", "", "list"), "empty"),
+            (("--simulator=servo", "--port", "/dev/none", "list"), "--port"),
             (("--simulator=servo", "--machine", "", "list"), "empty"),
             (("--simulator=servo", "record", str(self.place.folder)), str(self.place.folder)),
             (("--simulator=servo", "--machine", "/none.json", "list"), "none.json"),
