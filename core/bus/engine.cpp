@@ -682,7 +682,6 @@ void Engine::onForeignTraffic() {
             event.toldToStop.push_back(module.belief.info().index);
     for (const ModuleIndex module : event.toldToStop)
         halt(module, StopCause::ForeignTraffic, StopManner::Abruptly);
-    m_hold.clear();
     cancelAll(Change::Kind::Cancelled);
     m_events.emplace_back(std::move(event));
 }

@@ -24,8 +24,10 @@ void HoldLane::hold(const HoldToMove& hold, TimePoint now) {
 std::optional<HoldToMove> HoldLane::release() {
     if (m_wanted)
         end(m_wanted->press);
-    m_wanted.reset();
-    return std::exchange(m_sent, std::nullopt);
+    const bool loaded = std::exchange(m_loaded, false);
+    const auto wanted = std::exchange(m_wanted, std::nullopt);
+    const auto sent = std::exchange(m_sent, std::nullopt);
+    return loaded && !sent ? wanted : sent;
 }
 
 void HoldLane::clear() {

@@ -19,7 +19,8 @@ public:
     void hold(const HoldToMove& hold, TimePoint now);
     /// The motion is not possible now: this press is over before it began.
     void refuse(const HoldToMove& hold) { end(hold.press); }
-    /// Ends the hold. Returns the motion that was sent; a stop is owed for it.
+    /// Ends the hold. Returns the motion that was sent, or only loaded; a stop is owed for it, because a load
+    /// left waiting would run with the next start of its group.
     [[nodiscard]] std::optional<HoldToMove> release();
     /// True if the evidence has stopped coming.
     [[nodiscard]] bool expired(TimePoint now) const { return m_wanted && now >= m_until; }
@@ -36,6 +37,7 @@ public:
     [[nodiscard]] std::optional<Order> start() const;
     [[nodiscard]] Order startLoaded() const;
 
+    void onLoadSent() { m_loaded = true; }
     void onStartSent() { m_sent = m_wanted; }
     /// The start was certainly not carried out.
     void onStartRefused(const std::optional<HoldToMove>& before) { m_sent = before; }
@@ -47,6 +49,7 @@ private:
     Duration m_timeout;
     std::optional<HoldToMove> m_wanted;
     std::optional<HoldToMove> m_sent;  ///< sent, whatever the outcome
+    bool m_loaded = false;             ///< a load without a start was sent, whatever the outcome
     TimePoint m_until;
     std::optional<std::uint32_t> m_over;  ///< the last press that has ended
 };

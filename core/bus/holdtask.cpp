@@ -135,8 +135,7 @@ Next HoldTask::sendOrder(const Order& order) {
     m_chain.at(order.module).owed.reset();  // the user wants it to move again
     m_sentBefore = m_lane.sent();
     Ask ask = m_chain.command(Purpose::Hold, order);
-    if (mayStartMotion(order.command))
-        m_lane.onStartSent();
+    mayStartMotion(order.command) ? m_lane.onStartSent() : m_lane.onLoadSent();
     ask.reported = true;
     // Not retried: the next request is made for the state that the module is in by then.
     ask.silentRepeats = 0;

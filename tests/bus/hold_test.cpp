@@ -110,6 +110,23 @@ TEST_F(Hold, ChangesTheVelocityOnTheWayToATravelLimitToo) {
     bus.expectNoViolations();
 }
 
+/// With position, velocity and acceleration, the load is AA 01 D4 17; a start is AA 01 05 06 (DS-V 5.2).
+TEST_F(Hold, LeavesNoLoadBehindWhenItIsReleasedBeforeItsStart) {
+    enableFirst();
+    HoldToMove hold = forward(0);
+    hold.goal = 8'000;
+    bus.engine.hold(hold, bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends("AA 01 D4 17", from) == 1; }, 1s));
+    bus.engine.release(bus.now);
+    bus.runFor(500ms);
+    EXPECT_EQ(bus.sends("AA 01 05", from), 0U);
+    EXPECT_EQ(bus.sends(kSmoothStop, from), 1U);
+    EXPECT_EQ(bus.perform({start(0)}), Outcome::Forbidden) << "nothing waits for a start";
+    bus.runFor(1s);
+    EXPECT_NEAR(bus.servo(0).position, 0, 2);
+    bus.expectNoViolations();
+}
+
 /// Ten counts a tick are 19531 counts/s: a stop that is a report late would take 3906 counts and its ramp.
 TEST_F(Hold, KeepsItsVelocityWhereARunCouldNotBeStoppedBeforeTheLimit) {
     enableFirst();
