@@ -87,7 +87,7 @@ void Engine::submit(Operation operation, TimePoint now) {
         return beginTrial(operation, now);
     const std::vector<ModuleIndex> stopped = stoppedBy(operation);
     const std::vector<ModuleIndex> used = usedBy(operation);
-    if (stopped.size() == operation.orders.size() && oweStops(operation)) {
+    if (stopped.size() == operation.orders.size() && (oweStops(operation) || haltAtOnce(operation, now))) {
         m_events.emplace_back(rejected(operation, Outcome::Done));
         return proceed(now);
     }
@@ -111,6 +111,26 @@ bool Engine::oweStops(const Operation& operation) {
         return false;
     for (const Order& order : operation.orders)
         m_chain.owe(order.module, StopCause::GroupStop, *stopManner(order.command));
+    return true;
+}
+
+/// A stop that would have to wait, or leave a hold of its motor behind, takes the way of a stop of a group.
+/// Returns false if it may go as an operation, or is not what an owed stop sends: Stop Here has a position of
+/// its own, and a stop of a servo that is off switches it on.
+bool Engine::haltAtOnce(const Operation& operation, TimePoint now) {
+    const auto asOwed = [this](const Order& order) {
+        return m_chain.has(order.module) &&
+               stopFor(m_chain.belief(order.module), *stopManner(order.command)) == order.command;
+    };
+    if (!accepting() || !std::ranges::all_of(operation.orders, asOwed))
+        return false;
+    const std::vector<ModuleIndex> stopped = stoppedBy(operation);
+    const bool waits = !m_operations.empty() || (m_path.active() && !m_path.isFor(stopped)) ||
+                       m_recovery.resyncing() || m_recovery.wants(now);
+    if (!waits && std::ranges::none_of(stopped, [this](ModuleIndex module) { return m_hold.holds(module); }))
+        return false;
+    for (const Order& order : operation.orders)
+        haltAxes({order.module}, StopCause::GroupStop, *stopManner(order.command));
     return true;
 }
 

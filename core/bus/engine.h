@@ -58,7 +58,8 @@ public:
     /// was reset.
     void restart(TimePoint now);
 
-    /// Queues an operation. It ends in exactly one OperationFinished.
+    /// Queues an operation. It ends in exactly one OperationFinished. A stop that would have to wait goes as
+    /// that of a group does (below): the operation is Done at once, and the stop is owed.
     void submit(Operation operation, TimePoint now);
 
     /// Keeps the gains being tried on that module (Operation::trial), unless the trial has already ended.
@@ -198,6 +199,7 @@ private:
     [[nodiscard]] GroupFinished stopGroup(const GroupOperation& operation, const GroupCommand& command);
     void beginPath(const Operation& operation, TimePoint now);
     [[nodiscard]] bool oweStops(const Operation& operation);
+    [[nodiscard]] bool haltAtOnce(const Operation& operation, TimePoint now);
     void beginTrial(const Operation& operation, TimePoint now);
     /// These modules are sent a stop: a path with one of them ends.
     void leavePath(const std::vector<ModuleIndex>& stopped);

@@ -344,7 +344,7 @@ enum class StopCause : std::uint8_t {
     LinkGivenUp,  ///< the link, or that to this module: its motion is no longer monitored
     StopAll,      ///< a stop of all modules did not see it at rest
     ForeignTraffic,
-    GroupStop,  ///< the user stopped its group, or the module itself while its chain was being searched for
+    GroupStop,  ///< the user stopped its group, or the module itself where its operation had to wait
     PathEnded,  ///< a path ended before its last point
     TravelLimit,
     ConnectionEnded,  ///< its stop had not been confirmed when the last connection ended

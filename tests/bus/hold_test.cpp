@@ -247,6 +247,20 @@ TEST_F(Hold, EndsWithAStopOfAllMotors) {
     EXPECT_EQ(bus.count<HoldExpired>(), 0U);
 }
 
+/// Otherwise, another velocity from a button or stick that is still held would start the motor again.
+TEST_F(Hold, EndsWithAStopOfItsMotor) {
+    enableFirst();
+    HoldToMove press = forward(0);
+    holdFor(300ms, press);
+    bus.submit({toServo(0, servo::StopMotor{true, servo::StopManner::Smoothly, {}})});
+    press.velocity = CountsPerTick(kOnePerTick / 2);
+    holdFor(500ms, press);
+    EXPECT_EQ(bus.sends("AA 01 94 B6", from), 1U);
+    EXPECT_EQ(bus.sends(kSmoothStop, from), 1U);
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+    EXPECT_EQ(bus.count<HoldExpired>(), 0U);
+}
+
 // ---- a hold that has ended does not begin again until the button has been released ----
 
 TEST_F(Hold, LateEvidenceOfAPressThatExpiredMovesNothing) {
