@@ -19,6 +19,9 @@ namespace {
 [[nodiscard]] bool runs(const servo::LoadTrajectory& load) {
     return load.isVelocityMode() && load.velocity.value_or(CountsPerTick(1)).value() != 0;
 }
+[[nodiscard]] bool stopsAtHome(const servo::SetHoming& homing) {
+    return homing.watches() && (homing.motorOff || homing.stopAbruptly || homing.stopSmoothly);
+}
 /// PIC-STEP: the longer of two acceleration times, with the longer way of a stop; empty if one is unknown.
 [[nodiscard]] std::optional<std::uint8_t> longer(std::optional<std::uint8_t> one,
                                                  std::optional<std::uint8_t> other) {
@@ -73,6 +76,9 @@ struct Belief::Sent {
         if (stop.manner != stepper::StopManner::AmplifierOnly)
             b.m_stepper.waiting.reset();
     }
+    void operator()(const servo::SetHoming& homing) const {
+        b.m_homingStops = b.m_homingStops && stopsAtHome(homing);
+    }
     void operator()(const DefineStatus&) const { b.forgetItems(); }
     void operator()(const SetAddress&) const { b.m_info.group.reset(); }
     void operator()(const AnyOf<servo::IoControl, servo::ScIoControl> auto&) const {
@@ -108,9 +114,7 @@ struct Belief::Executed {
         if (stop.manner == servo::StopManner::MotorOff)
             b.m_on = b.m_may.enable = false;
     }
-    void operator()(const servo::SetHoming& homing) const {
-        b.m_homingStops = homing.watches() && (homing.motorOff || homing.stopAbruptly || homing.stopSmoothly);
-    }
+    void operator()(const servo::SetHoming& homing) const { b.m_homingStops = stopsAtHome(homing); }
     void operator()(const DefineStatus& define) const { b.m_items = define.items; }
     void operator()(const SetAddress& set) const {
         b.m_info.group = GroupPlace{set.group.value(), set.leader};
@@ -124,9 +128,12 @@ void Belief::onSent(const ModuleCommand& command, TimePoint latched) {
     visitCommand(Sent{*this, latched}, command);
 }
 
-void Belief::onExecuted(const ModuleCommand& command) {
+void Belief::onExecuted(const ModuleCommand& command, const StatusReport* answer) {
     if (setsCounter(command))
         rename();
+    // Home was found before this motion began, so that does not stop it.
+    if (answer != nullptr && mayStartMotion(command) && !answer->servoStatus().homeInProgress())
+        m_homingStops = false;
     visitCommand(Executed{*this}, command);
     std::visit(Overloaded{[this](const ServoCommand& own) { m_servo.apply(own, m_info.identity); },
                           [this](const StepperCommand& own) { m_stepper.apply(own); },

@@ -25,8 +25,9 @@ public:
     /// `command` was passed to the line and will be latched at `latched`. A refused command was certainly not
     /// carried out; the caller then restores the belief from before.
     void onSent(const ModuleCommand& command, TimePoint latched);
-    /// The last command was answered as carried out.
-    void onExecuted(const ModuleCommand& command);
+    /// The last command was answered as carried out. `answer`: what the module said, if that is known, with
+    /// nothing withheld (trust.h).
+    void onExecuted(const ModuleCommand& command, const StatusReport* answer = nullptr);
     void onStatus(const StatusReport& report, TimePoint latched);
     /// Define Status was sent but not answered: replies have the old or the new length.
     void forgetItems() { m_items.reset(); }

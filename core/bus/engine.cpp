@@ -930,7 +930,7 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
     if (trusted)
         module.belief.onStatus(*trusted, end.latched);
     if (ask.command)
-        module.belief.onExecuted(*ask.command);
+        module.belief.onExecuted(*ask.command, &end.report);
     if (ask.command && is<servo::SetGain>(*ask.command) && work.task != &m_trials)
         m_trials.forget(*ask.module);
     if (work.task != nullptr)

@@ -191,6 +191,21 @@ TEST(Gate, KnowsThatHomingStopsByItself) {
     EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
+/// The chip may have been told to capture home without stopping.
+TEST(Gate, ReliesOnNoStopAtHomeThatMayHaveBeenReplaced) {
+    constexpr std::uint8_t kHoming = 0x80;
+    servo::SetHoming homing;
+    homing.onLimit1Change = homing.stopAbruptly = true;
+    Module module = standing();
+    module.executed(toServo(0, homing));
+    module.executed(loadVelocity(0, 65'536, true));
+    module.status(kMoveDone | kPower | kHoming, kServoOn, 1);
+    homing.stopAbruptly = false;
+    module.unanswered(toServo(0, homing));
+    module.status(kMoveDone | kPower, kServoOn, 1);
+    EXPECT_EQ(module.permitMove(), Permission::InMotion);
+}
+
 /// Without a condition it cancels the search (protocol.md 2), whatever else it says: nothing ends the run.
 TEST(Gate, KnowsThatASearchWithoutAConditionStopsNothing) {
     servo::SetHoming cancel;

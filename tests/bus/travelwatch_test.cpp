@@ -155,6 +155,19 @@ TEST_F(TravelLimit, ARunIsWatchedThoughASearchForHomeWasCancelled) {
     expectStopBeforeTheLimit(bus);
 }
 
+/// DS-V 5.2: home is captured once, and only then is the motor stopped. The switch changes after the last
+/// status, and before the run begins.
+TEST_F(TravelLimit, ARunIsWatchedThatBeganAfterHomeWasFound) {
+    enableFirst();
+    servo::SetHoming homing;
+    homing.onLimit1Change = homing.stopAbruptly = true;
+    ASSERT_EQ(bus.perform({toServo(0, homing)}), Outcome::Done);
+    bus.runFor(200ms);
+    bus.chain.set(ModuleIndex(0), sim::Input::Limit1, 1.0, bus.now);
+    ASSERT_EQ(bus.perform({run()}), Outcome::Done);
+    expectStopBeforeTheLimit(bus);
+}
+
 TEST_F(TravelLimit, LeavesAMoveAloneThatEndsByItself) {
     enableFirst();
     bus.engine.setTravelLimits({{std::nullopt, 5'000}});
