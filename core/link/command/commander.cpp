@@ -104,9 +104,12 @@ bool Commander::hold(const bus::HoldToMove& wanted) {
     const auto hold = module != nullptr ? withinTravel(wanted, *module) : tl::unexpected(TravelProblem{});
     if (!hold || whyNot(IntentKind::Hold, *module))
         return false;
-    emit aboutToHold(wanted.module);
     m_sequences.takeOver(wanted.module, false);
     m_procedures.cancel(wanted.module);
+    // As in carryOut(): that stop would be sent after the motion, and end it.
+    if (m_procedures.stopsLater(wanted.module))
+        return false;
+    emit aboutToHold(wanted.module);
     m_worker.hold(*hold);
     return true;
 }

@@ -113,6 +113,16 @@ TEST_F(CommanderTest, AMotionIsNotSentBeforeTheStopOfTheProcedureThatItTakesTheM
     EXPECT_LT(position(), 2'000);
 }
 
+TEST_F(CommanderTest, AHoldDoesNotBeginBeforeTheStopOfTheProcedureThatItTakesTheModuleFrom) {
+    ASSERT_NO_FATAL_FAILURE(enable());
+    commander.carryOut(kModule, by(2'000, 1));
+    const bus::HoldToMove hold{kModule, CountsPerTick(1 << 16), CountsPerTickSquared(1'311), true, {}, 1};
+    EXPECT_FALSE(commander.hold(hold)) << "its motor is about to be started, and then stopped";
+    ASSERT_TRUE(connection.waitUntil([this] { return !commander.anyRunning() && rests(); }));
+    EXPECT_GE(position(), 0) << "the hold would have gone the other way";
+    EXPECT_LT(position(), 2'000);
+}
+
 TEST_F(CommanderTest, WhoeverHearsOfTheEndOfAProcedureMayBeginTheNext) {
     ASSERT_NO_FATAL_FAILURE(enable());
     std::vector<ProcedureStage> ends;
