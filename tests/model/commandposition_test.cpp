@@ -159,6 +159,28 @@ TEST(CommandPosition, FollowsNoMotionWhileTheServoRateIsUnknown) {
     EXPECT_TRUE(command.at(atSeconds(64.5)).has_value()) << "known from now on";
 }
 
+TEST(CommandPosition, FollowsNoMotionAtAVelocityThatAnotherHostHasLoaded) {
+    CommandPosition command;
+    command.attached();
+    servo::SetGain gains;
+    gains.sr = 1;
+    command.apply(executedAt(0, gains));
+    command.apply(executedAt(1, stopWith(servo::StopManner::Here)));
+    EXPECT_EQ(command.at(atSeconds(1.5)), exactly(0));
+    servo::LoadTrajectory run = velocityMode(8 << 16, 1'024);
+    run.velocity.reset();
+    command.apply(executedAt(2, run));
+    EXPECT_FALSE(command.at(atSeconds(2.5)).has_value());
+    command.apply(executedAt(3, stopWith(servo::StopManner::Here)));
+    servo::LoadTrajectory move = trapezoid(20'000, 8 << 16, 1'024);
+    move.velocity.reset();
+    command.apply(executedAt(4, move));
+    command.apply(executedAt(5, StartMotion{}));
+    EXPECT_FALSE(command.at(atSeconds(6)).has_value());
+    command.apply(sampleOf(60, kMoveDone | kPower, kServoOn, 20'000));
+    EXPECT_EQ(command.at(atSeconds(60)), exactly(20'000)) << "the goal is known";
+}
+
 TEST(CommandPosition, AnAbruptStopFreezesItAndASmoothStopRampsDown) {
     CommandPosition command = holdingAt100();
     command.apply(executedAt(0, velocityMode(4 << 16, 1'024)));

@@ -406,7 +406,7 @@ void BusStore::setModules(const bus::ChainFound& chain) {
             module.doubtMotion();
         } else if (chain.attached) {
             module.attached();
-            record.feed.doubtServoRate();
+            record.feed.attached();
         }
         module.silent = std::ranges::find(chain.absent, info.index) != chain.absent.end();
         m_link.modules.push_back(module);

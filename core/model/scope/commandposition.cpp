@@ -111,6 +111,19 @@ void CommandPosition::doubtServoRate() {
     m_tickKnown = false;
 }
 
+void CommandPosition::attached() {
+    doubtServoRate();
+    m_registers.velocity.reset();
+    m_registers.acceleration.reset();
+}
+
+/// DS-V 4.5: velocity and acceleration are 0.
+ServoRegisters CommandPosition::afterPowerUp() {
+    ServoRegisters registers;
+    registers.acceleration = CountsPerTickSquared(0);
+    return registers;
+}
+
 void CommandPosition::cancelled() {
     if (m_unsettled)
         forget();
@@ -185,6 +198,8 @@ void CommandPosition::startAs(const bus::CommandExecuted& executed) {
     // For a shaft that was already moving, its motion does not show whether the new command was executed.
     if (m_verified && m_motion != Motion::None)
         return forget();
+    if (!load.velocity || !load.acceleration)
+        m_envelope.reset();
     if (m_envelope && m_motion == Motion::None)
         m_standing.leave(m_envelope->at(shown(executed)));
     const Moments when = begun(executed);

@@ -41,6 +41,9 @@ public:
     void contradicted();
     /// The length of a tick is unknown until gains are set: a motion cannot be followed, but rest can.
     void doubtServoRate();
+    /// Another host may have set SR, and loaded a velocity and an acceleration, which stay until others are
+    /// loaded (DS-V 5.2).
+    void attached();
     /// If the answer to a command was lost, its outcome will never be known.
     void cancelled();
 
@@ -68,6 +71,7 @@ private:
         Moments searching;  ///< the last time at which home had not been found
     };
 
+    [[nodiscard]] static ServoRegisters afterPowerUp();
     void start(const bus::CommandExecuted& executed);
     void startAs(const bus::CommandExecuted& executed);
     void stop(const servo::StopMotor& stop, const bus::CommandExecuted& executed);
@@ -115,7 +119,7 @@ private:
     StandingError m_standing;
     TickClock m_ticks;
     bool m_lostCount = false;  ///< the tick count was lost during this motion
-    ServoRegisters m_registers;
+    ServoRegisters m_registers = afterPowerUp();
     bool m_servoOn = false;                ///< as commanded or reported, whichever is newer
     TimePoint m_commanded;                 ///< time of the last command that changes the motion
     bool m_repeated = false;               ///< that command may have been repeated, and executed earlier

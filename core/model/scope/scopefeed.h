@@ -28,8 +28,10 @@ public:
     /// Called when it is unknown whether a command was executed, or the module has restarted: the command
     /// position is unknown until a command fixes it again.
     void doubt() { m_command.forget(); }
-    /// Called when another host may have set SR, or when it was sent and may not have been accepted.
+    /// Called when SR was sent and may not have been accepted.
     void doubtServoRate() { m_command.doubtServoRate(); }
+    /// Called when another host may have used the module.
+    void attached() { m_command.attached(); }
     /// Called when an operation ended before all of it was done: if it left open whether a command was
     /// executed, the command position is in doubt.
     void cancelled() { m_command.cancelled(); }
