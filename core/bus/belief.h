@@ -104,7 +104,9 @@ public:
     /// The last status itself shows motion, or does not contain the velocity that would, whatever was sent.
     [[nodiscard]] bool showsMotion() const;
     /// True if a Stop Motor is likely to stop something; determines the order of a stop.
-    [[nodiscard]] bool moving() const { return mayMove() || m_last.velocity.value_or(0) != 0; }
+    [[nodiscard]] bool moving() const {
+        return mayMove() || (!m_restarted && m_last.velocity.value_or(0) != 0);
+    }
 
     /// A Load Trajectory was answered and not used by a start or a stop since.
     [[nodiscard]] std::optional<servo::LoadTrajectory> servoLoad() const {

@@ -191,6 +191,17 @@ TEST(Gate, KnowsThatHomingStopsByItself) {
     EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
+/// DS-V 4.5: after a reset, the servo is off. Its last status is from before, and no other one comes.
+TEST(Gate, TakesNoModuleForMovingThatHasRestarted) {
+    Module module = standing();
+    module.executed(loadVelocity(0, 65'536, true));
+    module.status(kMoveDone | kPower, kServoOn, 5);
+    EXPECT_TRUE(module.belief.moving());
+    module.belief.setRestarted();
+    EXPECT_FALSE(module.belief.moving());
+    EXPECT_FALSE(module.belief.mayMove());
+}
+
 /// The chip may have been told to capture home without stopping.
 TEST(Gate, ReliesOnNoStopAtHomeThatMayHaveBeenReplaced) {
     constexpr std::uint8_t kHoming = 0x80;
