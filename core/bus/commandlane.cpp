@@ -45,6 +45,20 @@ void CommandLane::beginStep(TimePoint now) {
         m_waiting.front().orders.front().command = m_sine->commandAt(now);
 }
 
+std::vector<ModuleIndex> CommandLane::loaded() const {
+    std::vector<ModuleIndex> modules;
+    for (std::size_t i = 0; !empty() && i < m_waiting.front().orders.size(); ++i) {
+        const Order& order = m_waiting.front().orders[i];
+        const bool loads =
+            is<servo::LoadTrajectory>(order.command) || is<stepper::LoadTrajectory>(order.command);
+        if (loads && i < m_order)
+            modules.push_back(order.module);
+        else if (is<StartMotion>(order.command) && i < m_order)
+            std::erase(modules, order.module);
+    }
+    return modules;
+}
+
 std::optional<TimePoint> CommandLane::due() const {
     if (empty())
         return std::nullopt;

@@ -36,6 +36,9 @@ public:
     void beginStep(TimePoint now);
     [[nodiscard]] TimePoint stepBegan() const { return m_began; }
 
+    /// The modules for which the current operation has loaded a motion that it has not started.
+    [[nodiscard]] std::vector<ModuleIndex> loaded() const;
+
     /// True if the current operation is a sine.
     [[nodiscard]] bool swings() const { return m_sine.has_value(); }
     /// A poll of this module was answered.

@@ -22,6 +22,7 @@ constexpr unsigned kRepeatsAfterLook = 2;
 bool OperationTask::onChange(const Change& change) {
     if (!change.cancelsAll())
         return change.kind == Change::Kind::Stopped && cancelFor(change.modules);
+    forgetLoads();
     for (Event& event : m_commands.cancelAll())
         m_events.emplace_back(std::move(event));
     m_verification.reset();
@@ -32,6 +33,8 @@ bool OperationTask::onChange(const Change& change) {
 
 bool OperationTask::cancelFor(const std::vector<ModuleIndex>& modules) {
     const bool underWay = m_commands.isFor(modules);
+    if (underWay)
+        forgetLoads();
     for (Event& event : m_commands.cancelFor(modules))
         m_events.emplace_back(std::move(event));
     if (underWay) {
@@ -77,8 +80,19 @@ Next OperationTask::next(TimePoint now) {
         case Permission::Never:
             break;
     }
+    return forbid();
+}
+
+Next OperationTask::forbid() {
+    forgetLoads();
     m_events.emplace_back(m_commands.finish(Outcome::Forbidden));
     return Again{};
+}
+
+/// What was loaded for a start that does not follow must not be started by another one, such as its group's.
+void OperationTask::forgetLoads() {
+    for (const ModuleIndex module : m_commands.loaded())
+        m_chain.at(module).belief.forgetLoad();
 }
 
 Next OperationTask::send() {
@@ -86,10 +100,8 @@ Next OperationTask::send() {
     Ask ask = m_chain.command(Purpose::Operation, order);
     auto& owed = m_chain.at(order.module).owed;
     if (owed && mayStartMotion(order.command)) {
-        if (owed->forbidsStart()) {
-            m_events.emplace_back(m_commands.finish(Outcome::Forbidden));
-            return Again{};
-        }
+        if (owed->forbidsStart())
+            return forbid();
         owed.reset();  // the user wants it to move again
     }
     ask.reported = true;
@@ -179,6 +191,7 @@ void OperationTask::fail(const ReplyEnd& end) {
     if (m_commands.group() == nullptr)
         m_chain.takeUnanswered(m_commands.order().module, end.latched);
     m_group.reportUnknown();
+    forgetLoads();
     m_events.emplace_back(m_commands.finish(refused ? Outcome::Refused : Outcome::NoAnswer));
 }
 

@@ -54,6 +54,8 @@ public:
 
 private:
     [[nodiscard]] Next send();
+    [[nodiscard]] Next forbid();
+    void forgetLoads();
     [[nodiscard]] Next look(ModuleIndex module) const { return m_chain.look(Purpose::Check, module); }
     [[nodiscard]] Next verifyStep();
     void onStepEnd(const Ask& ask, const ReplyEnd& end);

@@ -66,7 +66,7 @@ enum class TrialEnd : std::uint8_t { Kept, TimeOver, Swings, Saturates, TooFar, 
 
 /// The request of one click: orders carried out in sequence, each after the previous one was answered without
 /// the communication-error bit. The first failure ends it, so that "load, check, start" never starts on a
-/// doubt.
+/// doubt; what it has loaded by then cannot be started any more.
 struct Operation {
     OperationId id;
     std::vector<Order> orders;

@@ -286,6 +286,20 @@ TEST(Operations, NeverStartWhatWasNotLoaded) {
     EXPECT_EQ(bus.sends("AA 01 05"), 0U);
 }
 
+/// Otherwise, the next start of its group would make a move that was reported as not carried out.
+TEST(Operations, LeaveNoLoadBehindWhenTheStartIsForbidden) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), loadMove(0, 1'000), start(0)}), Outcome::Done);
+    ASSERT_EQ(bus.perform({loadMove(0, 5'000), start(0)}), Outcome::Forbidden) << "it moves";
+    bus.runFor(2s);
+    EXPECT_EQ(bus.perform({start(0)}), Outcome::Forbidden);
+    bus.runFor(2s);
+    EXPECT_NEAR(bus.servo(0).position, 1'000, 2);
+    ASSERT_EQ(bus.perform({loadMove(0, 2'000)}), Outcome::Done);
+    EXPECT_EQ(bus.perform({start(0)}), Outcome::Done) << "a load by itself waits";
+}
+
 TEST(Operations, AreForbiddenWhileATrapezoidalMoveRuns) {
     VirtualBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
