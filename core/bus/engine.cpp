@@ -5,7 +5,7 @@
 
 #include "bus/rejoin.h"
 #include "protocol/baud.h"
-#include "protocol/unsupported.h"
+#include "protocol/takes.h"
 
 namespace nmc::bus {
 

@@ -2,7 +2,7 @@
 #include "bus/gate.h"
 
 #include "module/commandfacts.h"
-#include "protocol/unsupported.h"
+#include "protocol/takes.h"
 
 namespace nmc::bus {
 

@@ -95,7 +95,7 @@ struct HardReset {
 };
 
 /// First the commands of all PIC-SERVO versions, then those that only later versions know; takes() in
-/// unsupported.h checks whether a module knows one.
+/// takes.h checks whether a module knows one.
 using ServoCommand =
     std::variant<ResetPosition, SetAddress, DefineStatus, ReadStatus, servo::LoadTrajectory, StartMotion,
                  servo::SetGain, servo::StopMotor, servo::IoControl, servo::SetHoming, SetBaud,

@@ -5,7 +5,7 @@
 
 #include "protocol/commands.h"
 #include "protocol/frame.h"
-#include "protocol/unsupported.h"
+#include "protocol/takes.h"
 #include "tests/support/hexbytes.h"
 #include "tests/support/modules.h"
 

@@ -4,7 +4,7 @@
 #include "base/overloaded.h"
 #include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
-#include "protocol/unsupported.h"
+#include "protocol/takes.h"
 
 namespace nmc {
 
@@ -105,13 +105,15 @@ struct WhyNot {
 }  // namespace
 
 std::optional<Refusal> whyNotDirect(const ModuleCommand& command, const ModuleState& module) {
-    const auto reason =
-        std::visit([&](const auto& own) { return unsupported(module.info.identity, own); }, command);
-    if (reason == Unsupported::OtherChip)
-        return std::holds_alternative<StepperCommand>(command) ? Refusal::NotAStepper
-               : std::holds_alternative<IoCommand>(command)    ? Refusal::NotAnIoModule
-                                                               : Refusal::NotAServo;
-    if (reason)
+    if (module.isKnown()) {
+        if (std::holds_alternative<StepperCommand>(command) && !module.isStepper())
+            return Refusal::NotAStepper;
+        if (std::holds_alternative<IoCommand>(command) && !module.isIo())
+            return Refusal::NotAnIoModule;
+        if (std::holds_alternative<ServoCommand>(command) && !module.isServo())
+            return Refusal::NotAServo;
+    }
+    if (!std::visit([&](const auto& own) { return takes(module.info.identity, own); }, command))
         return Refusal::VersionLacksIt;
     if (const auto refusal = visitCommand(WhyNot{module}, command))
         return refusal;
