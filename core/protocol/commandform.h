@@ -232,6 +232,14 @@ void homingStopFields(auto& form, auto& c) {
     form.orElse("cancel");
 }
 
+/// A command that is no more than its code.
+template <CommandCode Code>
+struct CommandWithoutData {
+    static constexpr CommandCode kCode = Code;
+    static void fields(auto& /*form*/, auto& /*c*/) {}
+    bool operator==(const CommandWithoutData&) const = default;
+};
+
 template <typename Command>
 concept HasFields = requires {
     Command::kCode;

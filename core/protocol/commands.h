@@ -58,11 +58,7 @@ struct ReadStatus {
 };
 
 /// Runs the trajectory loaded last.
-struct StartMotion {
-    static constexpr CommandCode kCode = CommandCode::StartMotion;
-    static void fields(auto& /*form*/, auto& /*c*/) {}
-    bool operator==(const StartMotion&) const = default;
-};
+struct StartMotion : CommandWithoutData<CommandCode::StartMotion> {};
 
 /// Sent to a group of all modules without a leader, because a reply would come at the new rate.
 struct SetBaud {
@@ -73,18 +69,10 @@ struct SetBaud {
 };
 
 /// Sets home := position.
-struct SaveAsHome {
-    static constexpr CommandCode kCode = CommandCode::SaveAsHome;
-    static void fields(auto& /*form*/, auto& /*c*/) {}
-    bool operator==(const SaveAsHome&) const = default;
-};
+struct SaveAsHome : CommandWithoutData<CommandCode::SaveAsHome> {};
 
 /// Does nothing but request a reply with the defined items.
-struct Nop {
-    static constexpr CommandCode kCode = CommandCode::Nop;
-    static void fields(auto& /*form*/, auto& /*c*/) {}
-    bool operator==(const Nop&) const = default;
-};
+struct Nop : CommandWithoutData<CommandCode::Nop> {};
 
 /// Returns the module to its power-up state; there is no reply. Chips without a saved configuration ignore a
 /// control byte.

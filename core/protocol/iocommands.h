@@ -38,11 +38,7 @@ struct SetPwm {
 
 /// Outputs the values stored by Set Synch Output, in all modules of a group at once. It has the code of Start
 /// Motion.
-struct SynchOutput {
-    static constexpr CommandCode kCode = CommandCode::StartMotion;
-    static void fields(auto& /*form*/, auto& /*c*/) {}
-    bool operator==(const SynchOutput&) const = default;
-};
+struct SynchOutput : CommandWithoutData<CommandCode::StartMotion> {};
 
 /// Sets the output pins; the bits of input pins are ignored.
 struct SetOutput {
@@ -92,11 +88,7 @@ struct SetTimerMode {
 };
 
 /// Latches the inputs and the counter in all modules of a group at once. It has the code of Save as Home.
-struct SynchInput {
-    static constexpr CommandCode kCode = CommandCode::SaveAsHome;
-    static void fields(auto& /*form*/, auto& /*c*/) {}
-    bool operator==(const SynchInput&) const = default;
-};
+struct SynchInput : CommandWithoutData<CommandCode::SaveAsHome> {};
 
 /// A command that only a PIC-I/O knows.
 template <typename T>

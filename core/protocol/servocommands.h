@@ -187,10 +187,6 @@ struct SetHoming {
     bool operator==(const SetHoming&) const = default;
 };
 
-struct ClearStickyBits {
-    static constexpr CommandCode kCode = CommandCode::ClearStickyBits;
-    static void fields(auto& /*form*/, auto& /*c*/) {}
-    bool operator==(const ClearStickyBits&) const = default;
-};
+struct ClearStickyBits : CommandWithoutData<CommandCode::ClearStickyBits> {};
 
 }  // namespace nmc::servo
