@@ -9,7 +9,6 @@
 
 #include <tl/expected.hpp>
 
-#include "protocol/commanderror.h"
 #include "protocol/frame.h"
 #include "protocol/moduletype.h"
 #include "protocol/status.h"
@@ -19,6 +18,20 @@
 /// order in which they are sent, least significant byte first; all bits belong to one control byte, which is
 /// sent first, and may appear in any order.
 namespace nmc {
+
+/// Why a payload could not be decoded as the requested command.
+enum class CommandError : std::uint8_t {
+    WrongCode,
+    Length,      ///< the control byte, or the command, calls for a different number of data bytes
+    OutOfRange,  ///< a value outside the data sheet's range
+};
+
+/// An inclusive range from a data sheet.
+struct ValueRange {
+    std::int64_t min;
+    std::int64_t max;
+    [[nodiscard]] constexpr bool contains(std::int64_t value) const { return value >= min && value <= max; }
+};
 
 inline constexpr ValueRange kAnyValue{std::numeric_limits<std::int64_t>::min(),
                                       std::numeric_limits<std::int64_t>::max()};

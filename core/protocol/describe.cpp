@@ -6,20 +6,50 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "protocol/baud.h"
 #include "protocol/commandtable.h"
 #include "protocol/frame.h"
-#include "protocol/phrases.h"
 
 namespace nmc {
-
-using namespace describe;
-
 namespace {
 
 using Module = const ModuleIdentity&;
+
+/// A list of phrases joined by a separator.
+class Phrases {
+public:
+    explicit Phrases(std::string_view separator = ", ") : m_separator(separator) {}
+
+    Phrases& add(std::string_view phrase) {
+        if (!m_text.empty())
+            m_text += m_separator;
+        m_text += phrase;
+        return *this;
+    }
+    Phrases& addIf(bool condition, std::string_view phrase) { return condition ? add(phrase) : *this; }
+    [[nodiscard]] bool empty() const { return m_text.empty(); }
+    [[nodiscard]] const std::string& text() const { return m_text; }
+
+private:
+    std::string m_text;
+    std::string_view m_separator;
+};
+
+/// Returns "1 null" or "16 nulls", for example.
+std::string counted(std::size_t count, std::string_view thing) {
+    return std::to_string(count) + ' ' + std::string(thing) + (count == 1 ? "" : "s");
+}
+
+/// Returns the names of the lines whose bits are set, for example "IO1 IO12".
+std::string lineNames(std::string_view name, unsigned count, unsigned bits, std::string_view none) {
+    Phrases phrases(" ");
+    for (unsigned line = 0; line < count; ++line)
+        phrases.addIf((bits >> line & 1U) != 0, std::string(name) + std::to_string(line + 1));
+    return phrases.empty() ? std::string(none) : phrases.text();
+}
 
 std::string itemNames(Module module, StatusItems items) {
     Phrases phrases;
@@ -202,22 +232,18 @@ std::string valueOf(const ModuleIdentity& module, const StatusReport& report, st
         return bitNames(module.type, auxBitNames(module), report.aux.value_or(0));
     std::string text;
     const auto describe = [&](const auto& value) {
+        if (!value)
+            return;
         using T = typename std::decay_t<decltype(value)>::value_type;
         if constexpr (std::is_same_v<T, ModuleIdentity>)
             text = "type " + std::to_string(static_cast<int>(value->type)) + ", version " +
                    std::to_string(value->version);
         else if (io && (item == StatusItems::Pins || item == StatusItems::LatchedPins))
-            text = describe::lineNames("IO", io::kPins, static_cast<std::uint16_t>(*value), "all low");
+            text = lineNames("IO", io::kPins, static_cast<std::uint16_t>(*value), "all low");
         else
             text = std::to_string(*value);
     };
-    visitItem(
-        module, item,
-        [&](const auto& value) {
-            if (value)
-                describe(value);
-        },
-        report);
+    visitItem(module, item, describe, report);
     return text;
 }
 
@@ -275,7 +301,7 @@ std::string describeReply(const ModuleIdentity& module, StatusItems items, ByteS
         return {};
     const std::size_t length = replyLength(module, items);
     if (bytes.size() < length)
-        return std::to_string(bytes.size()) + " of " + describe::counted(length, "byte");
+        return std::to_string(bytes.size()) + " of " + counted(length, "byte");
     Phrases phrases("; ");
     std::vector<std::uint8_t> reply(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
     if (const std::uint8_t sum = sum8(ByteSpan(reply).first(length - 1)); sum != reply.back()) {
@@ -285,7 +311,7 @@ std::string describeReply(const ModuleIdentity& module, StatusItems items, ByteS
     if (const auto report = decodeStatus(module, items, reply))
         phrases.add(describeReport(module, *report));
     if (bytes.size() > length)
-        phrases.add(describe::counted(bytes.size() - length, "byte") + " too many");
+        phrases.add(counted(bytes.size() - length, "byte") + " too many");
     return phrases.text();
 }
 
