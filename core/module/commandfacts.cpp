@@ -22,14 +22,14 @@ constexpr CommandFacts kOnceOnly{kGiveUp, None, Always, Effect::Setting};
 
 /// Omitting a command's row is a compile error.
 struct Row {
-    CommandFacts operator()(const Nop&) const { return kQuestion; }
-    CommandFacts operator()(const ReadStatus&) const { return kQuestion; }
-    CommandFacts operator()(const DefineStatus&) const { return kQuestion; }
+    CommandFacts operator()(const AnyOf<Nop, ReadStatus, DefineStatus> auto&) const { return kQuestion; }
     /// Discovery queries the new address before it sends this command again.
     CommandFacts operator()(const SetAddress&) const { return {kGiveUp, None, Never, Effect::Setting}; }
     /// Has no reply by design, and is never an exchange.
     CommandFacts operator()(const SetBaud&) const { return {kGiveUp, None, Never, Effect::Setting}; }
-    CommandFacts operator()(const HardReset&) const { return {kOnce, None, Never, Effect::Setting}; }
+    CommandFacts operator()(const AnyOf<HardReset, servo::HardReset> auto&) const {
+        return {kOnce, None, Never, Effect::Setting};
+    }
     CommandFacts operator()(const ResetPosition&) const {
         return {kGiveUp, Position, Standstill, Effect::Counter};
     }
@@ -62,10 +62,7 @@ struct Row {
     CommandFacts operator()(const servo::ClearStickyBits&) const {
         return {kGiveUp, StickyBits, Always, Effect::Setting};
     }
-    CommandFacts operator()(const servo::ResetRelativeToHome&) const {
-        return {kGiveUp, None, Standstill, Effect::Counter};
-    }
-    CommandFacts operator()(const servo::SetPosition&) const {
+    CommandFacts operator()(const AnyOf<servo::ResetRelativeToHome, servo::SetPosition> auto&) const {
         return {kGiveUp, None, Standstill, Effect::Counter};
     }
     /// Each bit takes effect at once, and some of them can destroy an amplifier that is on.
@@ -76,7 +73,6 @@ struct Row {
     CommandFacts operator()(const servo::AddPathPoints& add) const {
         return {kOnce, None, Never, add.startsPath() ? Effect::Start : Effect::Setting};
     }
-    CommandFacts operator()(const servo::HardReset&) const { return {kOnce, None, Never, Effect::Setting}; }
 
     // ---- PIC-STEP ----
 
@@ -96,13 +92,13 @@ struct Row {
 
     // ---- PIC-I/O ----
 
-    CommandFacts operator()(const io::SetDirection&) const { return kSetting; }
-    CommandFacts operator()(const io::SetOutput&) const { return kSetting; }
-    CommandFacts operator()(const io::SetPwm&) const { return kSetting; }
-    CommandFacts operator()(const io::SetSynchOutput&) const { return kSetting; }
-    CommandFacts operator()(const io::SetTimerMode&) const { return kOnceOnly; }
-    CommandFacts operator()(const io::SynchOutput&) const { return kOnceOnly; }
-    CommandFacts operator()(const io::SynchInput&) const { return kOnceOnly; }
+    CommandFacts operator()(
+        const AnyOf<io::SetDirection, io::SetOutput, io::SetPwm, io::SetSynchOutput> auto&) const {
+        return kSetting;
+    }
+    CommandFacts operator()(const AnyOf<io::SetTimerMode, io::SynchOutput, io::SynchInput> auto&) const {
+        return kOnceOnly;
+    }
 };
 
 }  // namespace
