@@ -459,40 +459,31 @@ bool Engine::dispatch(TimePoint now) {
     else if (m_config.readOnly)
         m_line.permit(Line::Permit::Questions);
     const bool live = m_connected || m_search.active();
-    const auto turn = [&](auto&... tasks) {
-        Turn taken = Turn::Nobody;
-        ((taken = taken == Turn::Nobody ? take(tasks, now) : taken), ...);
-        return taken;
+    Turn taken = Turn::Nobody;
+    const auto offer = [&](bool may, auto&... tasks) {
+        ((taken = may && taken == Turn::Nobody ? take(tasks, now) : taken), ...);
     };
     if (lent()) {
-        const Turn taken = m_lending.heldOff() ? turn(m_lending, m_stops) : Turn::Nobody;
+        offer(m_lending.heldOff(), m_lending, m_stops);
         takeFindings(now);
         return taken == Turn::Taken;
     }
-    Turn taken = turn(m_wayBack);
+    offer(true, m_wayBack);
     // A servo that swings is not seen at rest before its gains are restored.
-    if (taken == Turn::Nobody && m_stops.allSent() && m_connected)
-        taken = turn(m_trials);
-    if (taken == Turn::Nobody)
-        taken = turn(m_stops);
+    offer(m_stops.allSent() && m_connected, m_trials);
+    offer(true, m_stops);
     if (taken == Turn::Nobody)
         taken = repeat(true, now);
-    if (taken == Turn::Nobody && live)
-        taken = turn(m_recovery, m_restartSearch);
+    offer(live, m_recovery, m_restartSearch);
     if (taken == Turn::Nobody)
         taken = repeat(false, now);
-    if (taken == Turn::Nobody && live)
-        taken = turn(m_search, m_rate, m_readdress, m_trials);
+    offer(live, m_search, m_rate, m_readdress, m_trials);
     // Operations submitted for the module before a hold come first: a stop sent after the start would end the
     // motion while the hold considers it running.
-    if (taken == Turn::Nobody && live && !(m_hold.active() && m_operations.concerns(m_hold.module())))
-        taken = turn(m_hold);
-    if (taken == Turn::Nobody && live)
-        taken = turn(m_path, m_operations);
-    if (taken == Turn::Nobody && !m_search.active())
-        taken = turn(m_wellAgain);
-    if (taken == Turn::Nobody && live)
-        taken = turn(m_polls);
+    offer(live && !(m_hold.active() && m_operations.concerns(m_hold.module())), m_hold);
+    offer(live, m_path, m_operations);
+    offer(!m_search.active(), m_wellAgain);
+    offer(live, m_polls);
     takeFindings(now);
     return taken == Turn::Taken;
 }

@@ -12,7 +12,7 @@ STOPPING = (
              "Line::Script{Line::Pause{kAfterNulls}, DiscardInput{}};"),
     )),
     Mutant("stop-behind-the-quarantine", "link.md 2.6: a stop overtakes everything", (
-        Edit("core/bus/engine.cpp", "taken = turn(m_stops);", "taken = turn(m_recovery, m_stops);"),
+        Edit("core/bus/engine.cpp", "offer(true, m_stops);", "offer(true, m_recovery, m_stops);"),
     )),
     Mutant("stop-behind-a-reply", "link.md 2.6: a stop may cut off a reply in flight", (
         Edit("core/bus/engine.cpp",
