@@ -3,6 +3,8 @@
 
 #include <chrono>
 #include <cstdint>
+#include <initializer_list>
+#include <optional>
 
 namespace nmc {
 
@@ -18,6 +20,16 @@ struct BusClock {
 
 using Duration = BusClock::duration;
 using TimePoint = BusClock::time_point;
+
+/// The earliest of these times; empty if there is none.
+[[nodiscard]] constexpr std::optional<TimePoint> earliest(
+    std::initializer_list<std::optional<TimePoint>> times) {
+    std::optional<TimePoint> first;
+    for (const std::optional<TimePoint>& time : times)
+        if (time && (!first || *time < *first))
+            first = *time;
+    return first;
+}
 
 /// One servo tick at 20 MHz: 1953.125 ticks per second (DS-V 3.1).
 inline constexpr Duration kServoTick = std::chrono::microseconds(512);

@@ -396,27 +396,14 @@ void Engine::onDeadline(TimePoint now) {
 }
 
 std::optional<TimePoint> Engine::nextDeadline() const {
-    std::optional<TimePoint> first = m_line.deadline();
-    const auto consider = [&](std::optional<TimePoint> other) {
-        if (other && (!first || *other < *first))
-            first = other;
-    };
-    consider(m_hold.expiry());
-    consider(m_path.foreseeAt());
-    consider(m_lending.due());
-    consider(m_lending.cutBy());
-    if (m_line.idle()) {
-        consider(m_stops.due());
-        if (!lent())
-            consider(m_wellAgain.due());
-        if (m_connected) {
-            consider(m_trials.due());
-            consider(m_path.due());
-            consider(m_operations.due());
-            consider(m_polls.due());
-        }
-    }
-    return first;
+    const auto always = earliest(
+        {m_line.deadline(), m_hold.expiry(), m_path.foreseeAt(), m_lending.due(), m_lending.cutBy()});
+    if (!m_line.idle())
+        return always;
+    const auto onFreeLine = earliest({always, m_stops.due(), lent() ? std::nullopt : m_wellAgain.due()});
+    if (!m_connected)
+        return onFreeLine;
+    return earliest({onFreeLine, m_trials.due(), m_path.due(), m_operations.due(), m_polls.due()});
 }
 
 std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {

@@ -90,8 +90,7 @@ std::optional<TimePoint> PollSchedule::nextDue() const {
     for (const Module& module : m_modules) {
         if (module.retired)
             continue;
-        const TimePoint due = module.silent ? dueTime(module) : TimePoint::min();
-        first = first ? std::min(*first, due) : due;
+        first = earliest({first, module.silent ? dueTime(module) : TimePoint::min()});
     }
     return first;
 }

@@ -40,8 +40,8 @@ bool StopLane::wants(TimePoint now) const {
 std::optional<TimePoint> StopLane::due() const {
     std::optional<TimePoint> first;
     for (const Chain::Module& module : m_chain.modules())
-        if (module.owed && (!first || module.owed->due < *first))
-            first = module.owed->due;
+        if (module.owed)
+            first = earliest({first, module.owed->due});
     return first;
 }
 

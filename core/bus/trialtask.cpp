@@ -111,7 +111,7 @@ std::optional<TimePoint> TrialTask::due() const {
     std::optional<TimePoint> first;
     for (const Chain::Module& module : m_chain.modules())
         if (module.trial && m_chain.answers(module.belief.info().index))
-            first = std::min(first.value_or(module.trial->due), module.trial->due);
+            first = earliest({first, module.trial->due});
     return first;
 }
 

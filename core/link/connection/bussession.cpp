@@ -94,12 +94,9 @@ std::optional<PortError> BusSession::converse() {
 
 std::optional<TimePoint> BusSession::nextTurn(TimePoint now) const {
     const bool moving = m_engine.answersForMotion();
-    std::optional<TimePoint> next = m_engine.nextDeadline();
-    for (const auto& other : {m_closeBy, m_channel.heartbeat.deadline(moving && !m_engine.lent()),
-                              moving ? std::optional(now + LoopGuard::kBeatEvery) : std::nullopt})
-        if (other && (!next || *other < *next))
-            next = other;
-    return next;
+    return earliest({m_engine.nextDeadline(), m_closeBy,
+                     m_channel.heartbeat.deadline(moving && !m_engine.lent()),
+                     moving ? std::optional(now + LoopGuard::kBeatEvery) : std::nullopt});
 }
 
 void BusSession::takeRequests(TimePoint now) {

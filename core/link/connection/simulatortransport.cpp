@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "link/connection/simulatortransport.h"
 
-#include <algorithm>
 #include <array>
 
 #include "link/clock.h"
@@ -36,10 +35,8 @@ Transport::Received SimulatorTransport::receive(std::optional<TimePoint> until, 
     std::array<pollfd, 1> fds{{{wakeFd, POLLIN, 0}}};
     while (true) {
         std::optional<TimePoint> next = until;
-        if (const auto event = m_chain.nextEvent()) {
-            const TimePoint due = m_powerUp + event->time_since_epoch();
-            next = next ? std::min(*next, due) : due;
-        }
+        if (const auto event = m_chain.nextEvent())
+            next = earliest({until, m_powerUp + event->time_since_epoch()});
         const bool woken = pollUntil(fds, next) != 0;
         std::vector<std::uint8_t> bytes = arrived();
         if (woken || !bytes.empty() || (until && monotonicNow() >= *until))

@@ -44,12 +44,8 @@ public:
 
 private:
     void step(TimePoint end) {
-        TimePoint next = end;
         const auto arrival = m_arriving.empty() ? std::nullopt : std::optional(m_arriving.front().due);
-        for (const auto& candidate : {m_engine.nextDeadline(), m_chain.nextEvent(), arrival})
-            if (candidate)
-                next = std::min(next, *candidate);
-        m_now = std::max(m_now, next);
+        m_now = std::max(m_now, *earliest({end, m_engine.nextDeadline(), m_chain.nextEvent(), arrival}));
         m_chain.advanceTo(m_now);
         for (const sim::HostByte& byte : m_chain.takeHostBytes())
             m_arriving.push_back(byte);
