@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <numeric>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -35,6 +37,10 @@ public:
         for (std::uint8_t b : bytes)
             push_back(b);
     }
+    /// Appends as many of the bytes as there is room for.
+    constexpr void appendWhatFits(ByteSpan bytes) {
+        append(bytes.first(std::min(bytes.size(), Capacity - m_size)));
+    }
     /// Appends `value` least significant byte first, the byte order of everything on this bus.
     template <std::integral T>
     constexpr void appendLittleEndian(T value) {
@@ -56,12 +62,7 @@ public:
     [[nodiscard]] constexpr const std::uint8_t* end() const { return m_bytes.data() + m_size; }
 
     friend constexpr bool operator==(const ByteBuffer& a, const ByteBuffer& b) {
-        if (a.m_size != b.m_size)
-            return false;
-        for (std::size_t i = 0; i < a.m_size; ++i)
-            if (a.m_bytes[i] != b.m_bytes[i])
-                return false;
-        return true;
+        return std::ranges::equal(a, b);
     }
 
 private:
@@ -81,10 +82,7 @@ template <std::integral T>
 
 /// The bus checksum: the 8-bit sum of the bytes.
 [[nodiscard]] constexpr std::uint8_t sum8(ByteSpan bytes) {
-    unsigned sum = 0;
-    for (std::uint8_t b : bytes)
-        sum += b;
-    return static_cast<std::uint8_t>(sum & 0xFFU);
+    return static_cast<std::uint8_t>(std::accumulate(bytes.begin(), bytes.end(), 0U) & 0xFFU);
 }
 
 /// "AA 01 0E 0F": upper-case hexadecimal, one space between bytes.

@@ -120,9 +120,7 @@ void Line::passBy(std::uint8_t byte, TimePoint now) {
         settle();
         drop({&byte, 1}, now);
     }
-    ReplyBytes& early = m_pending->early;
-    if (early.size() < early.capacity())
-        early.push_back(byte);
+    m_pending->early.appendWhatFits({&byte, 1});
 }
 
 void Line::hear(ByteSpan bytes, TimePoint now) {
@@ -135,8 +133,7 @@ void Line::hear(ByteSpan bytes, TimePoint now) {
     if (m_pending->received.empty() && now < m_pending->left) {
         if (m_done)
             return invalidate(bytes);
-        ReplyBytes& early = m_pending->early;
-        early.append(bytes.first(std::min(bytes.size(), early.capacity() - early.size())));
+        m_pending->early.appendWhatFits(bytes);
         return drop(bytes, now);
     }
     settle();
@@ -259,8 +256,7 @@ void Line::waitUntil(TimePoint until, TimePoint now) {
 
 void Line::take(ByteSpan bytes, TimePoint now) {
     Pending& pending = *m_pending;
-    const std::size_t room = pending.received.capacity() - pending.received.size();
-    pending.received.append(bytes.first(std::min(room, bytes.size())));
+    pending.received.appendWhatFits(bytes);
     m_lastByte = now;
     const std::size_t wanted = pending.wanted();
     if (pending.framing == Framing::Open && pending.received.size() <= wanted) {
@@ -318,12 +314,11 @@ void Line::expire(TimePoint now) {
         return;
     }
     ReplyEnd end = endOf(pending, ReplyResult::Accepted, now);
-    const ByteSpan all(bytes.data(), bytes.size());
-    if (bytes.size() < 2)
+    if (bytes.size() < kMinReply)
         end.result = ReplyResult::Partial;
-    else if (sum8(all.first(all.size() - 1)) != all.back())
+    else if (!isWhole(pending, bytes))
         end.result = ReplyResult::BadChecksum;
-    else if ((end.report.status = all.front(), end.report.commandRefused()))
+    else if ((end.report.status = bytes[0], end.report.commandRefused()))
         end.result = ReplyResult::Refused;
     if (unanswered(end.result))
         m_torn = torn;
@@ -334,7 +329,7 @@ void Line::expire(TimePoint now) {
 void Line::join(ByteSpan bytes, TimePoint now) {
     ReplyBytes& received = m_torn->pending.received;
     const Duration gap = now - m_torn->last;
-    received.append(bytes.first(std::min(bytes.size(), received.capacity() - received.size())));
+    received.appendWhatFits(bytes);
     if (gap > kLongestReplyGap)
         return m_torn.reset();
     if (!isWhole(m_torn->pending, received))
@@ -355,8 +350,7 @@ void Line::endWithoutEcho(const Pending& pending, TimePoint now) {
     m_strays.onMissed(now);
     ReplyEnd end = endOf(pending, ReplyResult::Echo, now);
     end.bytes = pending.early;
-    const std::size_t room = end.bytes.capacity() - end.bytes.size();
-    end.bytes.append(ByteSpan(pending.received).first(std::min(room, pending.received.size())));
+    end.bytes.appendWhatFits(pending.received);
     if (m_echo.expected() && !m_echo.begun() && isWhole(pending, end.bytes))
         m_echo.cease();
     m_ends.push_back(end);
@@ -365,8 +359,7 @@ void Line::endWithoutEcho(const Pending& pending, TimePoint now) {
 /// More bytes arrived than the previous reply has.
 void Line::invalidate(ByteSpan surplus) {
     m_statistics.surplusBytes += surplus.size();
-    ReplyBytes& bytes = m_done->end.bytes;
-    bytes.append(surplus.first(std::min(surplus.size(), bytes.capacity() - bytes.size())));
+    m_done->end.bytes.appendWhatFits(surplus);
     m_done->end.result = ReplyResult::Surplus;
     settle();
 }

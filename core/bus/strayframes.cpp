@@ -27,7 +27,7 @@ void StrayFrames::hear(ByteSpan bytes, TimePoint now, Duration byteTime) {
     const auto count = static_cast<Duration::rep>(bytes.size());
     if (now - byteTime * count > m_over)
         endBurst();
-    m_bytes.append(bytes.first(std::min(bytes.size(), m_bytes.capacity() - m_bytes.size())));
+    m_bytes.appendWhatFits(bytes);
     m_last = now;
     m_over = now + byteTime * kSurplusCharacters;
 }

@@ -58,10 +58,9 @@ BELIEVING = (
     )),
     Mutant("bytes-behind-a-reply-cut-off", "faults.md F-04: surplus bytes reject the whole frame", (
         Edit("core/bus/line.cpp",
-             "const std::size_t room = pending.received.capacity() - pending.received.size();",
-             "const std::size_t room =\n"
-             "        (pending.framing == Framing::Open ? pending.received.capacity() : pending.wanted()) -\n"
-             "        pending.received.size();"),
+             "pending.received.appendWhatFits(bytes);",
+             "const std::size_t most = pending.framing == Framing::Open ? pending.received.capacity() : pending.wanted();\n"
+             "    pending.received.append(bytes.first(std::min(bytes.size(), most - pending.received.size())));"),
     )),
     Mutant("early-bytes-are-the-reply", "faults.md F-46: no module answers before it has received the command", (
         Edit("core/bus/line.cpp",
