@@ -198,10 +198,6 @@ void Discovery::onReply(const ReplyEnd& end) {
     }
 }
 
-std::optional<ConnectProgress> Discovery::takeProgress() {
-    return std::exchange(m_progress, std::nullopt);
-}
-
 Line::Script Discovery::restartScript() const {
     Line::Script script{Line::Gap{}};
     std::vector<std::uint32_t> rates;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -37,7 +38,9 @@ public:
     void onReply(const ReplyEnd& end);
 
     /// Returns a value once for each step forward.
-    [[nodiscard]] std::optional<ConnectProgress> takeProgress();
+    [[nodiscard]] std::optional<ConnectProgress> takeProgress() {
+        return std::exchange(m_progress, std::nullopt);
+    }
     /// Whatever was in progress on the line was discarded, and the port may be at another rate. Returns true
     /// if discovery continues where it was: in the middle of assigning addresses, a new search would take the
     /// modules that have one for the whole chain.

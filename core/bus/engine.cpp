@@ -388,7 +388,7 @@ void Engine::onBytes(ByteSpan bytes, TimePoint now) {
 
 void Engine::onDeadline(TimePoint now) {
     m_line.onDeadline(now);
-    (void)m_hold.expire(now);
+    m_hold.expire(now);
     followProgram(now, now);
     if (m_lending.cutBy() && now >= *m_lending.cutBy())
         return stopAll(now);

@@ -2,7 +2,6 @@
 #include "bus/exchangerecorder.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace nmc::bus {
 
@@ -91,10 +90,6 @@ void ExchangeRecorder::addUnanswered(Purpose purpose) {
         entry.end = ExchangeEnd::NotAsked;
         m_records.push_back(std::move(entry));
     }
-}
-
-std::vector<ExchangeRecord> ExchangeRecorder::take() {
-    return std::exchange(m_records, {});
 }
 
 }  // namespace nmc::bus

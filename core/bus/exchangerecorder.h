@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bus/exchangerecord.h"
@@ -22,7 +23,7 @@ public:
     /// Adds what scripts have sent since the last call, before what followed; `purpose` applies to packets
     /// other than nulls.
     void addUnanswered(Purpose purpose);
-    [[nodiscard]] std::vector<ExchangeRecord> take();
+    [[nodiscard]] std::vector<ExchangeRecord> take() { return std::exchange(m_records, {}); }
 
 private:
     void add(const Ask& ask, const ReplyEnd& end, ExchangeEnd how, std::optional<Rejection> rejection);

@@ -42,14 +42,13 @@ void HoldTask::end(StopCause cause) {
         m_chain.owe(told->module, cause, mannerFor(*told));
 }
 
-bool HoldTask::expire(TimePoint now) {
+void HoldTask::expire(TimePoint now) {
     if (!m_lane.expired(now))
-        return false;
+        return;
     // If there is nothing to stop, nothing had been started.
     if (m_lane.sent())
         m_events.emplace_back(HoldExpired{m_lane.wanted()->module});
     end(StopCause::HoldExpired);
-    return true;
 }
 
 void HoldTask::clear() {

@@ -23,8 +23,8 @@ public:
     /// The motion is not possible now.
     void refuse(const HoldToMove& hold) { m_lane.refuse(hold); }
     void release() { end(StopCause::HoldReleased); }
-    /// Ends a hold whose evidence has stopped coming. Returns true if it did.
-    bool expire(TimePoint now);
+    /// Ends a hold whose evidence has stopped coming.
+    void expire(TimePoint now);
     /// The time at which expire() would end the hold.
     [[nodiscard]] std::optional<TimePoint> expiry() const { return m_lane.deadline(); }
     /// Something else stops the motor.

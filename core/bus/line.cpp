@@ -15,14 +15,13 @@ Line::Script Line::toRate(std::uint32_t baud) {
 }
 
 void Line::begin(const Request& request, TimePoint now) {
-    assert(ready());
     const PacketBytes packet = toPacket({request.address, request.payload});
-    expect(request, packet, std::max(now, m_free), now);
+    overhear(request, packet, std::max(now, m_free), now);
     send(packet, now);
 }
 
-/// `start`: when the first byte of the packet is sent.
-void Line::expect(const Request& request, const PacketBytes& packet, TimePoint start, TimePoint now) {
+void Line::overhear(const Request& request, const PacketBytes& packet, TimePoint start, TimePoint now) {
+    assert(ready());
     m_torn.reset();
     m_echo.begin(packet);
     m_strays.onSent(packet);
@@ -52,11 +51,6 @@ void Line::conclude(TimePoint now) {
     settle();
     if (m_pending)
         expire(now);
-}
-
-void Line::overhear(const Request& request, const PacketBytes& packet, TimePoint start, TimePoint now) {
-    assert(ready());
-    expect(request, packet, start, now);
 }
 
 void Line::overlook(ByteSpan bytes, TimePoint now) {
@@ -173,17 +167,9 @@ TimePoint Line::latchTime(std::size_t txBytes, TimePoint now) const {
     return std::max(now, m_free) + m_timing.bytes(txBytes) + kServoTick / 2;
 }
 
-std::vector<Output> Line::takeOutput() {
-    return std::exchange(m_output, {});
-}
-
 void Line::setRecording(bool record) {
     m_recording = record;
     m_unanswered.clear();
-}
-
-std::vector<Line::Unanswered> Line::takeUnanswered() {
-    return std::exchange(m_unanswered, {});
 }
 
 bool Line::mayLeave(ByteSpan bytes) const {

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -130,10 +131,10 @@ public:
     /// Modules answer another host (strayframes.h). Returned only once in a while.
     [[nodiscard]] bool takeForeign(TimePoint now) { return m_strays.takeForeign(now); }
 
-    [[nodiscard]] std::vector<Output> takeOutput();
+    [[nodiscard]] std::vector<Output> takeOutput() { return std::exchange(m_output, {}); }
     /// For the packet monitor: what was collected while recording was on.
     void setRecording(bool record);
-    [[nodiscard]] std::vector<Unanswered> takeUnanswered();
+    [[nodiscard]] std::vector<Unanswered> takeUnanswered() { return std::exchange(m_unanswered, {}); }
     [[nodiscard]] LinkStatistics& statistics() { return m_statistics; }
     [[nodiscard]] const LinkStatistics& statistics() const { return m_statistics; }
 
@@ -164,7 +165,6 @@ private:
         TimePoint last;  ///< its last byte so far
     };
 
-    void expect(const Request& request, const PacketBytes& packet, TimePoint start, TimePoint now);
     void join(ByteSpan bytes, TimePoint now);
     [[nodiscard]] static bool isWhole(const Pending& pending, ByteSpan all);
     [[nodiscard]] bool mayLeave(ByteSpan bytes) const;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bus/stoptarget.h"
 
-#include <utility>
-
 #include "bus/standstill.h"
 
 namespace nmc::bus {
@@ -127,10 +125,6 @@ void StopTarget::onLook(const StatusReport& report, const Belief& belief, TimePo
 void StopTarget::onBlindSent(std::optional<Blind> certain) {
     m_needsStop = false;
     m_blind = std::move(certain);
-}
-
-std::optional<StopTarget::Blind> StopTarget::takeBlind() {
-    return std::exchange(m_blind, std::nullopt);
 }
 
 }  // namespace nmc::bus

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "bus/belief.h"
 #include "bus/exchange.h"
@@ -68,7 +69,7 @@ public:
     };
     void onBlindSent(std::optional<Blind> certain);
     /// The stop that was sent blindly, if its latch time is certain; returned once.
-    [[nodiscard]] std::optional<Blind> takeBlind();
+    [[nodiscard]] std::optional<Blind> takeBlind() { return std::exchange(m_blind, std::nullopt); }
 
 private:
     void onLook(const StatusReport& report, const Belief& belief, TimePoint now);
