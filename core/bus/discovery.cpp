@@ -236,8 +236,8 @@ Discovery::Next Discovery::changeRate() {
     auto next = m_rateChange->next();
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);
-    if (const auto* ask = std::get_if<RateChange::Ask>(&next))
-        return question(ask->request, ask->silentRepeats, Quarantine::Full);
+    if (auto* ask = std::get_if<Ask>(&next))
+        return std::move(*ask);
     const auto& ended = std::get<RateChange::Ended>(next);
     if (ended.reached) {
         enterModules(Phase::Define);

@@ -106,8 +106,12 @@ Line::Script RateChange::sendToAll(std::uint32_t rate) const {
     return script;
 }
 
-RateChange::Ask RateChange::ask() const {
-    return {{m_chain[m_at].address, encode(Nop{}), m_chain[m_at].reply}};
+Ask RateChange::ask() const {
+    Ask question;
+    question.purpose = Purpose::Connect;
+    question.request = {m_chain[m_at].address, encode(Nop{}), m_chain[m_at].reply};
+    question.silentRepeats = 2;
+    return question;
 }
 
 void RateChange::enter(Phase phase) {

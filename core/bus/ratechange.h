@@ -6,8 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "bus/exchange.h"
-#include "bus/line.h"
+#include "bus/task.h"
 
 namespace nmc::bus {
 
@@ -30,10 +29,6 @@ public:
     RateChange(std::vector<Target> chain, std::vector<BusAddress> groups, std::uint32_t from,
                std::uint32_t to, WayBack wayBack);
 
-    struct Ask {
-        Request request;
-        std::uint8_t silentRepeats = 2;
-    };
     /// The change has ended. Indices are those of `chain`.
     struct Ended {
         bool reached = false;

@@ -77,13 +77,9 @@ Next RateTask::next(TimePoint /*now*/) {
     auto next = m_change->next();
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);
-    if (const auto* question = std::get_if<RateChange::Ask>(&next)) {
-        Ask ask;
-        ask.purpose = Purpose::Connect;
-        ask.request = question->request;
-        ask.silentRepeats = question->silentRepeats;
-        ask.quarantine = Quarantine::Brief;  // the reply to a No Operation changes nothing
-        return ask;
+    if (auto* ask = std::get_if<Ask>(&next)) {
+        ask->quarantine = Quarantine::Brief;  // the reply to a No Operation changes nothing
+        return std::move(*ask);
     }
     finish(std::get<RateChange::Ended>(next));
     return Again{};

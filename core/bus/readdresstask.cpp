@@ -101,6 +101,8 @@ Next ReaddressTask::next(TimePoint now) {
                 return Line::toRate(kPowerUpBaud);
             return question(BusAddress(0), encode(SetAddress{info.address, kEverybody, false}), {});
         case Stage::Probe:
+        case Stage::Identify:
+        case Stage::Still:
             return question(info.address, encode(ReadStatus{kIdentityItems}), kIdentityItems);
         case Stage::Rate: {
             m_stage = m_done ? Stage::Identify : Stage::Over;
@@ -115,8 +117,6 @@ Next ReaddressTask::next(TimePoint now) {
             script.insert(script.end(), back.begin(), back.end());
             return script;
         }
-        case Stage::Identify:
-            return question(info.address, encode(ReadStatus{kIdentityItems}), kIdentityItems);
         case Stage::Free:
         case Stage::There:
             return question(*m_to, encode(ReadStatus{kIdentityItems}), kIdentityItems);
@@ -125,8 +125,6 @@ Next ReaddressTask::next(TimePoint now) {
             const Payload set = encode(SetAddress{*m_to, BusAddress(info.group->group), info.group->leader});
             return question(info.address, set, m_chain.layoutOf(m_chain.belief(*m_module), set).items);
         }
-        case Stage::Still:
-            return question(info.address, encode(ReadStatus{kIdentityItems}), kIdentityItems);
         case Stage::Over:
             break;
     }

@@ -26,16 +26,9 @@ constexpr Meaning kStepperInputs{0x00, 0x01 | 0x08 | 0x10};       // E-stop, lim
 constexpr std::uint8_t kStandstill = 0x01;                        // bit 0 on both chips
 
 [[nodiscard]] Meaning statusMeaning(ModuleType type) {
-    switch (type) {
-        case ModuleType::Servo:
-            return kServoStatus;
-        case ModuleType::Stepper:
-            return kStepperStatus;
-        case ModuleType::Adc:
-        case ModuleType::Io:
-            break;
-    }
-    return {};
+    return type == ModuleType::Servo     ? kServoStatus
+           : type == ModuleType::Stepper ? kStepperStatus
+                                         : Meaning{};
 }
 
 [[nodiscard]] Meaning auxMeaning(ModuleType type) {
