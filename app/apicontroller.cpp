@@ -412,10 +412,8 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
     m_notBegun.reset();
     Session& own = session(client);
     own.awaitsEnd = true;  // it may end as soon as it begins
-    if (sequence)
-        m_commander.sequences().start(machine, name, 0, false);
-    else
-        m_commander.sequences().goTo(machine, name);
+    m_commander.sequences().begin(sequence ? SequenceRun(machine, name, 0)
+                                           : SequenceRun::toPoint(machine, name));
     if (m_notBegun) {
         own.awaitsEnd = false;
         return fail(client, id, kRefused, *m_notBegun, "SequenceRefused");

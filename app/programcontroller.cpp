@@ -14,12 +14,13 @@ ProgramController::ProgramController(MainWindow& window, const BusStore& store, 
     : m_window(window), m_machine(machine), m_sequences(commander.sequences()), m_messages(messages) {
     const Requests* requests = &m_window.requests();
     connect(requests, &Requests::programEdited, &m_machine, &MachineController::editProgram);
-    connect(requests, &Requests::goToPoint, this,
-            [this](const std::string& point) { m_sequences.goTo(m_machine.machine(), point); });
+    connect(requests, &Requests::goToPoint, this, [this](const std::string& point) {
+        m_sequences.begin(SequenceRun::toPoint(m_machine.machine(), point));
+    });
     connect(requests, &Requests::goToPlace, this, &ProgramController::goTo);
     connect(requests, &Requests::startSequence, this,
             [this](const std::string& sequence, std::size_t row, bool singleStep) {
-                m_sequences.start(m_machine.machine(), sequence, row, singleStep);
+                m_sequences.begin(SequenceRun(m_machine.machine(), sequence, row, singleStep));
             });
     connect(requests, &Requests::pauseSequence, &m_sequences, &SequenceController::pause);
     connect(requests, &Requests::resumeSequence, &m_sequences, &SequenceController::resume);
@@ -35,7 +36,8 @@ ProgramController::ProgramController(MainWindow& window, const BusStore& store, 
             });
     connect(requests, &Requests::homeOrderEdited, &m_machine, &MachineController::editHomeOrder);
     connect(requests, &Requests::homeAll, this, [this, &store] {
-        m_sequences.home(m_machine.machine(), axesToHome(m_machine.machine(), store.link().modules));
+        m_sequences.begin(
+            SequenceRun::homing(m_machine.machine(), axesToHome(m_machine.machine(), store.link().modules)));
     });
     connect(&m_sequences, &SequenceController::foreseen, &m_window.sequences(),
             &SequencesDock::showForesight);
@@ -59,7 +61,7 @@ void ProgramController::goTo(const Point& place) {
     Machine machine = m_machine.machine();
     std::erase_if(machine.program.points, [&](const Point& point) { return point.name == place.name; });
     machine.program.points.push_back(place);
-    m_sequences.goTo(machine, place.name);
+    m_sequences.begin(SequenceRun::toPoint(std::move(machine), place.name));
 }
 
 }  // namespace nmc

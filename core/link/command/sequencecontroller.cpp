@@ -35,19 +35,6 @@ SequenceController::SequenceController(BusStore& store, ProcedureController& pro
             [this] { emit foreseen(*std::exchange(m_foreseen, nullptr)); });
 }
 
-void SequenceController::start(const Machine& machine, const std::string& sequence, std::size_t row,
-                               bool singleStep) {
-    begin(SequenceRun(machine, sequence, row, singleStep));
-}
-
-void SequenceController::goTo(const Machine& machine, const std::string& point) {
-    begin(SequenceRun::toPoint(machine, point));
-}
-
-void SequenceController::home(const Machine& machine, const std::vector<ModuleIndex>& axes) {
-    begin(SequenceRun::homing(machine, axes));
-}
-
 void SequenceController::begin(SequenceRun run) {
     if (running())
         return;

@@ -35,10 +35,7 @@ public:
     }
 
     /// Does nothing while another sequence runs. refused() reports what prevents it from running.
-    void start(const Machine& machine, const std::string& sequence, std::size_t row, bool singleStep);
-    void goTo(const Machine& machine, const std::string& point);
-    /// Homes one axis after the other, by their recipes.
-    void home(const Machine& machine, const std::vector<ModuleIndex>& axes);
+    void begin(SequenceRun run);
     void pause() { tell(&SequenceRun::pause); }
     void resume() { tell(&SequenceRun::resume); }
     void step() { tell(&SequenceRun::step); }
@@ -62,7 +59,6 @@ signals:
 
 private:
     [[nodiscard]] const std::string& name() const { return m_run->report().places.front().sequence; }
-    void begin(SequenceRun run);
     template <typename... Of>
     void tell(void (SequenceRun::*what)(Of...), Of... of) {
         if (running())
