@@ -56,6 +56,8 @@ template <typename Command>
     return command;
 }
 
-[[nodiscard]] Payload payloadOf(const ModuleCommand& command);
+[[nodiscard]] inline Payload payloadOf(const ModuleCommand& command) {
+    return visitCommand([](const auto& own) { return encode(own); }, command);
+}
 
 }  // namespace nmc

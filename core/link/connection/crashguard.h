@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "link/connection/crashburst.h"
 #include "link/connection/loopguard.h"
 
 namespace nmc {
@@ -9,10 +10,15 @@ namespace nmc {
 /// may exist at a time.
 class CrashGuard : public LoopGuard {
 public:
-    void begin(int fd) override;
-    void arm(ByteSpan burst, std::uint32_t baud, bool moving) override;
+    void begin(int fd) override { m_fd = fd; }
+    void arm(ByteSpan burst, std::uint32_t baud, bool /*moving*/) override {
+        crashburst::arm(m_fd, burst, baud);
+    }
     [[nodiscard]] News beat(TimePoint /*now*/) override { return {}; }
-    void end() override;
+    void end() override {
+        crashburst::disarm();
+        m_fd = -1;
+    }
 
 private:
     int m_fd = -1;

@@ -24,14 +24,25 @@ public:
     };
 
     /// Starts expecting beats. Call while the bus thread does not run.
-    void begin(TimePoint now);
+    void begin(TimePoint now) {
+        m_last = now.time_since_epoch().count();
+        m_stopped = false;
+    }
     /// Reports that the GUI thread is alive; returns the preceding gap if it is worth reporting. GUI thread.
-    [[nodiscard]] std::optional<Gap> beat(TimePoint now);
+    [[nodiscard]] std::optional<Gap> beat(TimePoint now) {
+        const Gap gap{now - last(), m_stopped.exchange(false)};
+        m_last = now.time_since_epoch().count();
+        return gap.stopped || gap.length > kNoted ? std::optional(gap) : std::nullopt;
+    }
     /// True when the motors must be stopped: no beat for kStopAfter while something moves. Once per gap. Bus
     /// thread.
-    [[nodiscard]] bool missed(TimePoint now, bool moving);
+    [[nodiscard]] bool missed(TimePoint now, bool moving) {
+        return moving && now - last() >= kStopAfter && !m_stopped.exchange(true);
+    }
     /// The latest time at which missed() must be called again. Bus thread.
-    [[nodiscard]] std::optional<TimePoint> deadline(bool moving) const;
+    [[nodiscard]] std::optional<TimePoint> deadline(bool moving) const {
+        return moving && !m_stopped ? std::optional(last() + kStopAfter) : std::nullopt;
+    }
 
 private:
     [[nodiscard]] TimePoint last() const { return TimePoint(Duration(m_last.load())); }

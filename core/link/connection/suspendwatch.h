@@ -17,12 +17,10 @@ public:
     /// `asleep`: the total time that the machine has been suspended since boot. Returns the length of the
     /// latest suspension, once.
     [[nodiscard]] std::optional<Duration> check(Duration asleep) {
-        const Duration just = m_asleep ? asleep - *m_asleep : Duration{};
-        if (m_asleep && just < kShortest)
-            return std::nullopt;
-        const bool first = !m_asleep;
-        m_asleep = asleep;
-        return first ? std::nullopt : std::optional(just);
+        const Duration just = asleep - m_asleep.value_or(asleep);
+        if (!m_asleep || just >= kShortest)
+            m_asleep = asleep;
+        return just >= kShortest ? std::optional(just) : std::nullopt;
     }
 
 private:

@@ -131,20 +131,17 @@ public:
         m_owner = nullptr;
         workOn(std::move(lock));
     }
-    [[nodiscard]] bool ended() const {
-        const std::scoped_lock lock(m_mutex);
-        return m_ended;
-    }
-    [[nodiscard]] std::optional<DiskProblem> problem() const {
-        const std::scoped_lock lock(m_mutex);
-        return m_problem;
-    }
-    [[nodiscard]] qint64 written() const {
-        const std::scoped_lock lock(m_mutex);
-        return m_written;
-    }
+    [[nodiscard]] bool ended() const { return guarded(m_ended); }
+    [[nodiscard]] std::optional<DiskProblem> problem() const { return guarded(m_problem); }
+    [[nodiscard]] qint64 written() const { return guarded(m_written); }
 
 private:
+    /// A copy of a member that the mutex guards.
+    template <typename T>
+    [[nodiscard]] T guarded(const T& member) const {
+        const std::scoped_lock lock(m_mutex);
+        return member;
+    }
     void workOn(std::unique_lock<std::mutex> lock) {
         if (m_ended || std::exchange(m_busy, true))
             return;
@@ -173,10 +170,6 @@ private:
             return;
         const std::scoped_lock lock(m_mutex);
         m_written = m_wholeLines;
-    }
-    [[nodiscard]] bool abandoned() const {
-        const std::scoped_lock lock(m_mutex);
-        return m_abandoned;
     }
 
     const std::string m_path;
@@ -246,7 +239,7 @@ std::optional<DiskProblem> RecordingWriter::Job::carryOut(const std::vector<std:
 
 std::optional<DiskProblem> RecordingWriter::Job::write(std::string_view text) {
     while (!text.empty()) {
-        if (abandoned())
+        if (guarded(m_abandoned))
             return DiskProblem{RecordingProblemKind::TooSlow};
         const ssize_t count = ::write(m_file.get(), text.data(), text.size());
         if (count >= 0) {
