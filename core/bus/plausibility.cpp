@@ -206,15 +206,10 @@ std::optional<Rejection> Plausibility::structure(const ReplyEnd& end) const {
         return Rejection::Identity;
     if (onWithoutPower(end))
         return Rejection::OnWithoutPower;
-    switch (m_identity.type) {
-        case ModuleType::Servo:
-            return servoStructure(report);
-        case ModuleType::Stepper:
-            return stepperStructure(report);
-        case ModuleType::Adc:
-        case ModuleType::Io:
-            break;
-    }
+    if (m_identity.type == ModuleType::Servo)
+        return servoStructure(report);
+    if (m_identity.type == ModuleType::Stepper)
+        return stepperStructure(report);
     return std::nullopt;
 }
 
@@ -266,15 +261,10 @@ std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEn
 }
 
 std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd& end) const {
-    switch (m_identity.type) {
-        case ModuleType::Servo:
-            return servoMotion(known, end, restsUncommanded(known, end.latched));
-        case ModuleType::Stepper:
-            return stepperMotion(known, end);
-        case ModuleType::Adc:
-        case ModuleType::Io:
-            break;
-    }
+    if (m_identity.type == ModuleType::Servo)
+        return servoMotion(known, end, restsUncommanded(known, end.latched));
+    if (m_identity.type == ModuleType::Stepper)
+        return stepperMotion(known, end);
     return std::nullopt;
 }
 

@@ -109,15 +109,10 @@ using IoCommand = std::variant<io::SetDirection, SetAddress, DefineStatus, ReadS
 /// Calls the function with what one of these returns for a module of that type.
 template <typename Function>
 [[nodiscard]] auto withDecoded(const ModuleIdentity& module, const Payload& payload, const Function& use) {
-    switch (module.type) {
-        case ModuleType::Stepper:
-            return use(decodeStepCommand(payload));
-        case ModuleType::Io:
-            return use(decodeIoCommand(payload));
-        case ModuleType::Servo:
-        case ModuleType::Adc:
-            break;
-    }
+    if (module.type == ModuleType::Stepper)
+        return use(decodeStepCommand(payload));
+    if (module.type == ModuleType::Io)
+        return use(decodeIoCommand(payload));
     return use(decodeServoCommand(module, payload));
 }
 

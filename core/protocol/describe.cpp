@@ -205,16 +205,9 @@ std::string bitNames(ModuleType type, const BitNames& names, std::uint8_t bits) 
 }
 
 const BitNames& statusBitNames(ModuleType type) {
-    switch (type) {
-        case ModuleType::Stepper:
-            return stepper::kStatusBitNames;
-        case ModuleType::Io:
-            return io::kStatusBitNames;
-        case ModuleType::Servo:
-        case ModuleType::Adc:
-            break;
-    }
-    return servo::kStatusBitNames;
+    if (type == ModuleType::Stepper)
+        return stepper::kStatusBitNames;
+    return type == ModuleType::Io ? io::kStatusBitNames : servo::kStatusBitNames;
 }
 
 const BitNames& auxBitNames(const ModuleIdentity& module) {

@@ -27,16 +27,8 @@ inline constexpr ModuleIdentity kUnheardModule{static_cast<ModuleType>(0xFF), 0}
 /// True for members of the family whose data sheet this program follows: PIC-SERVO v1 to v4, PIC-STEP v1.
 /// Other modules may interpret the same bytes differently (protocol.md 5).
 [[nodiscard]] constexpr bool hasDataSheet(const ModuleIdentity& module) {
-    switch (module.type) {
-        case ModuleType::Servo:
-            return module.version >= 1 && module.version <= 4;
-        case ModuleType::Stepper:
-            return module.version == 1;
-        case ModuleType::Adc:
-        case ModuleType::Io:
-            break;
-    }
-    return false;
+    return (module.type == ModuleType::Servo && module.version >= 1 && module.version <= 4) ||
+           (module.type == ModuleType::Stepper && module.version == 1);
 }
 
 /// The first PIC-SERVO with a path buffer and a reported position error (PIC-SERVO CMC).
@@ -44,28 +36,19 @@ inline constexpr std::uint8_t kPathVersion = 5;
 /// PIC-SERVO SC.
 inline constexpr std::uint8_t kScVersion = 10;
 
-/// True for members whose commands and status items are defined here: those with a data sheet, PIC-SERVO CMC
-/// and SC, PIC-I/O (docs/family.md).
-[[nodiscard]] constexpr bool isKnown(const ModuleIdentity& module) {
-    switch (module.type) {
-        case ModuleType::Servo:
-            return hasDataSheet(module) || module.version == kPathVersion || module.version == kScVersion;
-        case ModuleType::Io:
-            return module.version == 1;
-        case ModuleType::Stepper:
-            return hasDataSheet(module);
-        case ModuleType::Adc:
-            break;
-    }
-    return false;
-}
-
 [[nodiscard]] constexpr bool isSc(const ModuleIdentity& module) {
     return module.type == ModuleType::Servo && module.version == kScVersion;
 }
 /// True for a PIC-SERVO with items 6 and 7 and Add Path Points: CMC or SC.
 [[nodiscard]] constexpr bool hasPathBuffer(const ModuleIdentity& module) {
     return isSc(module) || (module.type == ModuleType::Servo && module.version == kPathVersion);
+}
+
+/// True for members whose commands and status items are defined here: those with a data sheet, PIC-SERVO CMC
+/// and SC, PIC-I/O (docs/family.md).
+[[nodiscard]] constexpr bool isKnown(const ModuleIdentity& module) {
+    return hasDataSheet(module) || hasPathBuffer(module) ||
+           (module.type == ModuleType::Io && module.version == 1);
 }
 
 }  // namespace nmc

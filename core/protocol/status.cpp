@@ -56,15 +56,10 @@ std::int16_t negated(std::int16_t sent) {
 }  // namespace
 
 std::span<const StatusItemRow> statusItemTable(const ModuleIdentity& module) {
-    switch (module.type) {
-        case ModuleType::Stepper:
-            return kStepperItems;
-        case ModuleType::Io:
-            return kIoItems;
-        case ModuleType::Servo:
-        case ModuleType::Adc:
-            break;
-    }
+    if (module.type == ModuleType::Stepper)
+        return kStepperItems;
+    if (module.type == ModuleType::Io)
+        return kIoItems;
     // A module of another type is only asked for its type and version, which has the same bit in all modules.
     const std::span<const StatusItemRow> servo(kServoItems);
     return hasPathBuffer(module) ? servo : servo.first(kFirstServoItems);
