@@ -55,14 +55,22 @@ template <typename T>
         return value;
 }
 
-class PayloadWriter {
-public:
+/// What only some forms need; the others inherit it.
+struct CommandForm {
     static constexpr bool kReads = false;
-    explicit PayloadWriter(CommandCode code) : m_code(code) {}
     /// True when the module has one of these versions. Used for fields that other versions ignore.
     [[nodiscard]] bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) const {
         return true;
     }
+    void check(bool /*condition*/) {}
+    void ignoreRest(std::size_t /*most*/) {}
+    void say(std::string_view /*words*/) {}
+    void orElse(std::string_view /*words*/) {}
+};
+
+class PayloadWriter : public CommandForm {
+public:
+    explicit PayloadWriter(CommandCode code) : m_code(code) {}
 
     void bit(unsigned number, bool value, std::string_view /*words*/ = {}) {
         constant(0, value ? static_cast<std::uint8_t>(1U << number) : std::uint8_t{0});
@@ -107,10 +115,6 @@ public:
         for (std::size_t i = 0; i < count; ++i)
             number({}, words[i]);
     }
-    void check(bool /*condition*/) {}
-    void ignoreRest(std::size_t /*most*/) {}
-    void say(std::string_view /*words*/) {}
-    void orElse(std::string_view /*words*/) {}
 
     [[nodiscard]] Payload payload() const {
         Payload payload{m_code, {}};
@@ -126,7 +130,7 @@ private:
     DataBytes m_values;
 };
 
-class PayloadReader {
+class PayloadReader : public CommandForm {
 public:
     static constexpr bool kReads = true;
     PayloadReader(ByteSpan data, const ModuleIdentity& module) : m_module(module), m_rest(data) {}
@@ -207,8 +211,6 @@ public:
         if (m_rest.size() <= most)
             m_rest = {};
     }
-    void say(std::string_view /*words*/) {}
-    void orElse(std::string_view /*words*/) {}
 
     [[nodiscard]] std::optional<CommandError> error() const {
         if (m_short)

@@ -25,8 +25,7 @@ constexpr Rows kIo{ModuleType::Io};
 // DS-V 5.1, DS-S 5.1, docs/family.md. A version ignores bytes that only later versions read: those of Reset
 // Position and Hard Reset, and those that follow its own bytes of Set Gain.
 constexpr std::array kCommands{
-    kServo(1, 4, CommandCode::ResetPosition, "reset_position", "Reset Position", 0, 1),
-    kServo(5, 5, CommandCode::ResetPosition, "reset_position", "Reset Position", 0, 1),
+    kServo(1, 5, CommandCode::ResetPosition, "reset_position", "Reset Position", 0, 1),
     kServo(10, kAny, CommandCode::ResetPosition, "reset_position", "Reset Position", 0, 5),
     kServo(1, kAny, CommandCode::SetAddress, "set_address", "Set Address", 2, 2),
     kServo(1, kAny, CommandCode::DefineStatus, "define_status", "Define Status", 1, 1),

@@ -72,13 +72,9 @@ std::string fixedPoint(std::uint32_t value) {
 
 /// The text that follows the name of a command; empty when the name says it all. This is a form of
 /// commandform.h.
-class Describer {
+class Describer : public CommandForm {
 public:
-    static constexpr bool kReads = false;
     explicit Describer(Module module) : m_module(module) {}
-    [[nodiscard]] bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) const {
-        return true;
-    }
 
     void bit(unsigned /*number*/, bool value, std::string_view words = {}) {
         if (value)
@@ -134,8 +130,6 @@ public:
                        ((word & 2U) != 0 ? " long" : ""));
         m_phrases.add(counted(count, "point") + " at " + speeds.text());
     }
-    void check(bool /*condition*/) {}
-    void ignoreRest(std::size_t /*most*/) {}
     void say(std::string_view words) { m_phrases.addIf(!words.empty(), words); }
     void orElse(std::string_view words) { m_phrases.addIf(m_phrases.empty(), words); }
     [[nodiscard]] const std::string& text() const { return m_phrases.text(); }

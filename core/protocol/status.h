@@ -97,10 +97,8 @@ struct AuxByte {
 /// Auxiliary status byte of a PIC-SERVO SC.
 struct ScAuxByte {
     std::uint8_t bits = 0;
-    [[nodiscard]] constexpr bool index() const {
-        return (bits & 0x01U) != 0;
-    }  ///< the pin itself, not its
-       ///< complement
+    /// The pin itself, not its complement.
+    [[nodiscard]] constexpr bool index() const { return (bits & 0x01U) != 0; }
     [[nodiscard]] constexpr bool positionWrap() const { return (bits & 0x02U) != 0; }
     [[nodiscard]] constexpr bool servoOn() const { return (bits & 0x04U) != 0; }
     [[nodiscard]] constexpr bool accelerating() const { return (bits & 0x08U) != 0; }
