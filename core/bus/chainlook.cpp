@@ -62,7 +62,7 @@ ChainLook::Next ChainLook::next() {
     return Request{probe.address, encode(Nop{}), {}, Framing::Open};
 }
 
-/// Fills the probes of the next round.
+/// Fills the probes of the next round, or enters the next stage.
 void ChainLook::refill() {
     m_probes.clear();
     m_at = 0;
@@ -72,8 +72,7 @@ void ChainLook::refill() {
                 return refillFirst();
             if (!m_rate && m_unaddressed)
                 break;
-            enter(m_rate ? Stage::Rest : Stage::Everywhere);
-            return refill();
+            return enter(m_rate ? Stage::Rest : Stage::Everywhere);
         case Stage::Everywhere:
             if (trouble() == ConnectFailure::NobodyAnswers && m_round++ < kUnusualRounds) {
                 for (const std::uint32_t rate : m_rates)
@@ -82,15 +81,13 @@ void ChainLook::refill() {
             }
             if (trouble())
                 break;
-            enter(Stage::Missing);
-            return refill();
+            return enter(Stage::Missing);
         case Stage::Rest:
             if (m_round++ == 0)
                 return add(*m_rate, m_rest);
             if (trouble())
                 break;
-            enter(Stage::Missing);
-            return refill();
+            return enter(Stage::Missing);
         case Stage::Missing:
             if (m_round < kRounds - 1)
                 return refillMissing();

@@ -64,32 +64,16 @@ Discovery::Discovery(const EngineConfig& config, Start start)
           ConnectProgress{start == Start::Look ? ConnectStage::Looking : ConnectStage::Restarting, 0}) {}
 
 bool Discovery::resume() {
-    switch (m_phase) {
-        case Phase::Set:
-            if (!givesAddresses())
-                return false;
-            // The last number sent may have been received, unless that has already been determined.
-            if (std::ranges::none_of(
-                    m_modules, [&](const ModuleInfo& m) { return m.address == BusAddress(m_number); }) &&
-                std::ranges::find(m_unheard, BusAddress(m_number)) == m_unheard.end())
-                m_phase = Phase::Probe;
-            [[fallthrough]];
-        case Phase::Probe:
-        case Phase::Alive:
-        case Phase::Recheck:
-        case Phase::Identify:
-            m_resumed = givesAddresses();
-            return m_resumed;
-        case Phase::Look:
-        case Phase::Restart:
-        case Phase::ChangeRate:
-        case Phase::Define:
-        case Phase::Confirm:
-        case Phase::Done:
-        case Phase::Failed:
-            break;
-    }
-    return false;
+    if (m_phase < Phase::Set || m_phase > Phase::Identify || !givesAddresses())
+        return false;
+    // The last number sent may have been received, unless that has already been determined.
+    const BusAddress last(m_number);
+    if (m_phase == Phase::Set &&
+        std::ranges::find(m_modules, last, &ModuleInfo::address) == m_modules.end() &&
+        std::ranges::find(m_unheard, last) == m_unheard.end())
+        m_phase = Phase::Probe;
+    m_resumed = true;
+    return true;
 }
 
 Discovery::Next Discovery::next() {

@@ -38,8 +38,7 @@ Line::Script WellAgain::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimePoint
         m_since.reset();
         return {Line::Lag{}, DiscardInput{}, Line::Nulls{}, Line::Lag{kAfterNulls}, DiscardInput{}};
     }
-    if (!m_since)
-        m_since = now;
+    m_since = m_since.value_or(now);
     m_well = now - *m_since >= kWell;
     if (m_well)
         m_due.reset();
