@@ -76,9 +76,7 @@ tl::expected<void, PortError> NetworkTransport::open() {
         return done;
     m_telnet.emplace();
     const TimePoint asked = monotonicNow();
-    const auto agreed = write(m_telnet->takeOutput()).and_then([this] {
-        return await([this] { return m_telnet->agreed().has_value(); });
-    });
+    const auto agreed = ask([this] { return m_telnet->agreed().has_value(); });
     if (!agreed)
         return tl::unexpected(agreed.error());
     if (!m_telnet->agreed().value_or(false))
@@ -119,9 +117,7 @@ tl::expected<void, PortError> NetworkTransport::setBaud(std::uint32_t baud) {
     if (!m_telnet)
         return {};
     m_telnet->setBaud(baud);
-    const auto answered = write(m_telnet->takeOutput()).and_then([this] {
-        return await([this] { return m_telnet->baud().has_value(); });
-    });
+    const auto answered = ask([this] { return m_telnet->baud().has_value(); });
     if (!answered)
         return tl::unexpected(answered.error());
     if (m_telnet->baud() && rateIsGoodEnough(baud, *m_telnet->baud()))
@@ -132,15 +128,17 @@ tl::expected<void, PortError> NetworkTransport::setBaud(std::uint32_t baud) {
 }
 
 template <typename Condition>
-tl::expected<bool, PortError> NetworkTransport::await(const Condition& condition) {
+tl::expected<void, PortError> NetworkTransport::ask(const Condition& answered) {
+    if (const auto asked = write(m_telnet->takeOutput()); !asked)
+        return asked;
     const TimePoint until = monotonicNow() + kAnswerTimeout;
-    while (!condition() && isReady(m_socket.get(), POLLIN, until)) {
+    while (!answered() && isReady(m_socket.get(), POLLIN, until)) {
         const auto bytes = read();
         if (!bytes)
             return tl::unexpected(bytes.error());
         m_early.insert(m_early.end(), bytes->begin(), bytes->end());
     }
-    return condition();
+    return {};
 }
 
 std::vector<std::uint8_t> NetworkTransport::onWire(ByteSpan bytes, std::uint32_t baud) const {

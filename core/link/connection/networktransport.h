@@ -35,9 +35,10 @@ public:
 private:
     tl::expected<void, PortError> connectTo();
     tl::expected<void, PortError> write(ByteSpan bytes);
-    /// Receives bytes of the line into m_early until the condition holds.
+    /// Sends what m_telnet has to say, and receives bytes of the line into m_early until it is answered, or
+    /// not in time.
     template <typename Condition>
-    tl::expected<bool, PortError> await(const Condition& condition);
+    tl::expected<void, PortError> ask(const Condition& answered);
     /// What has arrived so far; empty: nothing. An error if the connection has ended.
     Received read();
     [[nodiscard]] PortError problem(PortProblem what, int error = 0) const;
