@@ -6,8 +6,8 @@
 
 namespace nmc {
 
-/// True when the module knows the command as it stands (docs/family.md); otherwise the chip would ignore it or
-/// take it for another.
+/// True when the module knows the command as it stands (docs/family.md); otherwise the chip would ignore it
+/// or take it for another.
 [[nodiscard]] bool takes(const ModuleIdentity& module, const ServoCommand& command);
 [[nodiscard]] bool takes(const ModuleIdentity& module, const StepperCommand& command);
 [[nodiscard]] bool takes(const ModuleIdentity& module, const IoCommand& command);
