@@ -36,11 +36,27 @@ TEST(Bytes, BuffersCompareByContentNotByWhatWasThereBefore) {
     EXPECT_FALSE(a == (ByteBuffer<4>{9, 2}));
 }
 
+TEST(Bytes, AFullBufferTakesNoMore) {
+    ByteBuffer<4> buffer{1, 2};
+    buffer.appendWhatFits(ByteBuffer<4>{3, 4, 5, 6});
+    EXPECT_EQ(toHex(buffer), "01 02 03 04");
+    buffer.appendWhatFits(ByteBuffer<4>{7});
+    EXPECT_EQ(toHex(buffer), "01 02 03 04");
+}
+
 TEST(Strong, TypesOfDifferentMeaningDoNotConvert) {
     static_assert(!std::is_convertible_v<ModuleIndex, BusAddress>);
     static_assert(!std::is_convertible_v<int, Counts>);
     static_assert(!std::is_constructible_v<CountsPerTick, Counts>);
     EXPECT_LT(ModuleIndex(1), ModuleIndex(2));
+}
+
+TEST(Time, TheEarliestPassesOverTimesThatAreNotThere) {
+    const TimePoint one{std::chrono::seconds(1)};
+    const TimePoint two{std::chrono::seconds(2)};
+    EXPECT_EQ(earliest({std::nullopt, two, one, std::nullopt}), one);
+    EXPECT_EQ(earliest({two}), two);
+    EXPECT_EQ(earliest({std::nullopt}), std::nullopt);
 }
 
 TEST(Time, ServoTickIsTheDataSheetsRate) {
