@@ -120,8 +120,8 @@ TEST(ModuleState, ASearchThatEndsWithMotorOffLeavesTheLoadedVelocity) {
     for (const bool off : {true, false}) {
         ModuleState module = holdingServo();
         module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
-        module.apply(executedAt(
-            1.1, servo::SetHoming{.onLimit1Change = true, .motorOff = off, .stopAbruptly = !off}));
+        module.apply(
+            executedAt(1.1, servo::SetHoming{.onLimit1Change = true, .motorOff = off, .stopAbruptly = !off}));
         module.apply(sampleOf(1.2, kMoveDone | kPower | kHoming, kServoOn));
         module.apply(sampleOf(1.3, kMoveDone | kPower, off ? std::uint8_t{0} : kServoOn));
         module.apply(executedAt(2.0, stopWith(servo::StopManner::Here)));
