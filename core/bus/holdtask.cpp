@@ -134,7 +134,10 @@ Next HoldTask::sendOrder(const Order& order) {
     m_chain.at(order.module).owed.reset();  // the user wants it to move again
     m_sentBefore = m_lane.sent();
     Ask ask = m_chain.command(Purpose::Hold, order);
-    mayStartMotion(order.command) ? m_lane.onStartSent() : m_lane.onLoadSent();
+    if (mayStartMotion(order.command))
+        m_lane.onStartSent();
+    else
+        m_lane.onLoadSent();
     ask.reported = true;
     // Not retried: the next request is made for the state that the module is in by then.
     ask.silentRepeats = 0;
