@@ -231,7 +231,7 @@ class PanelAsWritten(threading.Thread):
 
     def run(self):
         self.connection, _ = self.listener.accept()
-        with self.connection, self.connection.makefile("rw", encoding="utf-8") as lines:
+        with self.connection, self.connection.makefile("rwb") as lines:
             for line in lines:
                 request = json.loads(line)
                 self.requests.append((request["method"], request["params"]))
@@ -248,7 +248,7 @@ class PanelAsWritten(threading.Thread):
         self.send(lines, {"id": request["id"], **what})
 
     def send(self, lines, message):
-        lines.write(json.dumps({"jsonrpc": "2.0", **message}) + "\n")
+        lines.write(json.dumps({"jsonrpc": "2.0", **message}).encode() + b"\n")
         lines.flush()
 
     def ctl(self, *words, text=None):

@@ -72,13 +72,15 @@ class PanelAsWritten(threading.Thread):
     def run(self):
         with self.listener:
             connection, _ = self.listener.accept()
-        with connection, connection.makefile("rw", encoding="utf-8", errors="surrogateescape") as lines:
+        # As bytes: a text file that is written to forgets what it has read ahead, such as the next request.
+        with connection, connection.makefile("rwb") as lines:
             for line in lines:
                 self.requests.append(json.loads(line))
                 for answer in self.answers(self.requests[-1]):
                     if answer is None:
                         return
-                    lines.write(answer if isinstance(answer, str) else json.dumps({"jsonrpc": "2.0", **answer}) + "\n")
+                    text = answer if isinstance(answer, str) else json.dumps({"jsonrpc": "2.0", **answer}) + "\n"
+                    lines.write(text.encode(errors="surrogateescape"))
                 lines.flush()
 
 
