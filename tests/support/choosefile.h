@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QListView>
 #include <QMessageBox>
 #include <QTest>
 #include <QTimer>
@@ -14,6 +15,8 @@ namespace nmc::testing_support {
 /// Types the whole path into the dialog and presses Return; an existing file may be replaced.
 inline void chooseFile(QFileDialog& dialog, const QString& path) {
     auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    // What is typed takes the place of a selected file only in an active window.
+    dialog.findChild<QListView*>(QStringLiteral("listView"))->clearSelection();
     name->setText(path);
     // The question whether to replace a file runs its own event loop.
     QTimer answer;
