@@ -429,7 +429,7 @@ void Engine::proceed(TimePoint now) {
     m_path.foresee(now);
     stopPath();
     // An owed stop does not wait for a quarantine.
-    if (m_recovery.resyncing() && m_stops.anyUnsent())
+    if (m_recovery.resyncing() && m_stops.anyUnsent(now))
         interrupt(now);
     do
         takeEnds(now);

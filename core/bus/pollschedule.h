@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -59,6 +60,8 @@ public:
     void lose(ModuleIndex module, TimePoint now);
     /// A silent module did not answer again.
     void onTimeout(ModuleIndex module, TimePoint now);
+    /// A silent module is queried as soon as kProbeSpacing allows.
+    void hurry(ModuleIndex module, TimePoint now) { at(module).due = std::min(at(module).due, now); }
     /// A silent module answers again.
     void recover(ModuleIndex module, TimePoint now);
     /// The module is not polled any more, until it recovers.

@@ -196,10 +196,10 @@ void Recovery::passed(ModuleIndex module, TimePoint now) {
     Belief& belief = m_chain.at(module).belief;
     if (isKnown(belief.info().identity))
         belief.forgetItems();
+    m_chain.hurryOwedStop(module, now);
     if (m_chain.answers(module))
         return;
     m_chain.schedule().recover(module, now);
-    m_chain.hurryOwedStop(module, now);
     m_lost = false;
     m_events.emplace_back(ModuleUnresponsive{module, false});
 }

@@ -15,9 +15,11 @@ namespace {
 constexpr Duration kSilentFor = std::chrono::milliseconds(500);
 constexpr unsigned kSilences = 3;
 
-/// For a module that answers, stops are repeated at once this often; after that, the line needs its way back.
+/// For a module that answers, stops are repeated at once this often; after that, and while nobody answers, in
+/// this interval. Commands may get through even if no answer does (faults.md F-11, F-19). But the line also
+/// needs its way back, which may find that the module has restarted, and takes 0.3 s at 19 200 Bd.
 constexpr unsigned kAtOnce = 3;
-constexpr Duration kAfterSilence = std::chrono::milliseconds(100);
+constexpr Duration kAfterSilence = std::chrono::milliseconds(500);
 /// Time between two queries of a motor that is decelerating; kBetweenLateLooks applies later, to one that
 /// does not stop.
 constexpr Duration kBetweenLooks = std::chrono::milliseconds(20);
@@ -27,8 +29,6 @@ constexpr unsigned kEarlyLooks = 100;
 /// three motors that slow down would otherwise occupy a slow line, and nobody would be polled that is about
 /// to leave its travel limits.
 constexpr Duration kGiveWay = std::chrono::milliseconds(5);
-/// Commands may get through even if no answer does (faults.md F-11, F-19).
-constexpr Duration kBlindEvery = std::chrono::milliseconds(500);
 
 }  // namespace
 
@@ -76,8 +76,7 @@ Line::Script StopLane::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now)
     const bool looked = !ask.reported && end.result == ReplyResult::Accepted;
     const bool moves = looked && owed->target.slowsDown();
     owed->looks += moves ? 1U : 0U;
-    owed->due = inVain                              ? now + kBlindEvery
-                : owed->target.silences() > kAtOnce ? now + kAfterSilence
+    owed->due = inVain || owed->target.silences() > kAtOnce ? now + kAfterSilence
                 : moves ? now + (owed->looks < kEarlyLooks ? kBetweenLooks : kBetweenLateLooks)
                         : now;
     if (moves)
@@ -239,9 +238,10 @@ void StopLane::finish(TimePoint now) {
 
 // ---- stops of single modules ----
 
-bool StopLane::anyUnsent() const {
+bool StopLane::anyUnsent(TimePoint now) const {
     return std::ranges::any_of(m_chain.modules(), [&](const Chain::Module& module) {
-        return module.owed && module.owed->target.needsStop() && !blindly(module.belief.info().index);
+        return module.owed && module.owed->due <= now && module.owed->target.needsStop() &&
+               !blindly(module.belief.info().index);
     });
 }
 
@@ -297,7 +297,8 @@ Next StopLane::blindScript(TimePoint now) {
         const ModuleIndex index = module.belief.info().index;
         if (!module.owed || !blindly(index) || module.owed->due > now)
             continue;
-        module.owed->due = now + kBlindEvery;
+        module.owed->due = now + kAfterSilence;
+        m_chain.schedule().hurry(index, now);  // only its answer can confirm the stop
         if (const auto stop = module.owed->target.stop(module.belief))
             stops.push_back({index, *stop});
     }

@@ -50,8 +50,8 @@ public:
     /// These modules are owed their stops in the same tick: one packet to their group is sent first, if it is
     /// the same for all. After that, each is sent its stop and queried by itself.
     void sendTogether(std::vector<ModuleIndex> modules) { m_together = std::move(modules); }
-    /// A module that answers has not been sent its stop yet.
-    [[nodiscard]] bool anyUnsent() const;
+    /// A stop is due that has not been sent yet to a module that answers.
+    [[nodiscard]] bool anyUnsent(TimePoint now) const;
 
     /// The chain is being searched for: queries would interfere, so the stops of single modules are sent
     /// blindly.

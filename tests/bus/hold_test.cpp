@@ -111,6 +111,18 @@ TEST_F(Hold, ChangesTheVelocityOnTheWayToATravelLimitToo) {
 }
 
 /// With position, velocity and acceleration, the load is AA 01 D4 17; a start is AA 01 05 06 (DS-V 5.2).
+/// Only the way back finds out that a silent module has restarted, so its stop must leave time for that.
+TEST_F(Hold, LeavesTheLineToTheOthersWhenItsModuleRestarts) {
+    enableFirst();
+    holdFor(1s, forward(0));
+    bus.chain.powerCycle(ModuleIndex(0), bus.now);
+    bus.engine.release(bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleRestarted>() == 1; }, 10s));
+    const std::size_t polled = bus.samplesOf(1);
+    bus.runFor(1s);
+    EXPECT_GT(bus.samplesOf(1), polled + 10);
+}
+
 TEST_F(Hold, LeavesNoLoadBehindWhenItIsReleasedBeforeItsStart) {
     enableFirst();
     HoldToMove hold = forward(0);

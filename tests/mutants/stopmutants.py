@@ -151,12 +151,12 @@ OWING = (
     )),
     Mutant("owed-stop-dropped-when-its-module-is-silent", "link.md 2.6: it is repeated blindly", (
         Edit("core/bus/stoplane.cpp",
-             "        module.owed->due = now + kBlindEvery;\n",
+             "        module.owed->due = now + kAfterSilence;\n",
              "        if (!m_chain.answers(index)) {\n"
              "            module.owed.reset();\n"
              "            continue;\n"
              "        }\n"
-             "        module.owed->due = now + kBlindEvery;\n"),
+             "        module.owed->due = now + kAfterSilence;\n"),
     )),
     Mutant("owed-stop-dropped-when-the-link-is-lost", "link.md 2.6: commands may still arrive", (
         Edit("core/bus/engine.cpp",
@@ -194,7 +194,7 @@ OWING = (
     )),
     Mutant("owed-stop-behind-the-quarantine", "link.md 2.6: it does not wait for late answers", (
         Edit("core/bus/engine.cpp",
-             "    if (m_recovery.resyncing() && m_stops.anyUnsent())\n        interrupt(now);\n", ""),
+             "    if (m_recovery.resyncing() && m_stops.anyUnsent(now))\n        interrupt(now);\n", ""),
     )),
     Mutant("switched-off-motor-held-by-a-stop-of-all", "link.md 2.6: with its servo on, it would run on the wrong way", (
         Edit("core/bus/chain.cpp",
