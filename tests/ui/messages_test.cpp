@@ -93,6 +93,15 @@ TEST_F(Messages, TheOldestRowLastsAsLongAsTheClickOnItsButton) {
     EXPECT_EQ(list()->rows().first()->message().headline, u"News"_s);
 }
 
+TEST_F(Messages, ButtonsThatDoNotFitBesideOneAnotherMakeNoRowWider) {
+    const QString words(40, u'x');
+    window->showMessage({.key = u"key"_s,
+                         .headline = u"Headline"_s,
+                         .actions = {{MessageAction::How, words}, {MessageAction::Reconnect, words}}});
+    const MessageRow* row = list()->rows().first();
+    EXPECT_LT(row->minimumSizeHint().width(), 2 * row->findChild<QAbstractButton*>()->sizeHint().width());
+}
+
 TEST_F(Messages, TheOthersAndAllWordsAreOneClickAway) {
     window->findChild<QAction*>(u"messagesDockAction"_s)->trigger();
     ASSERT_FALSE(list()->isVisible());

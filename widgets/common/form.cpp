@@ -170,7 +170,7 @@ void fill(QWidget* box, QLayout* content, double around) {
     box->setLayout(content);
 }
 
-void clear(QHBoxLayout& line) {
+void clear(QLayout& line) {
     while (QLayoutItem* item = line.takeAt(0)) {
         // It may be the button whose click is being handled.
         if (QWidget* button = item->widget()) {

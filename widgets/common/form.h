@@ -132,8 +132,8 @@ inline constexpr double kUsual = -1;
 [[nodiscard]] QVBoxLayout* newColumn(QWidget* box, std::initializer_list<Item> items, double spacing = 1);
 /// Fills the box with `content`, and leaves a margin of `around` units.
 void fill(QWidget* box, QLayout* content, double around = 0);
-/// Removes everything from a line.
-void clear(QHBoxLayout& line);
+/// Removes all widgets from the layout.
+void clear(QLayout& line);
 
 }  // namespace form
 

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
@@ -21,7 +22,7 @@ MessageRow::MessageRow(const MessageEntry& entry, QWidget* parent)
       m_when(look::newMutedLabel({}, this)),
       m_headline(form::newHeading({}, this)),
       m_body(look::newMutedLabel({}, this)),
-      m_actions(new QHBoxLayout) {
+      m_actions(new FlowLayout(look::gridUnit(this))) {
     setObjectName(u"messageRow"_s);
     m_when->setObjectName(u"messageTime"_s);
     m_headline->setObjectName(u"messageHeadline"_s);
@@ -76,7 +77,6 @@ void MessageRow::showEntry(const MessageEntry& entry) {
                 [this, id = action.id] { emit actionTriggered(m_entry.message, id); });
         m_actions->addWidget(button);
     }
-    m_actions->addStretch(1);
 }
 
 }  // namespace nmc

@@ -6,10 +6,10 @@
 #include "widgets/messages/messagelines.h"
 
 class QLabel;
-class QHBoxLayout;
 
 namespace nmc {
 
+class FlowLayout;
 class GlyphLabel;
 
 /// One entry in the message list: when it happened last, how often, and what to do about it.
@@ -35,7 +35,7 @@ private:
     QLabel* m_when;
     QLabel* m_headline;
     QLabel* m_body;
-    QHBoxLayout* m_actions;
+    FlowLayout* m_actions;
 };
 
 }  // namespace nmc
