@@ -5,7 +5,6 @@
 
 #include "link/clock.h"
 #include "model/module/modulescale.h"
-#include "model/response/responsefile.h"
 #include "widgets/common/words.h"
 #include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/looptestsdock.h"

@@ -47,13 +47,11 @@ void CommandLane::beginStep(TimePoint now) {
 
 std::vector<ModuleIndex> CommandLane::loaded() const {
     std::vector<ModuleIndex> modules;
-    for (std::size_t i = 0; !empty() && i < m_waiting.front().orders.size(); ++i) {
+    for (std::size_t i = 0; i < m_order; ++i) {  // carried out
         const Order& order = m_waiting.front().orders[i];
-        const bool loads =
-            is<servo::LoadTrajectory>(order.command) || is<stepper::LoadTrajectory>(order.command);
-        if (loads && i < m_order)
+        if (is<servo::LoadTrajectory>(order.command) || is<stepper::LoadTrajectory>(order.command))
             modules.push_back(order.module);
-        else if (is<StartMotion>(order.command) && i < m_order)
+        else if (is<StartMotion>(order.command))
             std::erase(modules, order.module);
     }
     return modules;
