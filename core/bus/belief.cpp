@@ -156,11 +156,8 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
     m_before = m_statusTime;
     m_statusTime = latched;
     m_last = report;
-    if (report.position) {
-        // An encoder at rest on an edge alternates by one count.
-        m_rolls = m_place && std::abs(std::int64_t{countsBetween(*m_place, *report.position)}) > 1;
-        m_place = m_position = report.position;
-    }
+    if (report.position)
+        onPosition(*report.position, latched);
     if (report.home)
         m_home = report.home;
     if (const auto commanded = report.commandPosition())
@@ -189,6 +186,16 @@ void Belief::onStatus(const StatusReport& report, TimePoint latched) {
         m_may.run = m_homingStops = false;
     if (status.moveDone() && m_servo.limitEnds(status, m_may.runReverse))
         m_may.run = false;
+}
+
+void Belief::onPosition(std::int32_t position, TimePoint latched) {
+    m_position = position;
+    // An encoder at rest on an edge alternates by one count.
+    const bool moved = m_place && std::abs(std::int64_t{countsBetween(m_place->position, position)}) > 1;
+    if (m_place && !moved && latched - m_place->since < kRollTime)
+        return;
+    m_rolls = moved;
+    m_place = {position, latched};
 }
 
 /// The reply to a command that sets the counter may contain the old or the new position.

@@ -20,6 +20,9 @@ namespace nmc::bus {
 /// the stop plan.
 class Belief {
 public:
+    /// Statuses may be a millisecond apart, in which a slow motor moves by less than a count.
+    static constexpr Duration kRollTime = std::chrono::milliseconds(10);
+
     explicit Belief(ModuleInfo info) : m_info(info) {}
 
     /// `command` was passed to the line and will be latched at `latched`. A refused command was certainly not
@@ -94,8 +97,8 @@ public:
     }
     /// Measured velocity in counts per tick, if the latest status contained it.
     [[nodiscard]] std::optional<std::int16_t> velocity() const { return m_last.velocity; }
-    /// The last two positions differ: with the servo off, this shows a motor that coasts by less than the
-    /// resolution of the velocity item, a count per tick.
+    /// The position has changed by more than a count within kRollTime, or since the last status: with the servo
+    /// off, this shows a motor that coasts by less than the resolution of the velocity item, a count per tick.
     [[nodiscard]] bool rolls() const { return m_rolls; }
     /// The last status shows motion, whatever was commanded. True if there is no status.
     [[nodiscard]] bool seenMoving() const {
@@ -144,6 +147,7 @@ private:
     void mayStart(const stepper::LoadTrajectory& load);
     void started(const servo::LoadTrajectory& load);
     void rename();
+    void onPosition(std::int32_t position, TimePoint latched);
     /// `servo`: what else than a clear move_done shows that a PIC-SERVO moves.
     [[nodiscard]] bool moves(bool servo) const;
 
@@ -165,7 +169,12 @@ private:
     std::optional<TimePoint> m_lastMotion;
     StatusReport m_last;
     std::optional<std::int32_t> m_position;
-    std::optional<std::int32_t> m_place;  ///< position, unless the counter has been set since
+    /// A position that later ones are compared with, unless the counter has been set since.
+    struct Place {
+        std::int32_t position = 0;
+        TimePoint since;
+    };
+    std::optional<Place> m_place;
     bool m_rolls = false;
     std::optional<std::int32_t> m_home;
     std::uint8_t m_aux = 0;

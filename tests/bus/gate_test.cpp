@@ -35,6 +35,7 @@ public:
         belief.onSent(order.command, m_now += 1ms);
         belief.onExecuted(order.command);
     }
+    void wait(Duration time) { m_now += time; }
     void unanswered(const Order& order) { belief.onSent(order.command, m_now += 1ms); }
     [[nodiscard]] Permission permit(const Order& order) const { return bus::permit(belief, order.command); }
     /// The permission to start a trapezoidal move that has been loaded.
@@ -156,7 +157,22 @@ TEST(Gate, TakesAMotorThatCoastsSlowlyForMoving) {
     module.status(kMoveDone | kPower, 0, 0, 1'002);
     EXPECT_EQ(module.permitMove(), Permission::InMotion);
     EXPECT_EQ(module.permit(ResetPosition{}), Permission::InMotion);
+    module.wait(10ms);
     module.status(kMoveDone | kPower, 0, 0, 1'003);
+    EXPECT_EQ(module.permitMove(), Permission::Allowed);
+}
+
+/// At half a count per millisecond, no two statuses of a fast line differ by more than a count.
+TEST(Gate, TakesAMotorThatCoastsSlowlyForMovingHoweverOftenItIsRead) {
+    Module module;
+    for (const std::int32_t position : {1'000, 1'000, 1'001, 1'001, 1'002, 1'002})
+        module.status(kMoveDone | kPower, 0, 0, position);
+    for (const std::int32_t position : {1'003, 1'003, 1'004, 1'004, 1'005, 1'005}) {
+        module.status(kMoveDone | kPower, 0, 0, position);
+        EXPECT_EQ(module.permitMove(), Permission::InMotion) << position;
+    }
+    for (int i = 0; i < 10; ++i)
+        module.status(kMoveDone | kPower, 0, 0, 1'005);
     EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
