@@ -924,7 +924,9 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
         m_events.emplace_back(GroupChanged{*ask.module, module.belief.info().group});
     if (trusted && ask.purpose == Purpose::Poll)
         m_operations.notePoll(*ask.module, end);
-    if (trusted)
+    // A late reply that is taken for the answer to a stop must not be shown, nor be a reason for another
+    // stop.
+    if (trusted && (ask.purpose == Purpose::Lent || !m_recovery.quarantineDue()))
         publish(*ask.module, end, *trusted);
 }
 

@@ -41,6 +41,8 @@ public:
     void flushed() { m_state = LineState::NullsSent; }
 
     [[nodiscard]] bool resyncing() const { return m_state == LineState::Resyncing; }
+    /// Nulls alone were sent ahead of something urgent: a reply may still be a late one to an earlier query.
+    [[nodiscard]] bool quarantineDue() const { return m_state == LineState::NullsSent; }
     /// A resync is due or in progress, or something is in doubt.
     [[nodiscard]] bool suspect() const { return m_state != LineState::Trusted || m_lost || m_doubt; }
     /// No module answers.

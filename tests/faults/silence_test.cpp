@@ -206,6 +206,28 @@ TEST(F13_LateReply, IsNeverTakenForTheAnswerToTheNextCommand) {
     truth.expectAllTrue();
 }
 
+/// The poll and two queries of a stop are answered 37 to 40 ms late: as long as the time-outs of the first
+/// two and the nulls before the third take.
+TEST(F13_LateReply, IsNotShownAsTheAnswerToAStop) {
+    for (int start = 0; start < 12; ++start)
+        for (int late = 370; late <= 400; ++late) {
+            FaultyBus bus(servos(1), kFast);
+            ASSERT_TRUE(bus.connectAndEnable());
+            Truth truth(bus);
+            for (int i = 0; i < 20; ++i) {
+                bus.engine.hold(forward(0, 2 * kOnePerTick), bus.now);
+                bus.runFor(20ms);
+            }
+            bus.engine.release(bus.now);
+            bus.runFor(20ms + start * 200us);
+            bus.fault("bus delay status t=" + std::to_string(late * 100) + "us n=3");
+            bus.runFor(500ms);
+            truth.look();
+            EXPECT_EQ(truth.wrong(), 0U) << start << ", " << late << ": " << truth.first();
+            EXPECT_EQ(bus.struck(), 3U);
+        }
+}
+
 /// As on a busy computer: replies to a search are late, one in four by up to twice the time-out, so that one
 /// in six comes too late.
 TEST(F13_LateReply, HidesNoChain) {
