@@ -12,7 +12,7 @@ namespace nmc {
 
 // Numbers in files and commands: they use the C locale's decimal point regardless of the user's locale.
 
-/// With just enough digits to read back the same number.
+/// Appends just enough digits to read back the same number.
 template <typename Number>
 void appendNumber(std::string& out, Number number) {
     std::array<char, 32> digits;

@@ -15,6 +15,7 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
+#include <QWindow>
 #include <algorithm>
 #include <utility>
 

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QMouseEvent>
 #include <QTouchEvent>
+#include <QWidget>
 #include <QWindow>
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 #include "widgets/panels/stepperparametersbox.h"
 
 #include <QCheckBox>
+#include <QLabel>
 
 #include "model/intent/stepperplan.h"
 #include "widgets/common/flowlayout.h"
