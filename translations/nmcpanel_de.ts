@@ -5351,6 +5351,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Referenz liegt bei %1. Die Position wurde vor %2 min bestätigt.</translation>
     </message>
     <message>
+        <source>That is %1; this module can be given at most %2.</source>
+        <translation>Das sind %1; dieses Modul nimmt höchstens %2 an.</translation>
+    </message>
+    <message>
         <source>That is %1; the highest velocity of this axis is %2 (Axis page).</source>
         <translation>Das sind %1; die höchste Geschwindigkeit dieser Achse ist %2 (Seite Achse).</translation>
     </message>
@@ -8779,6 +8783,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
 </context>
 <context>
     <name>nmc::LoopTestsDock</name>
+    <message>
+        <source>Square wave, frequency response (Bode plot), and a report of the tuning</source>
+        <translation>Rechteck, Frequenzgang (Bode-Diagramm) und ein Bericht über die Einstellung</translation>
+    </message>
     <message>
         <source>Loop tests</source>
         <translation>Regelkreis</translation>

@@ -5351,6 +5351,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>La referencia está en %1. Usted confirmó la posición hace %2 min.</translation>
     </message>
     <message>
+        <source>That is %1; this module can be given at most %2.</source>
+        <translation>Eso es %1; este módulo admite como máximo %2.</translation>
+    </message>
+    <message>
         <source>That is %1; the highest velocity of this axis is %2 (Axis page).</source>
         <translation>Eso es %1; la velocidad máxima de este eje es %2 (página Eje).</translation>
     </message>
@@ -8779,6 +8783,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
 </context>
 <context>
     <name>nmc::LoopTestsDock</name>
+    <message>
+        <source>Square wave, frequency response (Bode plot), and a report of the tuning</source>
+        <translation>Onda cuadrada, respuesta en frecuencia (diagrama de Bode) e informe del ajuste</translation>
+    </message>
     <message>
         <source>Loop tests</source>
         <translation>Pruebas de lazo</translation>

@@ -5351,6 +5351,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>L’origine est à %1. Vous avez confirmé la position il y a %2&#xa0;min.</translation>
     </message>
     <message>
+        <source>That is %1; this module can be given at most %2.</source>
+        <translation>Cela fait %1&#x202f;; ce module accepte au plus %2.</translation>
+    </message>
+    <message>
         <source>That is %1; the highest velocity of this axis is %2 (Axis page).</source>
         <translation>Cela fait %1&#x202f;; la vitesse maximale de cet axe est %2 (page Axe).</translation>
     </message>
@@ -8779,6 +8783,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
 </context>
 <context>
     <name>nmc::LoopTestsDock</name>
+    <message>
+        <source>Square wave, frequency response (Bode plot), and a report of the tuning</source>
+        <translation>Signal carré, réponse en fréquence (diagramme de Bode) et rapport du réglage</translation>
+    </message>
     <message>
         <source>Loop tests</source>
         <translation>Essais de boucle</translation>

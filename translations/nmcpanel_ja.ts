@@ -5334,6 +5334,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>原点は%1にあります。%2分前に位置を確認済みです。</translation>
     </message>
     <message>
+        <source>That is %1; this module can be given at most %2.</source>
+        <translation>この値は%1です。このモジュールに送れる最高速度は%2です。</translation>
+    </message>
+    <message>
         <source>That is %1; the highest velocity of this axis is %2 (Axis page).</source>
         <translation>この値は%1です。この軸の最高速度は%2です（「軸」ページ）。</translation>
     </message>
@@ -8761,6 +8765,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
 </context>
 <context>
     <name>nmc::LoopTestsDock</name>
+    <message>
+        <source>Square wave, frequency response (Bode plot), and a report of the tuning</source>
+        <translation>矩形波、周波数応答（ボード線図）、調整結果のレポート</translation>
+    </message>
     <message>
         <source>Loop tests</source>
         <translation>ループテスト</translation>

@@ -185,6 +185,25 @@ TEST(Travel, ARunThatIsUnderWayHasToStopFirst) {
     EXPECT_TRUE(plan(intent::Move{servomotion::VelocityProfile{kOne, kGentle, true}}, module).has_value());
 }
 
+/// CMC and SC can be given at most 1280 counts per tick (docs/family.md).
+TEST(Travel, NothingIsFasterThanTheChipCanBeGiven) {
+    const CountsPerTick most(1'280U << 16U);
+    const CountsPerTick more((1'280U << 16U) + 1);
+    for (const std::uint8_t version : {kPathVersion, kScVersion}) {
+        ModuleState module = limited();
+        module.info.identity.version = version;
+        EXPECT_TRUE(plan(to(1'400, most), module).has_value());
+        EXPECT_EQ(plan(to(1'400, more), module).error(), Refusal::TooFast);
+        EXPECT_TRUE(travelProblem(to(1'400, more), module)->ofChip);
+        module.travel.fastest = 2'000;
+        EXPECT_EQ(travelProblem(to(1'400, more), module)->fastest, 1'280.0);
+        module.travel.fastest = 1'000;
+        EXPECT_EQ(travelProblem(to(1'400, more), module)->fastest, 1'000.0);
+        EXPECT_FALSE(travelProblem(to(1'400, more), module)->ofChip);
+    }
+    EXPECT_TRUE(plan(to(1'400, more), limited()).has_value()) << "version 4";
+}
+
 TEST(Travel, NothingIsFasterThanTheAxisMayGo) {
     ModuleState module = limited();
     module.travel.fastest = 1.0;

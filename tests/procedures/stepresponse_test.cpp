@@ -65,6 +65,32 @@ TEST_F(StepResponse, JumpsInOneTickAndEndsHolding) {
     bench.bus.expectNoViolations();
 }
 
+/// CMC and SC can be given at most 1280 counts per tick (docs/family.md).
+TEST(StepResponseOfLaterChips, JumpsAsFarAsTheChipCanInOneTick) {
+    for (const std::uint8_t version : {kPathVersion, kScVersion}) {
+        SCOPED_TRACE(version);
+        ServoBench bench(version);
+        ASSERT_TRUE(bench.enable());
+        ASSERT_TRUE(bench.perform(intent::StopHere{}));
+        std::int32_t from = 0;
+        for (const std::int32_t counts : {100, -1'280, 2'000}) {
+            std::vector<double> commands;
+            bench.bus.onTime = [&] { commands.push_back(bench.truth().commandPosition); };
+            const ProcedureReport report =
+                bench.run(intent::StepResponse{counts, ResponseMethod::Profile, 0.2});
+            ASSERT_EQ(report.stage, ProcedureStage::Done) << counts;
+            const std::int32_t goal = from + counts;
+            for (const double command : commands)
+                EXPECT_TRUE(command == from || command == goal ||
+                            (counts == 2'000 && command == from + 1'280))
+                    << counts << ": " << command;
+            EXPECT_EQ(bench.truth().commandPosition, goal);
+            from = goal;
+        }
+        bench.bus.expectNoViolations();
+    }
+}
+
 TEST_F(StepResponse, StopsHereWithoutAnyProfile) {
     ASSERT_TRUE(hold());
     const std::size_t before = bench.bus.sent.size();

@@ -31,7 +31,9 @@ TravelPlace fromOtherSide(TravelPlace place) {
 
 QString travelProblem(const TravelProblem& problem, const Zero& zero, const AxisScale& scale) {
     if (problem.refusal == Refusal::TooFast)
-        return Texts::tr("That is %1; the highest velocity of this axis is %2 (Axis page).")
+        return (problem.ofChip
+                    ? Texts::tr("That is %1; this module can be given at most %2.")
+                    : Texts::tr("That is %1; the highest velocity of this axis is %2 (Axis page)."))
             .arg(velocity(scale, problem.velocity, 6), velocity(scale, problem.fastest, 6));
     const QString limit = place(zero, scale, problem.limit);
     const bool lowest = problem.lowest != scale.reversed();

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/overloaded.h"
 #include "bus/standstill.h"
 #include "model/intent/backlash.h"
 #include "model/intent/jog.h"
 #include "model/intent/stepperplan.h"
+#include "protocol/laterservocommands.h"
 
 namespace nmc {
 
@@ -128,10 +130,16 @@ private:
 };
 
 [[nodiscard]] std::optional<TravelProblem> tooFast(double velocity, const ModuleState& module) {
+    constexpr CountsPerTick kOfLaterChips(servo::kLaterVelocityRange.max);
+    const double chip = hasPathBuffer(module.info.identity) ? toCounts(kOfLaterChips)
+                                                            : std::numeric_limits<double>::infinity();
     const double fastest = module.travel.fastest;
-    if (fastest <= 0.0 || velocity <= fastest + kVelocityGrain)
-        return std::nullopt;
-    return TravelProblem{.refusal = Refusal::TooFast, .velocity = velocity, .fastest = fastest};
+    TravelProblem problem{.refusal = Refusal::TooFast, .velocity = velocity, .fastest = fastest};
+    if (fastest > 0.0 && fastest <= chip)
+        return velocity > fastest + kVelocityGrain ? std::optional(problem) : std::nullopt;
+    problem.fastest = chip;
+    problem.ofChip = true;
+    return velocity > chip ? std::optional(problem) : std::nullopt;
 }
 
 [[nodiscard]] std::optional<TravelProblem> atTheEnd(bool reverse, const ModuleState& module) {

@@ -49,6 +49,7 @@ struct TravelProblem {
     std::optional<std::int32_t> turn{};
     double velocity = 0.0;  ///< for TooFast: the requested velocity, native
     double fastest = 0.0;   ///< for TooFast: the allowed velocity, native
+    bool ofChip = false;    ///< for TooFast: the chip allows no more, whatever the user has set
     bool operator==(const TravelProblem&) const = default;
 };
 /// The problem of a move from one position to another.

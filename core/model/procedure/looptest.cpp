@@ -4,7 +4,9 @@
 #include <cstdlib>
 #include <utility>
 
+#include "model/intent/looptestplan.h"
 #include "module/profiledload.h"
+#include "protocol/laterservocommands.h"
 
 namespace nmc {
 
@@ -12,6 +14,15 @@ namespace {
 
 /// The time for a hold to calm a motor that has gone too far.
 constexpr Duration kCalmWithin = std::chrono::milliseconds(500);
+
+/// Reaches the goal of the longest step in one tick; with CMC and SC in two. The largest loadable values
+/// would do so too, but their sum would exceed the chip's 32 bits.
+[[nodiscard]] ServoPace quickestPace(const ModuleIdentity& module) {
+    constexpr std::uint32_t kInOneTick = 4'096U << 16U;
+    static_assert(kInOneTick >= std::uint32_t{kLongestStep} << 16U);
+    return {CountsPerTick(hasPathBuffer(module) ? std::uint32_t{servo::kLaterVelocityRange.max} : kInOneTick),
+            CountsPerTickSquared(kInOneTick)};
+}
 
 }  // namespace
 
@@ -62,10 +73,11 @@ LoopTest::Next LoopTest::start(const ModuleState& module) {
 }
 
 std::vector<bus::Order> LoopTest::jump(const ModuleState& module, std::int32_t goal, ResponseMethod method,
-                                       const ServoPace& pace) const {
+                                       const std::optional<ServoPace>& pace) const {
     if (method == ResponseMethod::StopHere)
         return orders({servo::StopMotor{module.amplifierKept(), servo::StopManner::Here, Counts(goal)}});
-    return orders({profiledLoad(pace.velocity, pace.acceleration, goal), StartMotion{}});
+    const auto [velocity, acceleration] = pace.value_or(quickestPace(module.info.identity));
+    return orders({profiledLoad(velocity, acceleration, goal), StartMotion{}});
 }
 
 LoopTest::Next LoopTest::conclude(const ModuleState& module, std::int32_t goal) {

@@ -20,10 +20,6 @@ namespace nmc {
 /// needs the bus's focus while it runs.
 class LoopTest : public Procedure {
 protected:
-    /// The profile reaches the goal of the longest step in one tick. The largest loadable values would do so
-    /// too, but their sum would exceed the chip's 32 bits.
-    static constexpr ServoPace kInOneTick{CountsPerTick(4'096U << 16U), CountsPerTickSquared(4'096U << 16U)};
-
     LoopTest(ProcedureKind kind, const ModuleState& module) : Procedure(module.info.index, kind) {}
 
     /// A step to take before the wait for standstill; nothing by default.
@@ -45,10 +41,11 @@ protected:
     [[nodiscard]] std::int32_t stood() const { return m_stood; }
     /// Called at standstill: starts from here with begin().
     [[nodiscard]] Next start(const ModuleState& module);
-    /// Moves the command position to `goal`, in one tick unless it is a profiled move.
+    /// Moves the command position to `goal`: in one tick unless it is a profiled move, or in two if it is
+    /// more than CMC and SC can move in one.
     [[nodiscard]] std::vector<bus::Order> jump(const ModuleState& module, std::int32_t goal,
                                                ResponseMethod method,
-                                               const ServoPace& pace = kInOneTick) const;
+                                               const std::optional<ServoPace>& pace = {}) const;
     /// While `taken` is being recorded, returns the next step; nothing when the record is complete. Another
     /// party may take over the motion, or it may go too far.
     [[nodiscard]] std::optional<Next> record(const ModuleState& module, TimePoint now,
