@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/look.h"
 
+#include "widgets/common/elidedlabel.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/palettes.h"
@@ -301,6 +302,22 @@ TEST_F(LookOfWindow, EveryIconIsThere) {
         ++seen;
     }
     EXPECT_GT(seen, 0);
+}
+
+TEST(LookOfElidedText, IsWholeInTheWidthThatItAsksFor) {
+    const QString sentence = u"\"mill.json\" line 4: distance_counts is missing."_s;
+    ElidedLabel label(1);
+    for (const bool bold : {false, true})
+        for (qsizetype length = 1; length <= sentence.size(); ++length) {
+            QFont font = label.font();
+            font.setBold(bold);
+            label.setFont(font);
+            label.setText(sentence.left(length));
+            label.resize(label.sizeHint());
+            const QImage asked = label.grab().toImage();
+            label.resize(label.width() + 100, label.height());
+            EXPECT_EQ(asked, label.grab().toImage().copy(asked.rect())) << length << (bold ? ", bold" : "");
+        }
 }
 
 TEST(LookOfDigits, DoNotDance) {

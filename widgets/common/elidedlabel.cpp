@@ -6,6 +6,7 @@
 #include <QStyle>
 #include <QTextLayout>
 #include <QToolTip>
+#include <QtMath>
 
 namespace nmc {
 
@@ -14,7 +15,8 @@ ElidedLabel::ElidedLabel(int lines, QWidget* parent) : QLabel(parent), m_lines(l
 }
 
 QSize ElidedLabel::sizeHint() const {
-    return {fontMetrics().horizontalAdvance(text()), minimumSizeHint().height()};
+    // Rounded up: in half a pixel less, the text would be elided.
+    return {qCeil(QFontMetricsF(font()).horizontalAdvance(text())), minimumSizeHint().height()};
 }
 
 QSize ElidedLabel::minimumSizeHint() const {
