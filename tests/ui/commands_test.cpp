@@ -48,6 +48,12 @@ TEST_F(Commands, AreFoundByTheirWordsAndDoneByEnter) {
     EXPECT_FALSE(palette()->isVisible());
 }
 
+TEST_F(Commands, OfAMenuAreFoundByWhatTheyMean) {
+    look(u"bode"_s);
+    EXPECT_EQ(chosen(), u"Loop tests / View"_s);
+    EXPECT_TRUE(says().contains(u"Bode"_s)) << says().toStdString();
+}
+
 TEST_F(Commands, SayWhyTheyCannotBeDone) {
     showServo({.on = false});
     look(u"run forward"_s);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/looptests/looptestsdock.h"
 
+#include <QAction>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTabWidget>
@@ -17,7 +18,10 @@ namespace nmc {
 using namespace Qt::StringLiterals;
 
 LoopTestsDock::LoopTestsDock(Requests& requests, QWidget* parent)
-    : LazyDock(u"loopTestsDock"_s, tr("Loop tests"), Qt::CTRL | Qt::Key_F9, parent), m_requests(requests) {}
+    : LazyDock(u"loopTestsDock"_s, tr("Loop tests"), Qt::CTRL | Qt::Key_F9, parent), m_requests(requests) {
+    toggleViewAction()->setToolTip(
+        tr("Square wave, frequency response (Bode plot), and a report of the tuning"));
+}
 
 void LoopTestsDock::build() {
     if (m_tabs != nullptr)

@@ -25,6 +25,10 @@ QString shortcutText(const QAction& action) {
     return action.shortcut().toString(QKeySequence::NativeText);
 }
 
+bool hasTip(const QAction& action) {
+    return action.toolTip() != action.iconText();
+}
+
 void addMenu(const QMenu& menu, Entries& entries) {
     for (QAction* action : menu.actions()) {
         if (action->menu() != nullptr) {
@@ -37,11 +41,12 @@ void addMenu(const QMenu& menu, Entries& entries) {
         const auto reason = [action = QPointer(action)] {
             if (action && action->isEnabled())
                 return QString();
-            const bool told = action && action->toolTip() != action->iconText();
-            return told ? action->toolTip() : CommandPalette::tr("Not possible now.");
+            return action && hasTip(*action) ? action->toolTip() : CommandPalette::tr("Not possible now.");
         };
-        entries.push_back({text, text, menu.title().remove(u'&'), shortcutText(*action),
-                           CommandPalette::tr("Press Enter to run it."), reason, [action = QPointer(action)] {
+        const QString tip = action->isEnabled() && hasTip(*action) ? action->toolTip() : QString();
+        entries.push_back({tip, text, menu.title().remove(u'&'), shortcutText(*action),
+                           tip.isEmpty() ? CommandPalette::tr("Press Enter to run it.") : tip, reason,
+                           [action = QPointer(action)] {
                                if (action)
                                    action->trigger();
                            }});
