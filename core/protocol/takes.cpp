@@ -17,9 +17,8 @@ struct VersionHas {
         return (c.items.mask() & ~allItems(module).mask()) == 0;
     }
     bool operator()(const servo::LoadTrajectory& c) const {
-        if (!hasPathBuffer(module))
-            return !c.relative;
-        return !c.velocity || servo::kLaterVelocityRange.contains(c.velocity->value());
+        return (!c.relative || hasPathBuffer(module)) &&
+               (!c.velocity || loadableVelocities(module).contains(c.velocity->value()));
     }
     bool operator()(const servo::SetGain& c) const {
         return (!c.sm || isSc(module)) && (!c.db || since(servo::kDeadbandVersion));
@@ -53,6 +52,10 @@ bool takesAs(ModuleType chip, const ModuleIdentity& module, const Command& comma
 }
 
 }  // namespace
+
+ValueRange loadableVelocities(const ModuleIdentity& module) {
+    return hasPathBuffer(module) ? servo::kLaterVelocityRange : servo::kVelocityRange;
+}
 
 bool takes(const ModuleIdentity& module, const ServoCommand& command) {
     return takesAs(ModuleType::Servo, module, command,

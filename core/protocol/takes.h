@@ -12,4 +12,7 @@ namespace nmc {
 [[nodiscard]] bool takes(const ModuleIdentity& module, const StepperCommand& command);
 [[nodiscard]] bool takes(const ModuleIdentity& module, const IoCommand& command);
 
+/// The velocities that a PIC-SERVO can be loaded with, in 1/65536 counts per tick (DS-V 4.4, docs/family.md).
+[[nodiscard]] ValueRange loadableVelocities(const ModuleIdentity& module);
+
 }  // namespace nmc

@@ -10,7 +10,7 @@
 #include "model/intent/backlash.h"
 #include "model/intent/jog.h"
 #include "model/intent/stepperplan.h"
-#include "protocol/laterservocommands.h"
+#include "protocol/takes.h"
 
 namespace nmc {
 
@@ -130,16 +130,15 @@ private:
 };
 
 [[nodiscard]] std::optional<TravelProblem> tooFast(double velocity, const ModuleState& module) {
-    constexpr CountsPerTick kOfLaterChips(servo::kLaterVelocityRange.max);
-    const double chip = hasPathBuffer(module.info.identity) ? toCounts(kOfLaterChips)
-                                                            : std::numeric_limits<double>::infinity();
-    const double fastest = module.travel.fastest;
-    TravelProblem problem{.refusal = Refusal::TooFast, .velocity = velocity, .fastest = fastest};
-    if (fastest > 0.0 && fastest <= chip)
-        return velocity > fastest + kVelocityGrain ? std::optional(problem) : std::nullopt;
-    problem.fastest = chip;
-    problem.ofChip = true;
-    return velocity > chip ? std::optional(problem) : std::nullopt;
+    const double set = module.travel.fastest;
+    const double chip =
+        module.isServo() ? static_cast<double>(loadableVelocities(module.info.identity).max) / kFixedPointOne
+                         : std::numeric_limits<double>::infinity();
+    const bool ofChip = set <= 0.0 || set > chip;
+    if (velocity <= (ofChip ? chip : set + kVelocityGrain))
+        return std::nullopt;
+    return TravelProblem{
+        .refusal = Refusal::TooFast, .velocity = velocity, .fastest = ofChip ? chip : set, .ofChip = ofChip};
 }
 
 [[nodiscard]] std::optional<TravelProblem> atTheEnd(bool reverse, const ModuleState& module) {

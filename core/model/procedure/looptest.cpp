@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/looptest.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
 #include "model/intent/looptestplan.h"
 #include "module/profiledload.h"
-#include "protocol/laterservocommands.h"
+#include "protocol/takes.h"
 
 namespace nmc {
 
@@ -20,8 +21,8 @@ constexpr Duration kCalmWithin = std::chrono::milliseconds(500);
 [[nodiscard]] ServoPace quickestPace(const ModuleIdentity& module) {
     constexpr std::uint32_t kInOneTick = 4'096U << 16U;
     static_assert(kInOneTick >= std::uint32_t{kLongestStep} << 16U);
-    return {CountsPerTick(hasPathBuffer(module) ? std::uint32_t{servo::kLaterVelocityRange.max} : kInOneTick),
-            CountsPerTickSquared(kInOneTick)};
+    const std::int64_t velocity = std::min<std::int64_t>(kInOneTick, loadableVelocities(module).max);
+    return {CountsPerTick(static_cast<std::uint32_t>(velocity)), CountsPerTickSquared(kInOneTick)};
 }
 
 }  // namespace
