@@ -77,7 +77,7 @@ void CommandPalette::filter() {
     for (int i = 0; i < m_list->topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = m_list->topLevelItem(i);
         const Entry& entry = m_entries[static_cast<std::size_t>(item->data(What, kEntry).toULongLong())];
-        const QString all = entry.sentence + u' ' + entry.text + u' ' + entry.place;
+        const QString all = entry.sentence + u' ' + entry.keywords + u' ' + entry.place;
         const bool fits = std::ranges::all_of(
             words, [&all](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
         item->setHidden(!fits);

@@ -19,7 +19,7 @@ class CommandPalette : public QDialog {
 
 public:
     struct Entry {
-        QString text;      ///< as on its button: "Go"; of a menu's action, its tool tip. Only searched
+        QString keywords;  ///< only searched: its button's text, or the tool tip of a menu's action
         QString sentence;  ///< "Go to the position"
         QString place;     ///< to what it belongs: "Module 3 "Z axis"", "Chain"
         QString key;
