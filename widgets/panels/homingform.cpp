@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 
 #include "model/intent/homingplan.h"
+#include "model/module/servodefaults.h"
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
@@ -21,9 +22,6 @@ namespace {
 using Stop = HomingRecipe::Stop;
 constexpr std::array kStops{Stop::Abruptly, Stop::Smoothly, Stop::Off};
 
-/// Highest velocity of a PIC-SERVO, in counts per tick (DS-V 4.4).
-constexpr double kFastestServo = 32'767.0;
-constexpr double kSlowestServo = 1.0 / 65'536.0;
 constexpr double kLongestTravel = 2'147'483'647.0;
 constexpr double kLongestTime = 86'400.0;  // s, one day
 constexpr int kFieldDigits = 8;
@@ -35,7 +33,7 @@ HomingForm::HomingForm(ModuleType type, QWidget* parent) : QWidget(parent), m_ty
     buildConditions(grid);
     buildMotion(grid);
     buildEnd(grid);
-    const double slowest = type == ModuleType::Stepper ? 25.0 : kSlowestServo;
+    const double slowest = type == ModuleType::Stepper ? 25.0 : servodefaults::kSmallest;
     showChip(type == ModuleType::Stepper ? AxisScale::step({}) : AxisScale::servo({}, 1), 0, slowest);
     showRecipe(firstRecipe({type, 0}));
 }
@@ -202,8 +200,8 @@ void HomingForm::showChip(const AxisScale& scale, int version, double speedUnit)
         else if (m_type == ModuleType::Stepper && box.flag == &HomingRecipe::onLimit2)
             box.button->setText(m_reversed ? tr("Limit 2 (forward)") : tr("Limit 2 (reverse)"));
     for (const Quantity& quantity : m_quantities) {
-        double most = kFastestServo;
-        double least = kSlowestServo;
+        double most = servodefaults::kLargest;
+        double least = servodefaults::kSmallest;
         if (quantity.value == &HomingRecipe::travelLimit) {
             least = 1.0;
             most = kLongestTravel;
