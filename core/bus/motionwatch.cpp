@@ -118,14 +118,16 @@ std::optional<MotionSuspect::Reason> MotionWatch::leaves(std::int64_t position, 
     return std::nullopt;
 }
 
-/// Layouts alternate, so each repeats its own position.
+/// Two layouts may alternate, so each repeats its own position. A reply without a velocity does not say
+/// whether its position ought to change.
 bool MotionWatch::frozen(const StatusReport& report) {
-    const std::uint8_t items = report.items.mask();
-    LastOfLayout& last = items == kStandingItems.mask() ? m_last[0] : m_last[1];
-    const bool same = last.items == items && last.position == *report.position;
-    last = {items, *report.position};
-    const bool moving = report.velocity.value_or(0) != 0;
-    m_repeats = same && moving ? m_repeats + 1 : 0;
+    if (!report.velocity)
+        return false;
+    const LayoutPosition now{report.items.mask(), *report.position};
+    const auto before = std::ranges::find(m_last, now.items, &LayoutPosition::items);
+    const bool same = before != m_last.end() && before->position == now.position;
+    m_last = {now, m_last[0]};
+    m_repeats = same && *report.velocity != 0 ? m_repeats + 1 : 0;
     return m_repeats > kFrozen;
 }
 

@@ -41,7 +41,7 @@ private:
         bool underWay = false;  ///< it has been seen moving in that direction
         std::int64_t best = 0;
     };
-    struct LastOfLayout {
+    struct LayoutPosition {
         std::uint8_t items = 0;
         std::int32_t position = 0;
     };
@@ -56,7 +56,7 @@ private:
     bool m_done = true;                      ///< a trapezoidal move has ended
     std::optional<Corridor> m_corridor;
     std::optional<Heading> m_heading;
-    std::array<LastOfLayout, 2> m_last{};
+    std::array<LayoutPosition, 2> m_last{};  ///< of the last two replies with a velocity, newest first
     unsigned m_repeats = 0;
 };
 
