@@ -55,9 +55,12 @@ inline constexpr StatusItems kAllItems{StatusItems::All};
 [[nodiscard]] constexpr StatusItems fullItems(const ModuleIdentity& module) {
     return kAllItems | standingItems(module);
 }
-/// Items of every second poll of a module in focus; alternating with the standing items, it makes two lengths
-/// (link.md 2.2).
-inline constexpr StatusItems kBriefItems{StatusItems::Position};
+/// The items of every second poll of a module in focus: its position, and its position error if it reports
+/// one. Alternating with the standing items, they make two lengths (link.md 2.2).
+[[nodiscard]] constexpr StatusItems briefItems(const ModuleIdentity& module) {
+    const StatusItems position{StatusItems::Position};
+    return hasPathBuffer(module) ? position | StatusItems(StatusItems::PositionError) : position;
+}
 inline constexpr StatusItems kIdentityItems{StatusItems::Identity};
 
 /// The layout of a reply, which is determined by the request and the module's defined items: the reply does

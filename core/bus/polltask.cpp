@@ -14,7 +14,7 @@ Next PollTask::next(TimePoint now) {
     else if (turn->full)
         items = fullItems(identity);
     else if (turn->brief)
-        items = kBriefItems;
+        items = briefItems(identity);
     if (m_chain.belief(turn->module).onPath())
         items = items.value_or(standingItems(identity)) | StatusItems(StatusItems::PathPoints);
     Ask ask = m_chain.status(Purpose::Poll, turn->module, items);

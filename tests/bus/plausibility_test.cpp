@@ -298,9 +298,9 @@ TEST(Plausibility, BelievesAMotorThatComesToRestBehindABriefReply) {
     };
     std::int32_t position = 0;
     for (int i = 0; i < 1'000; ++i)
-        ASSERT_EQ(says(position += 100, 40, i % 2 == 0 ? kShort : kBriefItems.mask()), std::nullopt) << i;
+        ASSERT_EQ(says(position += 100, 40, i % 2 == 0 ? kShort : kBrief), std::nullopt) << i;
     EXPECT_EQ(says(position + 60, 0, kShort), std::nullopt);
-    EXPECT_EQ(says(position + 60 + 400, 0, kBriefItems.mask()), Rejection::PositionJump);
+    EXPECT_EQ(says(position + 60 + 400, 0, kBrief), Rejection::PositionJump);
 }
 
 TEST(Plausibility, BelievesAPositionThatWrapsAtThirtyTwoBits) {

@@ -10,9 +10,10 @@
 /// Replies composed by hand, byte by byte as the data sheets describe them (DS-V 5.3, DS-S 5.2).
 namespace nmc::test {
 
-// Items of a reply: all of them, or position, A/D, velocity and aux.
+// Items of a reply: all of them; position, A/D, velocity and aux; or the position alone.
 inline constexpr std::uint8_t kLong = 0x3F;
 inline constexpr std::uint8_t kShort = 0x0F;
+inline constexpr std::uint8_t kBrief = 0x01;
 
 /// A reply of a servo that is off, at 0: status, position, A/D, aux and the sum.
 inline constexpr const char* kReply = "19 00 00 00 00 00 00 19 ";
