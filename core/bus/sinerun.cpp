@@ -7,6 +7,16 @@
 
 namespace nmc::bus {
 
+namespace {
+
+/// The middle of the time in which the module may have latched it: a reply that began early narrows it. All
+/// queries of a sine follow a reply at once, and so fall on the same part of a tick.
+[[nodiscard]] TimePoint latched(const ReplyEnd& end) {
+    return end.latched + std::min(end.late, Duration{}) / 2;
+}
+
+}  // namespace
+
 SineRun::SineRun(const Sine& sine, const ModuleCommand& centre)
     : m_sine(sine),
       m_command(std::get<servo::StopMotor>(std::get<ServoCommand>(centre))),
@@ -25,7 +35,7 @@ ModuleCommand SineRun::commandAt(TimePoint now) {
 void SineRun::notePoll(const ReplyEnd& end) {
     look(end.report);
     if (end.report.position)
-        m_record.polls.push_back({end.latched, *end.report.position});
+        m_record.polls.push_back({latched(end), *end.report.position});
 }
 
 /// As everywhere, a single report is enough to stop (link.md 2.4). The reply to the first command may have
@@ -44,9 +54,9 @@ void SineRun::look(const StatusReport& report) {
 
 void SineRun::note(const ReplyEnd& end) {
     look(end.report);
-    m_record.commands.push_back({end.latched, m_command.here.value()});
+    m_record.commands.push_back({latched(end), m_command.here.value()});
     if (end.report.position)
-        m_record.answers.push_back({end.latched, *end.report.position});
+        m_record.answers.push_back({latched(end), *end.report.position});
     // Spaced by the golden ratio: evenly spread, and never repeating.
     double whole = 0.0;
     const double part = std::modf(static_cast<double>(m_record.commands.size()) * std::numbers::phi, &whole);
