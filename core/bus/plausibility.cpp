@@ -100,8 +100,10 @@ struct Plausibility::Sent {
 };
 
 void Plausibility::jerk(TimePoint at, double reach) {
+    // A motion that was commanded earlier may have been under way for all of a long time without a reply.
+    const bool goesOnUnseen = m_jerk && m_commandedAt && at - m_known.from >= kJerkTime;
+    m_jerk = Jerk{at, jerked(at) || goesOnUnseen ? std::max(m_jerk->reach, reach) : reach};
     m_commandedAt = at;
-    m_jerk = Jerk{at, jerked(at) ? std::max(m_jerk->reach, reach) : reach};
 }
 
 bool Plausibility::jerked(TimePoint at) const {
@@ -135,7 +137,7 @@ double Plausibility::bend(TimePoint at, double most) const {
 
 /// How far a motion may go before the next reply: its whole distance, if that is short.
 double Plausibility::reachOf(const ServoRegisters& sent) const {
-    const double most = kFastest * ticks(kJerkTime);
+    const double most = fastest() * ticks(kJerkTime);
     const servo::LoadTrajectory& load = sent.load;
     if (!load.servo)
         return most;
@@ -304,7 +306,7 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     const double most = ticks(end.latchedBy - known.from) + 1;
     const double now = end.report.velocity.value_or(known.velocity.value_or(0));
     const double before = known.velocity.value_or(0);
-    if (std::abs(now) > kFastest * m_divisor)
+    if (std::abs(now) > fastest() * m_divisor)
         return Rejection::VelocityJump;
     if (end.report.velocity && known.velocity && m_divisor == 1) {
         const double a = jerked(end.latched) ? kViolent : kGentle;
@@ -322,8 +324,8 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
         slow = std::min(slow, -back);
         fast = std::max(fast, back);
     }
-    slow = std::max(slow, -kFastest);
-    fast = std::min(fast, kFastest);
+    slow = std::max(slow, -fastest());
+    fast = std::min(fast, fastest());
     const double around = bend(end.latched, most);
     const double lowest = std::min(slow * most, slow * std::max(least, 0.0)) - around;
     const double highest = std::max(fast * most, fast * std::max(least, 0.0)) + around;
@@ -353,12 +355,12 @@ std::optional<Rejection> Plausibility::stepperMotion(const Known& known, const R
 
 /// The speed that the velocities at both ends of a distance do not explain: a motor that swings at about the
 /// polling rate shows nearly the same velocity each time.
-double Plausibility::unexplained(const Known& known, const ReplyEnd& end) {
+double Plausibility::unexplained(const Known& known, const ReplyEnd& end) const {
     if (!known.position || !known.velocity || !end.report.position || !end.report.velocity)
         return 0;
     const double time = std::max(ticks(end.latched - known.from), 1.0);
     const double told = (*known.velocity + *end.report.velocity) / 2.0;
-    return std::min(std::abs(distance(*known.position, *end.report.position) / time - told), kFastest);
+    return std::min(std::abs(distance(*known.position, *end.report.position) / time - told), fastest());
 }
 
 void Plausibility::take(Known& known, const ReplyEnd& end) const {

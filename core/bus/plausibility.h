@@ -19,8 +19,10 @@ namespace nmc::bus {
 /// has been checked, agrees with it, it is: another host may have moved or cleared something.
 class Plausibility {
 public:
-    /// Maximum speed of the encoder input, in counts per tick: 500 000 edges/s (DS-V 3.2).
+    /// Maximum speed of the encoder input, in counts per tick: 500 000 edges/s (DS-V 3.2); with CMC and SC,
+    /// their greatest velocity (docs/family.md).
     static constexpr double kFastest = 256.0;
+    static constexpr double kFastestLater = 1280.0;
     /// Acceleration and speed to allow for without any evidence of more: a shaft that is turned by hand.
     /// Counts per tick squared, counts per tick.
     static constexpr double kGentle = 0.5;
@@ -89,13 +91,14 @@ private:
                                                        bool rests) const;
     [[nodiscard]] bool explainedByItsSpeed(const ReplyEnd& end) const;
     [[nodiscard]] std::optional<Rejection> stepperMotion(const Known& known, const ReplyEnd& end) const;
+    [[nodiscard]] double fastest() const { return hasPathBuffer(m_identity) ? kFastestLater : kFastest; }
     void jerk(TimePoint at, double reach);
     [[nodiscard]] double reachOf(const ServoRegisters& sent) const;
     [[nodiscard]] bool jerked(TimePoint at) const;
     [[nodiscard]] bool restsUncommanded(const Known& known, TimePoint at) const;
     [[nodiscard]] bool holds(const Known& known, const StatusReport& report) const;
     [[nodiscard]] double bend(TimePoint at, double most) const;
-    [[nodiscard]] static double unexplained(const Known& known, const ReplyEnd& end);
+    [[nodiscard]] double unexplained(const Known& known, const ReplyEnd& end) const;
     void take(Known& known, const ReplyEnd& end) const;
 
     ModuleIdentity m_identity;

@@ -261,13 +261,14 @@ public:
 class Sessions : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(Sessions, OfServosRejectNothing) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Session session(servos(2), GetParam(), seed);
-        ASSERT_TRUE(session.begin());
-        session.run();
-        EXPECT_GT(session.bus.engine.statistics().answered, 500U);
-    }
+    for (const std::uint8_t version : {std::uint8_t{4}, kPathVersion, kScVersion})
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            SCOPED_TRACE("version " + std::to_string(version) + ", seed " + std::to_string(seed));
+            Session session(servos(2, version), GetParam(), seed);
+            ASSERT_TRUE(session.begin());
+            session.run();
+            EXPECT_GT(session.bus.engine.statistics().answered, 500U);
+        }
 }
 
 TEST_P(Sessions, OfSteppersRejectNothing) {

@@ -60,8 +60,10 @@ TEST(Polls, AreStampedWithTheTimeAtWhichTheModuleLatchedThem) {
 
 /// 32 modules at 19 200 Bd: a module that is not being watched is polled every 0.6 s, and runs and stops in
 /// between.
-TEST(Polls, BelieveAMotionThatLiesBetweenTwoOfThem) {
-    VirtualBus bus(servos(32));
+class PollsOfEachChip : public testing::TestWithParam<std::uint8_t> {};
+
+TEST_P(PollsOfEachChip, BelieveAMotionThatLiesBetweenTwoOfThem) {
+    VirtualBus bus(servos(32, GetParam()));
     ASSERT_TRUE(bus.connect());
     bus.engine.watch({ModuleIndex(31)});
     for (std::uint8_t i = 0; i < 4; ++i)
@@ -76,6 +78,24 @@ TEST(Polls, BelieveAMotionThatLiesBetweenTwoOfThem) {
     }
     EXPECT_EQ(bus.engine.statistics().rejected, 0U);
     bus.expectNoViolations();
+}
+INSTANTIATE_TEST_SUITE_P(All, PollsOfEachChip, testing::Values(std::uint8_t{4}, kPathVersion, kScVersion));
+
+/// Beside errors that are reported, calculated ones would look like a swing: they are off by up to half a
+/// tick of the motion.
+TEST(Polls, InFocusAlwaysAskALaterChipForItsPositionError) {
+    VirtualBus bus({{ModuleType::Servo, kPathVersion}, {ModuleType::Servo, kScVersion}});
+    ASSERT_TRUE(bus.connect());
+    for (const ModuleIndex module : {ModuleIndex(0), ModuleIndex(1)}) {
+        bus.engine.focus(module, bus.now);
+        bus.runFor(50ms);
+        bus.events.clear();
+        bus.runFor(500ms);
+        for (const Sample& sample : bus.all<Sample>())
+            if (sample.module == module) {
+                EXPECT_TRUE(sample.report.positionError);
+            }
+    }
 }
 
 TEST(Polls, SurviveALostReply) {
