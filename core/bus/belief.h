@@ -97,13 +97,12 @@ public:
     }
     /// Measured velocity in counts per tick, if the latest status contained it.
     [[nodiscard]] std::optional<std::int16_t> velocity() const { return m_last.velocity; }
-    /// The position has changed by more than a count within kRollTime, or since the last status: with the
-    /// servo off, this shows a motor that coasts by less than the resolution of the velocity item, a count
-    /// per tick.
+    /// The position has changed by more than a count within kRollTime, or since the last status. This shows a
+    /// motor that turns by less than the resolution of the velocity item, a count per tick.
     [[nodiscard]] bool rolls() const { return m_rolls; }
     /// The last status shows motion, whatever was commanded. True if there is no status.
     [[nodiscard]] bool seenMoving() const {
-        return moves(m_may.drivePwm || m_last.velocity.value_or(0) != 0);
+        return moves(m_may.drivePwm || m_last.velocity.value_or(0) != 0 || m_rolls);
     }
     /// The last status itself shows motion, or does not contain the velocity that would, whatever was sent.
     [[nodiscard]] bool showsMotion() const;

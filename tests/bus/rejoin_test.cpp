@@ -151,6 +151,20 @@ TEST_P(YRestarted, GivesNoAddressWhileAMotorMoves) {
     EXPECT_EQ(bus.sends("AA 00 21", from), 0U);
 }
 
+/// At a quarter of a count per tick, three of four replies have a velocity of 0.
+TEST_P(YRestarted, GivesNoAddressWhileAMotorCreeps) {
+    ASSERT_TRUE(scanAgain());
+    ASSERT_EQ(bus.perform({enable(0), loadVelocity(0, 16'384, true)}), Outcome::Done);
+    const std::size_t from = bus.sent.size();
+    for (unsigned look = 1; look <= 10; ++look) {
+        bus.runFor(200ms + look * 1ms);
+        bus.engine.readdress(ModuleIndex(1), bus.now);
+        bus.runFor(1ms);
+        EXPECT_EQ(bus.count<ReaddressFailed>(), look);
+    }
+    EXPECT_EQ(bus.sends("AA 00 21", from), 0U);
+}
+
 /// A busy computer sometimes reads an answer too late.
 TEST_P(YRestarted, IsAskedAgainWhereAnAnswerIsLost) {
     ASSERT_TRUE(scanAgain());
