@@ -1278,8 +1278,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Hier stoppen, am Ziel</translation>
     </message>
     <message>
-        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick.</source>
-        <translation>Eine Fahrt mit so viel Geschwindigkeit und Beschleunigung, dass ihr Profil in einem Takt am Ziel ist.</translation>
+        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick. CMC and SC stop here, at the goal, instead.</source>
+        <translation>Eine Fahrt mit so viel Geschwindigkeit und Beschleunigung, dass ihr Profil in einem Takt am Ziel ist. CMC und SC stoppen stattdessen hier, am Ziel.</translation>
     </message>
     <message>
         <source>The servo holds the goal at once, without a profile. Not available with version 1.</source>

@@ -1278,8 +1278,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Parar aquí, en el destino</translation>
     </message>
     <message>
-        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick.</source>
-        <translation>Un movimiento con tanta velocidad y aceleración que el perfil llega al destino en un solo ciclo.</translation>
+        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick. CMC and SC stop here, at the goal, instead.</source>
+        <translation>Un movimiento con tanta velocidad y aceleración que el perfil llega al destino en un solo ciclo. CMC y SC, en cambio, paran aquí, en el destino.</translation>
     </message>
     <message>
         <source>The servo holds the goal at once, without a profile. Not available with version 1.</source>

@@ -1278,8 +1278,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Arrêt ici, à la cible</translation>
     </message>
     <message>
-        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick.</source>
-        <translation>Déplacement à vitesse et accélération telles que le profil atteint la cible en un cycle.</translation>
+        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick. CMC and SC stop here, at the goal, instead.</source>
+        <translation>Déplacement à vitesse et accélération telles que le profil atteint la cible en un cycle. CMC et SC s’arrêtent plutôt ici, à la cible.</translation>
     </message>
     <message>
         <source>The servo holds the goal at once, without a profile. Not available with version 1.</source>

@@ -1276,8 +1276,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>目標位置で「ここで停止」</translation>
     </message>
     <message>
-        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick.</source>
-        <translation>速度と加速度が非常に大きく、プロファイルが1周期で目標位置に達する移動です。</translation>
+        <source>A move with velocity and acceleration so high that its profile reaches the goal in one servo tick. CMC and SC stop here, at the goal, instead.</source>
+        <translation>速度と加速度が非常に大きく、プロファイルが1周期で目標位置に達する移動です。CMCとSCでは、代わりに目標位置で「ここで停止」します。</translation>
     </message>
     <message>
         <source>The servo holds the goal at once, without a profile. Not available with version 1.</source>

@@ -63,7 +63,7 @@ QString responseMethodMeaning(ResponseMethod method) {
     switch (method) {
         case ResponseMethod::Profile:
             return ResponseTexts::tr(
-                "A move with velocity and acceleration so high that its profile reaches the goal in one servo tick.");
+                "A move with velocity and acceleration so high that its profile reaches the goal in one servo tick. CMC and SC stop here, at the goal, instead.");
         case ResponseMethod::StopHere:
             return ResponseTexts::tr(
                 "The servo holds the goal at once, without a profile. Not available with version 1.");

@@ -7,7 +7,6 @@
 
 #include "model/intent/looptestplan.h"
 #include "module/profiledload.h"
-#include "protocol/takes.h"
 
 namespace nmc {
 
@@ -16,16 +15,18 @@ namespace {
 /// The time for a hold to calm a motor that has gone too far.
 constexpr Duration kCalmWithin = std::chrono::milliseconds(500);
 
-/// Reaches the goal of the longest step in one tick; with CMC and SC in two. The largest loadable values
-/// would do so too, but their sum would exceed the chip's 32 bits.
-[[nodiscard]] ServoPace quickestPace(const ModuleIdentity& module) {
-    constexpr std::uint32_t kInOneTick = 4'096U << 16U;
-    static_assert(kInOneTick >= std::uint32_t{kLongestStep} << 16U);
-    const std::int64_t velocity = std::min<std::int64_t>(kInOneTick, loadableVelocities(module).max);
-    return {CountsPerTick(static_cast<std::uint32_t>(velocity)), CountsPerTickSquared(kInOneTick)};
-}
+/// Reaches the goal of the longest step in one tick. The largest loadable values would do so too, but their
+/// sum would exceed the chip's 32 bits.
+constexpr std::uint32_t kInOneTick = 4'096U << 16U;
+static_assert(kInOneTick >= std::uint32_t{kLongestStep} << 16U);
+constexpr ServoPace kQuickestPace{CountsPerTick(kInOneTick), CountsPerTickSquared(kInOneTick)};
 
 }  // namespace
+
+ResponseMethod LoopTest::methodOf(ResponseMethod wanted, const ModuleState& module) {
+    const bool keepsVelocity = hasPathBuffer(module.info.identity);
+    return keepsVelocity && wanted == ResponseMethod::Profile ? ResponseMethod::StopHere : wanted;
+}
 
 LoopTest::Next LoopTest::proceed(const ModuleState& module, TimePoint now) {
     if (const auto failure = trouble(module))
@@ -77,7 +78,7 @@ std::vector<bus::Order> LoopTest::jump(const ModuleState& module, std::int32_t g
                                        const std::optional<ServoPace>& pace) const {
     if (method == ResponseMethod::StopHere)
         return orders({servo::StopMotor{module.amplifierKept(), servo::StopManner::Here, Counts(goal)}});
-    const auto [velocity, acceleration] = pace.value_or(quickestPace(module.info.identity));
+    const auto [velocity, acceleration] = pace.value_or(kQuickestPace);
     return orders({profiledLoad(velocity, acceleration, goal), StartMotion{}});
 }
 

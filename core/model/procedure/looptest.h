@@ -41,8 +41,11 @@ protected:
     [[nodiscard]] std::int32_t stood() const { return m_stood; }
     /// Called at standstill: starts from here with begin().
     [[nodiscard]] Next start(const ModuleState& module);
-    /// Moves the command position to `goal`: in one tick unless it is a profiled move, or in two if it is
-    /// more than CMC and SC can move in one.
+    /// The method by which this module makes the test. CMC and SC keep a velocity through every stop
+    /// (docs/family.md): after a step by profile, a move of another program that loads only its goal would
+    /// jump there, too. They step by Stop Here instead.
+    [[nodiscard]] static ResponseMethod methodOf(ResponseMethod wanted, const ModuleState& module);
+    /// Moves the command position to `goal`: in one tick unless it is a profiled move.
     [[nodiscard]] std::vector<bus::Order> jump(const ModuleState& module, std::int32_t goal,
                                                ResponseMethod method,
                                                const std::optional<ServoPace>& pace = {}) const;

@@ -26,6 +26,7 @@ constexpr std::array kFirstQuestions{
 
 SquareWaveRun::SquareWaveRun(const intent::SquareWave& wanted, const ModuleState& module)
     : LoopTest(ProcedureKind::SquareWave, module), m_wanted(wanted) {
+    m_wanted.method = methodOf(wanted.method, module);
     m_report.rounds = wanted.rounds;
 }
 

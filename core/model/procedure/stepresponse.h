@@ -19,7 +19,9 @@ public:
 
 protected:
     StepResponseRun(ProcedureKind kind, const intent::StepResponse& wanted, const ModuleState& module)
-        : LoopTest(kind, module), m_wanted(wanted) {}
+        : LoopTest(kind, module), m_wanted(wanted) {
+        m_wanted.method = methodOf(wanted.method, module);
+    }
 
     [[nodiscard]] Next settled(const ModuleState& module, bool stands) override;
 
