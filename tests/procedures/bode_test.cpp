@@ -67,7 +67,7 @@ protected:
         options.motor = motorOf(GetParam());
         gains = gainsOf(GetParam());
         motor = testing_support::physics(options.motor);
-        ProcedureBench bench(servos(1), options, GetParam().baud);
+        ProcedureBench bench(servos(1, servoVersion()), options, GetParam().baud);
         ASSERT_TRUE(marginsOf(motor, gains).stable);
         ASSERT_TRUE(bench.connect() && bench.perform(intent::AskAnew{}) &&
                     bench.perform(intent::ApplyGains{gains}) && bench.perform(intent::Enable{}) &&
@@ -244,7 +244,7 @@ protected:
         options.motor.coulombNm = sim::MotorParameters{}.coulombNm;
         gains = gainsOf(GetParam());
         motor = testing_support::physics(options.motor);
-        ProcedureBench bench(servos(1), options, GetParam().baud);
+        ProcedureBench bench(servos(1, servoVersion()), options, GetParam().baud);
         ASSERT_TRUE(bench.connect() && bench.perform(intent::AskAnew{}) &&
                     bench.perform(intent::ApplyGains{gains}) && bench.perform(intent::Enable{}) &&
                     bench.perform(intent::StopHere{}));

@@ -14,7 +14,7 @@ using Verdict = DirectionVerdict;
 /// the motor is driven.
 class CheckBench : public ProcedureBench {
 public:
-    explicit CheckBench(std::uint32_t baud = 115'200, std::uint8_t version = 4)
+    explicit CheckBench(std::uint32_t baud = 115'200, std::uint8_t version = servoVersion())
         : ProcedureBench(servos(1, version), {}, baud) {
         bus.onTime = [this, before = bus.onTime] {
             before();
@@ -57,7 +57,7 @@ public:
 class DirectionCheckAt : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(DirectionCheckAt, FindsThatAllIsRight) {
-    for (const int version : {1, 4}) {
+    for (const int version : {1, int{servoVersion()}}) {
         CheckBench bench(GetParam(), static_cast<std::uint8_t>(version));
         ASSERT_TRUE(bench.ready());
         const ProcedureReport report = bench.check();
@@ -175,7 +175,7 @@ TEST(DirectionCheck, TellsMotorPowerThatGoesAway) {
 TEST(DirectionCheck, AMotorThatIsTurnedFartherThanItsReachIsNotJudged) {
     CheckBench bench;
     ASSERT_TRUE(bench.ready());
-    bench.begin(intent::CheckDirection{12});
+    bench.begin(intent::CheckDirection{kMovedCounts / 2});
     const ProcedureReport report = bench.goOn();
     EXPECT_EQ(report.stage, ProcedureStage::Failed);
     EXPECT_EQ(report.failure, ProcedureFailure::TravelLimit);

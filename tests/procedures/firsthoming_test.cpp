@@ -23,7 +23,7 @@ protected:
 };
 
 TEST_F(FirstHoming, WithStartingValuesMakesItsZero) {
-    for (const int version : {1, 2, 3, 4}) {
+    for (const int version : {1, 2, 3, 4, int{kPathVersion}, int{kScVersion}}) {
         SCOPED_TRACE(version);
         ServoBench bench(static_cast<std::uint8_t>(version));
         ASSERT_TRUE(bench.connect());

@@ -183,7 +183,7 @@ TEST_P(EachVersion, TheCurrentThatStartingTakesIsNotHome) {
     bench.bus.expectNoViolations();
 }
 
-INSTANTIATE_TEST_SUITE_P(Servo, EachVersion, testing::Values(1, 2, 3, 4));
+INSTANTIATE_TEST_SUITE_P(Servo, EachVersion, testing::Values(1, 2, 3, 4, kPathVersion, kScVersion));
 
 // ---- what can go wrong ----
 
@@ -332,7 +332,7 @@ TEST_F(Failing, ASearchThatWasNotAnsweredIsStopped) {
 }
 
 TEST(Homing, IsRefusedWhereItCannotWork) {
-    ServoBench bench;
+    ServoBench bench(4);  // a limit pin of an SC is always an input
     ASSERT_TRUE(bench.enable());
     HomingRecipe recipe = slowRecipe();
     const auto why = [&] { return plan(intent::Home{recipe}, bench.module()).error(); };

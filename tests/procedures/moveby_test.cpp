@@ -131,10 +131,10 @@ TEST_F(MoveBy, ALinkInDoubtEndsIt) {
 TEST_F(MoveBy, BeyondTheChipsRangeNothingIsSent) {
     ASSERT_TRUE(bench.enable());
     const std::size_t before = bench.bus.sent.size();
-    ASSERT_TRUE(bench.perform(intent::ResetPosition{}));
-    bench.module().latest->position = 0x7FFFFF00;
     bench.begin(intent::MoveBy{{0x7FFFFFFF}, ServoPace{CountsPerTick(1), CountsPerTickSquared(1)}});
-    bench.module().latest->position = 0x7FFFFF00;
+    bench.module().apply(bus::CommandExecuted{
+        ModuleIndex(0), bench.bus.now,
+        ServoCommand(servo::StopMotor{true, servo::StopManner::Here, Counts(0x7FFFFF00)})});
     Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
     ASSERT_TRUE(std::holds_alternative<Procedure::Send>(next)) << "only a stop is sent, and no load";
     EXPECT_EQ(std::get<Procedure::Send>(next).orders.size(), 1U);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdlib>
 #include <memory>
 #include <set>
 
@@ -8,6 +9,12 @@
 #include "tests/support/virtualbus.h"
 
 namespace nmc::test {
+
+/// The version of the servos of a test that does not state one: the tests run on each chip (CMakeLists.txt).
+[[nodiscard]] inline std::uint8_t servoVersion() {
+    const char* const version = std::getenv("NMC_SERVO_VERSION");
+    return static_cast<std::uint8_t>(version != nullptr ? std::atoi(version) : 4);
+}
 
 /// Engine and simulator in virtual time, with the state that the GUI thread keeps of them and one procedure,
 /// which is run as the procedure controller runs it.
@@ -249,7 +256,7 @@ private:
 /// A PIC-SERVO that enable() switches on with gains that hold it.
 class ServoBench : public ProcedureBench {
 public:
-    explicit ServoBench(std::uint8_t version = 4, std::size_t count = 1)
+    explicit ServoBench(std::uint8_t version = servoVersion(), std::size_t count = 1)
         : ProcedureBench(servos(count, version)) {}
 
     [[nodiscard]] bool enable(std::uint16_t positionErrorLimit = 4'000, std::uint8_t currentLimit = 0) {

@@ -18,7 +18,9 @@ inline constexpr ModuleIndex kTable{2};
 class SequenceBench : public ProcedureBench {
 public:
     SequenceBench()
-        : ProcedureBench({{ModuleType::Servo, 4}, {ModuleType::Servo, 4}, {ModuleType::Stepper, 1}}) {
+        : ProcedureBench({{ModuleType::Servo, servoVersion()},
+                          {ModuleType::Servo, servoVersion()},
+                          {ModuleType::Stepper, 1}}) {
         machine.axes.resize(3);
         for (AxisSettings& axis : machine.axes) {
             axis.motion.velocity = 2.0;
