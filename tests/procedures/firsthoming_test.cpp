@@ -9,12 +9,13 @@ namespace {
 
 using Input = sim::Input;
 
-/// A motor with a switch at -1 000 and the gains of an axis whose unit is counts.
+/// A motor with its reverse limit at -1 000 and the gains of an axis whose unit is counts.
 class FirstHoming : public testing::Test {
 protected:
     [[nodiscard]] static ProcedureReport home(ServoBench& bench, const servo::SetGain& gains,
                                               std::int32_t tolerance) {
-        bench.putSwitch(Input::Limit1, -1'000, true);
+        const bool reverseLimitIs2 = isSc(bench.module().info.identity);  // docs/family.md
+        bench.putSwitch(reverseLimitIs2 ? Input::Limit2 : Input::Limit1, -1'000, true);
         bench.settle();
         EXPECT_TRUE(bench.perform(intent::ApplyGains{gains}));
         EXPECT_TRUE(bench.perform(intent::Enable{}));

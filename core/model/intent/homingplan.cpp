@@ -120,7 +120,8 @@ HomingRecipe firstRecipe(const ModuleIdentity& identity) {
         recipe.acceleration = 2'000.0;
         recipe.travelLimit = 20'000.0;
     } else {
-        recipe.onLimit1 = true;
+        // It searches in reverse, and the reverse limit of an SC is LIMIT2 (docs/family.md).
+        (isSc(identity) ? recipe.onLimit2 : recipe.onLimit1) = true;
         recipe.velocity = 0.5;  // counts/tick: about 980 counts/s at the fastest servo rate
         recipe.indexVelocity = 0.1;
         recipe.acceleration = 0.002;
