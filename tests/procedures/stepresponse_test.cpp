@@ -35,6 +35,8 @@ protected:
     [[nodiscard]] bool applyGains(std::uint16_t kp, std::uint16_t kd, std::uint16_t errorLimit) {
         return bench.perform(intent::ApplyGains{{kp, kd, 0, 0, 255, 0, errorLimit, 1, std::uint8_t{0}}});
     }
+    /// It is a CMC or SC, which steps by Stop Here and reports its position error.
+    [[nodiscard]] bool later() { return hasPathBuffer(bench.module().info.identity); }
     ServoBench bench;
 };
 
@@ -57,14 +59,13 @@ TEST_F(StepResponse, JumpsInOneTickAndEndsHolding) {
     EXPECT_TRUE(bench.truth().servoOn);
     EXPECT_EQ(bench.truth().commandPosition, from + 100);
     EXPECT_NEAR(bench.truth().position, from + 100, 3);
-    const bool stepsByProfile = !hasPathBuffer(bench.module().info.identity);
-    if (stepsByProfile) {
+    if (!later()) {
         EXPECT_EQ(bench.bus.sends("AA 01 D4", before), 1U);
         EXPECT_EQ(bench.bus.sends("AA 01 05 06", before), 1U);
     }
     EXPECT_EQ(bench.bus.sends("AA 01 17 05", before), 1U)
         << "an abrupt stop with the amplifier on leaves no velocity loaded";
-    EXPECT_EQ(bench.bus.sends("AA 01 57 11 4C 04 00 00", before), stepsByProfile ? 1U : 2U)
+    EXPECT_EQ(bench.bus.sends("AA 01 57 11 4C 04 00 00", before), later() ? 2U : 1U)
         << "this is Stop Here at 1100";
     bench.bus.expectNoViolations();
 }
@@ -162,7 +163,7 @@ TEST_F(StepResponse, ComesRightAfterEnableWhereTheShaftStood) {
         }
     }
     EXPECT_GE(known, 20);
-    if (!hasPathBuffer(bench.module().info.identity)) {
+    if (!later()) {
         EXPECT_LT(known, 40) << "CMC and SC report the position error, so there it is always known";
     }
 }
@@ -173,7 +174,7 @@ TEST_F(StepResponse, IsRefusedWhereItCannotWork) {
     EXPECT_EQ(refusal(by(100)), Refusal::ServoOff);
     ASSERT_TRUE(bench.enable(110));
     ASSERT_TRUE(bench.perform(intent::ResetPosition{}));
-    if (!hasPathBuffer(bench.module().info.identity)) {
+    if (!later()) {
         EXPECT_EQ(refusal(by(50)), Refusal::CommandUnknown);
     }
     ASSERT_TRUE(bench.perform(intent::StopHere{}));
