@@ -14,9 +14,18 @@ constexpr TimePoint at(Duration time) {
     return TimePoint(time);
 }
 
+/// A heart whose first expected beat came after 10 s.
+struct ShownSince10s : Heartbeat {
+    ShownSince10s() {
+        begin();
+        found();
+        for (int i = 0; i <= kShown; ++i)
+            EXPECT_FALSE(beat(at(9s + i * 100ms)).has_value());
+    }
+};
+
 TEST(H01_Heartbeat, IsMissedAfterTwoSecondsOnce) {
-    Heartbeat heart;
-    heart.begin(at(10s));
+    ShownSince10s heart;
     EXPECT_FALSE(heart.missed(at(11'999ms), true));
     EXPECT_EQ(heart.deadline(true), at(12s));
     EXPECT_TRUE(heart.missed(at(12s), true));
@@ -25,16 +34,14 @@ TEST(H01_Heartbeat, IsMissedAfterTwoSecondsOnce) {
 }
 
 TEST(H01_Heartbeat, IsNotMissedWhileNothingMoves) {
-    Heartbeat heart;
-    heart.begin(at(10s));
+    ShownSince10s heart;
     EXPECT_FALSE(heart.missed(at(60s), false));
     EXPECT_EQ(heart.deadline(false), std::nullopt) << "nothing has to wake up for it";
     EXPECT_TRUE(heart.missed(at(61s), true));
 }
 
 TEST(H01_Heartbeat, TellsOfTheGapWhenItIsBack) {
-    Heartbeat heart;
-    heart.begin(at(10s));
+    ShownSince10s heart;
     ASSERT_TRUE(heart.missed(at(12s), true));
     const auto gap = heart.beat(at(13'100ms));
     ASSERT_TRUE(gap.has_value());
@@ -46,17 +53,41 @@ TEST(H01_Heartbeat, TellsOfTheGapWhenItIsBack) {
 }
 
 TEST(H01_Heartbeat, NotesAGapOfMoreThanASecondButNoneOfLess) {
-    Heartbeat heart;
-    heart.begin(at(10s));
+    ShownSince10s heart;
     EXPECT_FALSE(heart.beat(at(11s)).has_value()) << "exactly 1 s is not more";
     const auto gap = heart.beat(at(12'001ms));
     ASSERT_TRUE(gap.has_value());
     EXPECT_FALSE(gap->stopped);
 }
 
-TEST(H07_Stall, OfASecondIsNoReasonToStop) {
+TEST(H01_Heartbeat, IsNotExpectedWhileTheWindowIsStillBeingBuilt) {
+    ShownSince10s heart;
+    heart.begin();  // the next connection
+    EXPECT_FALSE(heart.beat(at(20s)).has_value());
+    EXPECT_FALSE(heart.missed(at(30s), true)) << "no chain has been found";
+    heart.found();
+    EXPECT_EQ(heart.deadline(true), std::nullopt);
+    EXPECT_FALSE(heart.beat(at(31s)).has_value()) << "that took 11 s, and stopped nothing";
+    EXPECT_FALSE(heart.beat(at(31'100ms)).has_value());
+    EXPECT_FALSE(heart.missed(at(34s), true)) << "one beat is not yet a window that works";
+    for (Duration time = 34s; time <= 35s; time += 100ms)
+        EXPECT_FALSE(heart.beat(at(time)).has_value());
+    EXPECT_FALSE(heart.missed(at(36'999ms), true));
+    EXPECT_TRUE(heart.missed(at(37s), true));
+}
+
+TEST(H01_Heartbeat, IsExpectedFromTheFirstCommandOn) {
     Heartbeat heart;
-    heart.begin(at(10s));
+    heart.begin();
+    heart.commanded(at(10s));
+    EXPECT_FALSE(heart.missed(at(11'999ms), true));
+    EXPECT_TRUE(heart.missed(at(12s), true));
+    heart.begin();
+    EXPECT_FALSE(heart.missed(at(60s), true));
+}
+
+TEST(H07_Stall, OfASecondIsNoReasonToStop) {
+    ShownSince10s heart;
     EXPECT_FALSE(heart.missed(at(11s), true));
 }
 

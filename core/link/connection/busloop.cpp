@@ -55,11 +55,12 @@ void BusLoop::open(TransportFactory factory, bus::EngineConfig config) {
         return;
     }
     m_channel.requests.begin(closes);
-    m_channel.heartbeat.begin(monotonicNow());
+    m_channel.heartbeat.begin();
     m_thread = std::thread([this, factory = std::move(factory), config] { run(factory, config); });
 }
 
 void BusLoop::ask(BusRequest request) {
+    m_channel.heartbeat.commanded(monotonicNow());
     if (!m_channel.requests.offer(request))
         m_channel.post(refusal(request, isOpen() ? bus::Outcome::QueueFull : bus::Outcome::Cancelled));
 }
@@ -71,9 +72,13 @@ void BusLoop::beat() {
 
 std::vector<WorkerEvent> BusLoop::takeEvents() {
     std::vector<WorkerEvent> events = m_channel.events.takeAll();
-    for (const WorkerEvent& event : events)
+    for (const WorkerEvent& event : events) {
+        const auto* told = std::get_if<bus::Event>(&event);
+        if (told != nullptr && std::holds_alternative<bus::ChainFound>(*told))
+            m_channel.heartbeat.found();
         if (std::holds_alternative<PortClosed>(event))
             join();
+    }
     return events;
 }
 

@@ -23,9 +23,10 @@ namespace nmc {
 ///
 /// All public members belong to one thread, the GUI's, except stopAll() and close(), which may be called from
 /// any thread and from a signal handler. While a connection is open, the GUI thread must call beat() every
-/// Heartbeat::kInterval: moving motors are stopped when it has not done so for 2 s
-/// (link/connection/heartbeat.h). A read-only connection (EngineConfig::readOnly) stops motors only at
-/// stopAll(): not for a missing heartbeat, not when it is closed, and not through a guard.
+/// Heartbeat::kInterval: once it shows a chain or has asked for something, moving motors are stopped when it
+/// has not done so for 2 s (link/connection/heartbeat.h). A read-only connection (EngineConfig::readOnly)
+/// stops motors only at stopAll(): not for a missing heartbeat, not when it is closed, and not through a
+/// guard.
 class BusLoop {
 public:
     using TransportFactory = std::function<std::unique_ptr<Transport>()>;

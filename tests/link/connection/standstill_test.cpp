@@ -8,6 +8,7 @@
 #include "link/connection/processguard.h"
 #include "link/guardian/descriptor.h"
 #include "tests/link/connection/virtualconnection.h"
+#include "tests/support/leaverunning.h"
 
 namespace nmc {
 namespace {
@@ -45,6 +46,17 @@ TEST_F(H01_FrozenPanel, HasItsMotorsStoppedAfterTwoSecondsAndIsToldWhenItIsBack)
     EXPECT_EQ(connection.count<PanelFroze>(), 1);
     ASSERT_TRUE(connection.waitFor<bus::StopFinished>());
     EXPECT_TRUE(connection.news<bus::StopFinished>()->unreached.empty());
+}
+
+TEST_F(H01_FrozenPanel, ThatIsSlowToShowAChainStopsNoneOfItsMotors) {
+    ASSERT_NO_FATAL_FAILURE(leaveRunning(sim, 1, 4));
+    connection.open();
+    connection.freeze(10s);
+    ASSERT_TRUE(connection.waitUntil(
+        [&] { return connection.count<bus::ChainFound>() == 1 && connection.module(0).moving(); }));
+    EXPECT_TRUE(connection.news<bus::ChainFound>()->attached);
+    EXPECT_TRUE(sim.driven(0));
+    EXPECT_EQ(connection.count<PanelFroze>(), 0);
 }
 
 TEST_F(H05_Suspend, HasTheMotorsStoppedAndIsToldOnce) {
