@@ -9,6 +9,7 @@
 #include "bus/rejection.h"
 #include "bus/types.h"
 #include "module/registers.h"
+#include "protocol/laterservocommands.h"
 
 namespace nmc::bus {
 
@@ -22,7 +23,8 @@ public:
     /// Maximum speed of the encoder input, in counts per tick: 500 000 edges/s (DS-V 3.2); with CMC and SC,
     /// their greatest velocity (docs/family.md).
     static constexpr double kFastest = 256.0;
-    static constexpr double kFastestLater = 1280.0;
+    static constexpr double kFastestLater =
+        static_cast<double>(servo::kLaterVelocityRange.max) / kFixedPointOne;
     /// Acceleration and speed to allow for without any evidence of more: a shaft that is turned by hand.
     /// Counts per tick squared, counts per tick.
     static constexpr double kGentle = 0.5;
