@@ -313,7 +313,9 @@ void ApiController::command(Client client, const api::Method& method, const Json
                             const Json& id) {
     if (method.access == api::Access::Control && m_control != client)
         return fail(client, id, kNoControl, texts::noControl(), "NoControl");
-    if (const auto refusal = whyNoChain(m_store.link()))
+    const auto refusal = whyNoChain(m_store.link());
+    const bool stops = refusal == Refusal::Looking && method.access == api::Access::Stop;
+    if (refusal && !stops)
         return refuse(client, id, api::refused(*refusal));
     if (method.name != "jog" || !isHeld(session(client)))
         emit reported(texts::programCalled(

@@ -101,13 +101,17 @@ void Engine::submit(Operation operation, TimePoint now) {
 }
 
 /// While the chain is being searched for or is lost, stops are sent all the same: blindly, and again until
-/// they are confirmed. Returns false if this is not the situation, if the modules at these addresses are no
-/// longer known, or while the line is lent.
-bool Engine::oweStops(const Operation& operation) {
+/// they are confirmed. Not while the line is lent, nor once it is no longer known which module has which
+/// address.
+bool Engine::stopsBlindly() const {
     const bool unsettled = !m_connected || m_search.active();
+    return unsettled && !m_config.readOnly && !lent() && !m_search.givesAddresses();
+}
+
+bool Engine::oweStops(const Operation& operation) {
     const bool known = std::ranges::all_of(operation.orders,
                                            [this](const Order& order) { return m_chain.has(order.module); });
-    if (!unsettled || !known || m_config.readOnly || lent() || m_search.givesAddresses())
+    if (!stopsBlindly() || !known)
         return false;
     for (const Order& order : operation.orders)
         m_chain.owe(order.module, StopCause::GroupStop, *stopManner(order.command));
@@ -147,7 +151,7 @@ void Engine::keepTrial(ModuleIndex module, TimePoint now) {
 
 void Engine::submit(const GroupOperation& operation, TimePoint now) {
     const auto* command = std::get_if<GroupCommand>(&operation.what);
-    if (command != nullptr && isStop(command->action) && accepting())
+    if (command != nullptr && isStop(command->action) && (accepting() || stopsBlindly()))
         m_events.emplace_back(stopGroup(operation, *command));
     else if (!accepting() || !m_operations.submit(operation))
         m_events.emplace_back(GroupFinished{operation.id, refusal(), operation.what, {}, false});

@@ -198,6 +198,7 @@ private:
     void setForAll(Set set);
     [[nodiscard]] GroupFinished stopGroup(const GroupOperation& operation, const GroupCommand& command);
     void beginPath(const Operation& operation, TimePoint now);
+    [[nodiscard]] bool stopsBlindly() const;
     [[nodiscard]] bool oweStops(const Operation& operation);
     [[nodiscard]] bool haltAtOnce(const Operation& operation, TimePoint now);
     void beginTrial(const Operation& operation, TimePoint now);

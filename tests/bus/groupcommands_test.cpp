@@ -88,6 +88,21 @@ TEST_P(GroupCommands, StopAMemberByItselfThatHasNotHeardTheGroup) {
     }
 }
 
+TEST_P(GroupCommands, StopMembersWhileTheChainIsSearchedFor) {
+    for (const Action action : {Action::StopSmoothly, Action::StopAbruptly, Action::MotorOff}) {
+        runAll();
+        bus.engine.connect(bus.now);
+        bus.runFor(20ms);
+        const GroupFinished finished = tell(action);
+        EXPECT_EQ(finished.outcome, Outcome::Done);
+        EXPECT_EQ(finished.members.size(), 3U);
+        expectStopped(action != Action::MotorOff);
+        EXPECT_NEAR(bus.servo(3).commandVelocity, 1.0, 1e-9) << "it is in no group";
+        ASSERT_TRUE(bus.runUntil([&] { return bus.count<ChainFound>() > 0; }, 10s));
+        bus.events.clear();
+    }
+}
+
 TEST_P(GroupCommands, LeaveAMotorOffThatIsOff) {
     runAll();
     ASSERT_EQ(bus.perform({motorOff(1)}), Outcome::Done);

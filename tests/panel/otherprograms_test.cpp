@@ -169,6 +169,19 @@ TEST_F(OtherPrograms, LearnFromWaitWhatFailed) {
         << "repeated moves are a procedure, which the stop cancelled";
 }
 
+TEST_F(OtherPrograms, MayStopOneMotorWhileTheChainIsSearchedFor) {
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 1'000'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    panel.composition().worker().connectAgain();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.composition().store().link().looking; }));
+    EXPECT_EQ(client.call("move_by", {{"axis", 1}, {"by", 5}})["error"]["data"]["reason"], "NoControl");
+    EXPECT_EQ(client.call("stop", {{"axis", 1}})["result"]["accepted"], true);
+    EXPECT_TRUE(panel.composition().store().link().looking);
+    ASSERT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+}
+
 TEST_F(OtherPrograms, AreNotToldThatTheyHaveStoppedTheirMovesThemselves) {
     OtherProgram client(panel, path());
     ASSERT_NO_FATAL_FAILURE(ready(client));

@@ -160,6 +160,13 @@ TEST_F(ChainWindow, AGroupIsToldToStopAndToClear) {
     ASSERT_EQ(commands.size(), qsizetype{4});
     for (qsizetype i = 0; i < 4; ++i)
         EXPECT_EQ(commands.at(i).at(0).value<bus::GroupCommand>(), wanted[static_cast<std::size_t>(i)]);
+    link.phase = LinkPhase::Connecting;
+    link.looking = true;
+    window->showLink(link);
+    EXPECT_TRUE(button(u"groupStopAbruptlyButton"_s)->isEnabled()) << "nor does a search keep it off";
+    EXPECT_FALSE(button(u"groupClearButton"_s)->isEnabled());
+    link.phase = LinkPhase::Connected;
+    link.looking = false;
     link.rights = OperatorRights{};
     window->showLink(link);
     EXPECT_TRUE(button(u"groupStopAbruptlyButton"_s)->isEnabled()) << "a stop is never locked";

@@ -258,10 +258,10 @@ QString GroupsPage::whyNotAll(IntentKind kind) const {
 
 void GroupsPage::refreshCommands() {
     const auto noChain = whyNoChain(m_link);
-    const bool any = m_group->count() > 0 && !noChain;
-    const QString none = noChain == Refusal::Looking || noChain == Refusal::Lent
-                             ? texts::refusal(*noChain)
-                             : tr("No groups yet. Add modules to a group first.");
+    const bool stoppable = m_group->count() > 0 && (!noChain || noChain == Refusal::Looking);
+    const bool any = stoppable && !noChain;
+    const QString none =
+        noChain ? texts::refusal(*noChain) : tr("No groups yet. Add modules to a group first.");
     const auto refusal = whyInaccessible(m_link);
     const QString notTold = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(
@@ -274,8 +274,10 @@ void GroupsPage::refreshCommands() {
                       tr("Makes the present position of each member 0. Asks first."));
     look::setPossible(m_clear, any ? whyNotAll(IntentKind::ClearStickyBits) : none,
                       tr("Clears the sticky fault bits of each member. PIC-SERVO only."));
-    // Operators may always stop motors.
-    const QString notStopped = !any ? none : m_link.readOnly ? texts::refusal(Refusal::ReadOnly) : QString();
+    // Motors may always be stopped, by operators and during a search.
+    const QString notStopped = !stoppable        ? none
+                               : m_link.readOnly ? texts::refusal(Refusal::ReadOnly)
+                                                 : QString();
     look::setPossible(
         m_stopSmoothly, notStopped,
         tr("Every member that is on slows down and holds. Repeated until all are seen at rest."));
@@ -286,7 +288,7 @@ void GroupsPage::refreshCommands() {
         m_motorOff, notStopped,
         tr("Switches every member off: motors coast, and loads may fall. Repeated until all are seen at rest."));
     AskDialog::reviewAll(*this);
-    m_group->setEnabled(any);
+    m_group->setEnabled(stoppable);
     look::setPossible(m_name,
                       m_group->count() == 0 ? none
                       : m_link.rights       ? notTold
