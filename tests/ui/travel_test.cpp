@@ -206,6 +206,21 @@ TEST_F(TravelPanel, NoFieldTakesMoreThanTheHighestVelocity) {
               98'304U);
 }
 
+TEST_F(TravelPanel, NoFieldTakesMoreThanTheChip) {
+    window->showLink(connectedTo({Servo{.version = 10}.state()}));
+    for (const auto& [velocity, act] : {std::pair(u"velocityField"_s, u"goButton"_s),
+                                        std::pair(u"runVelocityField"_s, u"runForwardButton"_s)}) {
+        type(velocity, u"1281"_s);
+        EXPECT_TRUE(whyNot(act).contains(u"to 1280 counts/tick"_s)) << whyNot(act).toStdString();
+        type(velocity, u"1280"_s);
+        EXPECT_TRUE(button(act)->isEnabled());
+    }
+    enter(u"fastestField"_s, u"1281"_s);
+    EXPECT_TRUE(text(u"travelHint"_s).contains(u"to 1280 counts/tick"_s))
+        << text(u"travelHint"_s).toStdString();
+    EXPECT_EQ(kept().fastest, 0.0);
+}
+
 TEST_F(TravelPanel, AVelocityThatAHigherLimitAllowsIsSent) {
     standAt(500);
     enter(u"fastestField"_s, u"1.5"_s);

@@ -190,7 +190,8 @@ void AxisBox::showModule() {
     }
     showText(m_symbol, settings.unit.ownSymbol);
     m_holdCap->setScale(m_context.scale());
-    m_holdCap->setNativeRange(servodefaults::kSmallest, servodefaults::kLargest);
+    m_holdCap->setNativeRange(servodefaults::kSmallest,
+                              servodefaults::fastest(m_context.state().info.identity));
     const double cap = servodefaults::motionOf(settings).holdCap;
     if (!m_shown)
         m_holdCap->showNative(cap);

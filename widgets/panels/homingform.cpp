@@ -199,15 +199,17 @@ void HomingForm::showChip(const AxisScale& scale, int version, double speedUnit)
             box.button->setText(m_reversed ? tr("Limit 1 (reverse)") : tr("Limit 1 (forward)"));
         else if (m_type == ModuleType::Stepper && box.flag == &HomingRecipe::onLimit2)
             box.button->setText(m_reversed ? tr("Limit 2 (forward)") : tr("Limit 2 (reverse)"));
+    const ModuleIdentity chip{m_type, static_cast<std::uint8_t>(version)};
     for (const Quantity& quantity : m_quantities) {
-        double most = servodefaults::kLargest;
+        const bool velocity =
+            quantity.value == &HomingRecipe::velocity || quantity.value == &HomingRecipe::indexVelocity;
+        double most = velocity ? servodefaults::fastest(chip) : servodefaults::kLargest;
         double least = servodefaults::kSmallest;
         if (quantity.value == &HomingRecipe::travelLimit) {
             least = 1.0;
             most = kLongestTravel;
         } else if (m_type == ModuleType::Stepper) {
             // A request below the slowest speed of the chip would run faster than requested.
-            const bool velocity = quantity.value == &HomingRecipe::velocity;
             least = velocity ? speedUnit : 1.0;
             most = velocity ? 250.0 * speedUnit : 1e6;
         }

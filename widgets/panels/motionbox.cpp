@@ -216,7 +216,9 @@ void MotionBox::showModule() {
         field->setScale(m_context.scale());
     m_goal->setZero(zero());
     for (QuantityField* field : {m_velocity, m_runVelocity}) {
-        field->setNativeRange(servodefaults::kSmallest, servodefaults::fastest(m_context.settings()));
+        field->setNativeRange(servodefaults::kSmallest,
+                              std::min(servodefaults::fastest(m_context.state().info.identity),
+                                       servodefaults::fastest(m_context.settings())));
         field->setRangeReason(texts::fastestReason(m_context.settings().travel));
     }
     m_velocity->follow(m_motion.velocity, before.velocity);

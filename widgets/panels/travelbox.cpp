@@ -259,8 +259,9 @@ void TravelBox::showModule() {
     for (QuantityField* field : quantities())
         field->setScale(scale);
     const bool steps = m_context.state().isStepper();
-    m_fastest->setNativeRange(steps ? 1.0 : servodefaults::kSmallest,
-                              steps ? layout::kMaxStepSpeed : servodefaults::kLargest);
+    m_fastest->setNativeRange(
+        steps ? 1.0 : servodefaults::kSmallest,
+        steps ? layout::kMaxStepSpeed : servodefaults::fastest(m_context.state().info.identity));
     // The value being typed is kept.
     TravelSettings travel = m_context.settings().travel;
     if (m_shown != travel || turned) {

@@ -221,6 +221,7 @@ void ResponseForm::showModule(const PanelView& view) {
     m_staged = view.settings.gains;
     for (QuantityField* field : {m_distance, m_velocity, m_acceleration, m_window})
         field->setScale(view.scale());
+    m_velocity->setNativeRange(servodefaults::kSmallest, servodefaults::fastest(view.module.info.identity));
     const MotionSettings before = std::exchange(m_motion, servodefaults::motionOf(view.settings));
     m_velocity->follow(m_motion.velocity, before.velocity);
     m_acceleration->follow(m_motion.acceleration, before.acceleration);

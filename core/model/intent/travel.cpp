@@ -10,7 +10,7 @@
 #include "model/intent/backlash.h"
 #include "model/intent/jog.h"
 #include "model/intent/stepperplan.h"
-#include "protocol/takes.h"
+#include "model/module/servodefaults.h"
 
 namespace nmc {
 
@@ -131,9 +131,8 @@ private:
 
 [[nodiscard]] std::optional<TravelProblem> tooFast(double velocity, const ModuleState& module) {
     const double set = module.travel.fastest;
-    const double chip =
-        module.isServo() ? static_cast<double>(loadableVelocities(module.info.identity).max) / kFixedPointOne
-                         : std::numeric_limits<double>::infinity();
+    const double chip = module.isServo() ? servodefaults::fastest(module.info.identity)
+                                         : std::numeric_limits<double>::infinity();
     const bool ofChip = set <= 0.0 || set > chip;
     if (velocity <= (ofChip ? chip : set + kVelocityGrain))
         return std::nullopt;

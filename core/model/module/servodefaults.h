@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "model/settings/machine.h"
+#include "protocol/takes.h"
 
 /// Default motion of a servo for which the user has set nothing. Counts per tick: about 1950, 980 and 490
 /// counts/s at the fastest servo rate, a slow turn for a common encoder.
@@ -17,11 +18,15 @@ inline constexpr double kHoldVelocity = 0.25;
 inline constexpr double kAcceleration = 0.002;
 /// Hold to move is limited to this velocity until an engineer changes it.
 inline constexpr double kHoldCap = 2.0;
-/// Range of 16.16 fixed point (DS-V 4.4).
+/// Range of accelerations, in 16.16 fixed point (DS-V 4.4).
 inline constexpr double kLargest = 32767.0;
 inline constexpr double kSmallest = 1.0 / kFixedPointOne;
 
-/// The highest velocity that any field accepts for this axis, counts/tick.
+/// The highest velocity that the chip takes, counts/tick.
+[[nodiscard]] inline double fastest(const ModuleIdentity& chip) {
+    return std::min(kLargest, static_cast<double>(loadableVelocities(chip).max) / kFixedPointOne);
+}
+/// The highest velocity set for this axis, counts/tick.
 [[nodiscard]] inline double fastest(const AxisSettings& settings) {
     return settings.travel.fastest > 0.0 ? settings.travel.fastest : kLargest;
 }
