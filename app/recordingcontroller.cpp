@@ -55,8 +55,13 @@ RecordingController::RecordingController(MainWindow& window, const BusStore& sto
 // ---- recording ----
 
 void RecordingController::start(const QString& path) {
-    if (m_writer.isRecording() || m_store.link().modules.empty())
+    if (m_writer.isRecording())
         return;
+    // The chain may have gone while the file was chosen.
+    if (m_store.link().modules.empty()) {
+        m_window.showMessage(texts::recordingNotBegun(path));
+        return;
+    }
     if (m_writer.isBusy()) {
         m_next = path;
         return;

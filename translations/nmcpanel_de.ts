@@ -3489,6 +3489,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Es wurde nichts aufbewahrt.</translation>
     </message>
     <message>
+        <source>Nothing is recorded to &quot;%1&quot;: no module is connected.</source>
+        <translation>Nach „%1“ wird nichts aufgezeichnet: Es ist kein Modul verbunden.</translation>
+    </message>
+    <message>
+        <source>Connect first, then record again.</source>
+        <translation>Zuerst verbinden, dann erneut aufzeichnen.</translation>
+    </message>
+    <message>
         <source>Recording to &quot;%1&quot; stopped: %2</source>
         <translation>Die Aufzeichnung in „%1“ ist beendet: %2</translation>
     </message>

@@ -3489,6 +3489,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No se conservó nada.</translation>
     </message>
     <message>
+        <source>Nothing is recorded to &quot;%1&quot;: no module is connected.</source>
+        <translation>No se graba nada en “%1”: no hay ningún módulo conectado.</translation>
+    </message>
+    <message>
+        <source>Connect first, then record again.</source>
+        <translation>Conecte primero y vuelva a grabar.</translation>
+    </message>
+    <message>
         <source>Recording to &quot;%1&quot; stopped: %2</source>
         <translation>Se detuvo la grabación en “%1”: %2</translation>
     </message>

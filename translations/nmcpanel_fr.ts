@@ -3489,6 +3489,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Rien n’a été conservé.</translation>
     </message>
     <message>
+        <source>Nothing is recorded to &quot;%1&quot;: no module is connected.</source>
+        <translation>Rien n’est enregistré dans «&#xa0;%1&#xa0;»&#xa0;: aucun module n’est connecté.</translation>
+    </message>
+    <message>
+        <source>Connect first, then record again.</source>
+        <translation>Connectez d’abord, puis enregistrez de nouveau.</translation>
+    </message>
+    <message>
         <source>Recording to &quot;%1&quot; stopped: %2</source>
         <translation>L’enregistrement dans «&#xa0;%1&#xa0;» s’est arrêté&#xa0;: %2</translation>
     </message>

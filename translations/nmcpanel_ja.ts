@@ -3482,6 +3482,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>何も残っていません。</translation>
     </message>
     <message>
+        <source>Nothing is recorded to &quot;%1&quot;: no module is connected.</source>
+        <translation>「%1」には何も記録されていません。モジュールが接続されていません。</translation>
+    </message>
+    <message>
+        <source>Connect first, then record again.</source>
+        <translation>先に接続してから、もう一度記録してください。</translation>
+    </message>
+    <message>
         <source>Recording to &quot;%1&quot; stopped: %2</source>
         <translation>「%1」への記録が停止しました：%2</translation>
     </message>

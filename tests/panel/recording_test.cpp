@@ -103,6 +103,14 @@ TEST_F(RecordingProgram, AMoveIsRecordedToTheLastBit) {
     EXPECT_GT(read.samples.back().position, read.samples.front().position + 1'000);
 }
 
+TEST_F(RecordingProgram, AFileThatIsChosenAfterTheChainHasGoneIsNotBegun) {
+    panel.disconnect();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.composition().store().link().modules.empty(); }));
+    record(path("late.csv"));
+    EXPECT_EQ(panel.count(QStringLiteral("Nothing is recorded to \"late.csv\": no module is connected.")), 1);
+    EXPECT_FALSE(QFile::exists(path("late.csv")));
+}
+
 TEST_F(RecordingProgram, ARecordingIsOpenedInTheScopeWhileTheMotorGoesOn) {
     record(path("move.csv"));
     ASSERT_NO_FATAL_FAILURE(panel.setGoing());

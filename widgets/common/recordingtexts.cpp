@@ -94,6 +94,14 @@ Message notOpened(const QString& headline, const QString& body, const QString& d
 
 }  // namespace
 
+Message recordingNotBegun(const QString& path) {
+    return {
+        .key = key::kRecording,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Nothing is recorded to \"%1\": no module is connected.").arg(fileNameOf(path)),
+        .body = Texts::tr("Connect first, then record again.")};
+}
+
 Message recordingEnded(const QString& path, double seconds) {
     return {.key = key::kRecording,
             .headline = Texts::tr("Recorded \"%1\": %2.").arg(fileNameOf(path), length(seconds)),

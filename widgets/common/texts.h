@@ -224,6 +224,8 @@ namespace texts {
 [[nodiscard]] QString notSentWhileMoving(int movingMotors);
 
 // ---- recordings and exports ----
+/// No chain is connected.
+[[nodiscard]] Message recordingNotBegun(const QString& path);
 [[nodiscard]] Message recordingEnded(const QString& path, double seconds);
 /// `seconds`: how long the recording lasted.
 [[nodiscard]] Message recordingFailed(const QString& path, const RecordingFailure& failure, double seconds);
