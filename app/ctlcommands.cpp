@@ -63,7 +63,8 @@ constexpr std::array kNotAsTheyAre{"hello", "describe",        "state",         
 }
 
 [[nodiscard]] QString placeOf(const Json& axis) {
-    return shown(axis.at("position")) + QLatin1Char(' ') + shown(axis.at("unit"));
+    const Json& position = axis.at("position");
+    return shown(position) + (position.is_null() ? QString() : QLatin1Char(' ') + shown(axis.at("unit")));
 }
 
 /// The end of a command that goes on until it is interrupted, or for --seconds.

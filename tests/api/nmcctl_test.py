@@ -74,9 +74,11 @@ class AtItsOwnLine(unittest.TestCase):
         "gains": {"Kp": 200, "Kd": 2000, "Ki": 20, "IL": 200, "OL": 255, "CL": 0, "EL_counts": 8000, "SR": 1}}]}"""
 
     def test_reads(self):
-        code, out, _ = self.place.ctl("--simulator=servo,step", "list")
+        code, out, _ = self.place.ctl("--simulator=servo,step,io", "list")
         self.assertEqual(code, DONE)
-        self.assertEqual([row.split("\t")[2] for row in out.splitlines()], ["servo", "stepper"])
+        rows = [row.split("\t") for row in out.splitlines()]
+        self.assertEqual([row[2] for row in rows], ["servo", "stepper", "io"])
+        self.assertEqual([row[4] for row in rows], ["0 counts", "0 steps", "-"])
         code, out, _ = self.place.ctl("--simulator=servo,io", "state", "--json")
         servo, io = json.loads(out)["modules"]
         self.assertEqual((code, servo["position"]), (DONE, 0))
