@@ -2171,6 +2171,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Motoren können noch in Bewegung sein. Das Verbinden bewegt nichts und wiederholt keinen früheren Befehl.</translation>
     </message>
     <message>
+        <source>The port is open, but no module answered (19 200 Bd tried).</source>
+        <translation>Der Port ist offen, aber kein Modul hat geantwortet (19 200 Bd versucht).</translation>
+    </message>
+    <message>
         <source>The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).</source>
         <translation>Der Port ist offen, aber kein Modul hat geantwortet (9600, 19 200, 57 600 und 115 200 Bd versucht).</translation>
     </message>

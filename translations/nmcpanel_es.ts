@@ -2171,6 +2171,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Puede haber motores aún en movimiento. Reconectar no mueve nada ni repite ningún comando anterior.</translation>
     </message>
     <message>
+        <source>The port is open, but no module answered (19 200 Bd tried).</source>
+        <translation>El puerto está abierto, pero no respondió ningún módulo (se probó a 19 200 Bd).</translation>
+    </message>
+    <message>
         <source>The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).</source>
         <translation>El puerto está abierto, pero no respondió ningún módulo (se probó a 9600, 19 200, 57 600 y 115 200 Bd).</translation>
     </message>

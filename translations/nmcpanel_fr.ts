@@ -2171,6 +2171,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Des moteurs peuvent encore être en mouvement. La reconnexion ne fait rien bouger et ne répète aucune commande antérieure.</translation>
     </message>
     <message>
+        <source>The port is open, but no module answered (19 200 Bd tried).</source>
+        <translation>Le port est ouvert, mais aucun module n’a répondu (essai à 19&#x202f;200&#xa0;Bd).</translation>
+    </message>
+    <message>
         <source>The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).</source>
         <translation>Le port est ouvert, mais aucun module n’a répondu (essais à 9600, 19&#x202f;200, 57&#x202f;600 et 115&#x202f;200&#xa0;Bd).</translation>
     </message>

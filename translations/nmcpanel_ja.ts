@@ -2166,6 +2166,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モーターがまだ動いている可能性があります。再接続しても何も動かず、以前のコマンドも再送されません。</translation>
     </message>
     <message>
+        <source>The port is open, but no module answered (19 200 Bd tried).</source>
+        <translation>ポートは開いていますが、応答したモジュールはありません（19 200 Bdを試行）。</translation>
+    </message>
+    <message>
         <source>The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).</source>
         <translation>ポートは開いていますが、応答したモジュールはありません（9600、19 200、57 600、115 200 Bdを試行）。</translation>
     </message>

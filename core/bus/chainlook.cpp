@@ -26,10 +26,8 @@ void addNew(std::vector<T>& list, const T& value) {
 
 }  // namespace
 
-ChainLook::ChainLook(const std::vector<std::uint32_t>& rates, std::vector<BusAddress> addresses)
-    : m_rates(kRates.begin(), kRates.end()), m_known(std::move(addresses)) {
-    for (const std::uint32_t rate : rates)
-        addNew(m_rates, rate);
+ChainLook::ChainLook(std::vector<std::uint32_t> rates, std::vector<BusAddress> addresses)
+    : m_rates(std::move(rates)), m_known(std::move(addresses)) {
     for (unsigned address = kFirstAddress; address <= kLastAddress; ++address)
         (m_first.size() < kUsualAddresses ? m_first : m_rest)
             .emplace_back(static_cast<std::uint8_t>(address));

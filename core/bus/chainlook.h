@@ -23,11 +23,9 @@ namespace nmc::bus {
 /// the next action and is informed of its outcome. Pure.
 class ChainLook {
 public:
-    /// The address and rate after power-up come first.
-    static constexpr std::array<std::uint32_t, 4> kRates{19'200, 115'200, 57'600, 9'600};
-
-    /// `rates` and `addresses` are those of the last time, if known, in addition to the usual ones.
-    explicit ChainLook(const std::vector<std::uint32_t>& rates = {}, std::vector<BusAddress> addresses = {});
+    /// `rates`: where to look, in this order. `addresses`: those of the last time, if known, in addition to
+    /// the usual ones.
+    ChainLook(std::vector<std::uint32_t> rates, std::vector<BusAddress> addresses);
 
     /// A script to run or a query to send; monostate when the search is over.
     using Next = std::variant<std::monostate, Line::Script, Request>;

@@ -20,16 +20,25 @@ constexpr unsigned kSetAttempts = 2;
 /// is considered disturbed.
 constexpr unsigned kAliveAttempts = 10;
 
-/// Rates at which a chain may have been left; the last one is the rate after the restart.
-constexpr std::array<std::uint32_t, 4> kRestartRates{115'200, 57'600, 9'600, kPowerUpBaud};
-static_assert(kRestartRates.size() == kBaudRows.size());
-static_assert(ChainLook::kRates.size() == kBaudRows.size());
+/// Rates other than that after power-up at which a chain is often left.
+constexpr std::array<std::uint32_t, 3> kUsualRates{115'200, 57'600, 9'600};
+static_assert(kUsualRates.size() + 1 == kBaudRows.size());
 
-/// Rates to try in addition to the usual ones.
-[[nodiscard]] std::vector<std::uint32_t> usedRates(const EngineConfig& config) {
-    std::vector<std::uint32_t> rates{config.baud};
-    if (config.knownBaud != 0 && config.knownBaud != config.baud)
-        rates.push_back(config.knownBaud);
+/// Rates other than that after power-up at which the chain may have been left.
+[[nodiscard]] std::vector<std::uint32_t> otherRates(const EngineConfig& config) {
+    if (config.fixedRate)
+        return {};
+    std::vector<std::uint32_t> rates(kUsualRates.begin(), kUsualRates.end());
+    for (const std::uint32_t rate : {config.baud, config.knownBaud})
+        if (rate != 0 && rate != kPowerUpBaud && std::ranges::find(rates, rate) == rates.end())
+            rates.push_back(rate);
+    return rates;
+}
+
+/// That after power-up comes first.
+[[nodiscard]] std::vector<std::uint32_t> ratesToSearch(const EngineConfig& config) {
+    std::vector<std::uint32_t> rates = otherRates(config);
+    rates.insert(rates.begin(), kPowerUpBaud);
     return rates;
 }
 
@@ -57,7 +66,7 @@ static_assert(ChainLook::kRates.size() == kBaudRows.size());
 
 Discovery::Discovery(const EngineConfig& config, Start start)
     : m_config(config),
-      m_look(usedRates(config), addressesOf(config.known)),
+      m_look(ratesToSearch(config), addressesOf(config.known)),
       m_phase(start == Start::Look ? Phase::Look : Phase::Restart),
       m_expected(start == Start::Restart),
       m_progress(
@@ -184,11 +193,8 @@ void Discovery::onReply(const ReplyEnd& end) {
 
 Line::Script Discovery::restartScript() const {
     Line::Script script{Line::Gap{}};
-    std::vector<std::uint32_t> rates;
-    for (const std::uint32_t rate : usedRates(m_config))
-        if (!findBaud(rate))
-            rates.push_back(rate);
-    rates.insert(rates.end(), kRestartRates.begin(), kRestartRates.end());
+    std::vector<std::uint32_t> rates = otherRates(m_config);
+    rates.push_back(kPowerUpBaud);
     for (const std::uint32_t rate : rates) {
         script.insert(script.end(), {SetHostBaud{rate}, Line::Nulls{}, Line::Pause{kAfterNulls}});
         // A module that another host put into a different group does not receive FF (DS-V 5.2, faults.md
@@ -417,7 +423,7 @@ void Discovery::failAnswer(const ReplyEnd& end) {
 
 void Discovery::fail(ConnectFailure reason, std::vector<ModuleIndex> modules) {
     const std::uint32_t rate = reason == ConnectFailure::RateChange ? m_config.baud : kPowerUpBaud;
-    m_failure = {reason, std::move(modules), rate};
+    m_failure = {reason, std::move(modules), rate, m_config.fixedRate};
     m_phase = Phase::Failed;
 }
 

@@ -27,6 +27,8 @@ struct EngineConfig {
     /// The rate at which that chain was left, if it is not in kBaudRows; 0: unknown. The chain is searched
     /// for there as well, and at `baud`.
     std::uint32_t knownBaud = 0;
+    /// The line has one rate, 19 200 Bd, and the chain is searched for and reset at no other.
+    bool fixedRate = false;
     /// Engine::unconfirmedStops() of the last connection to this port. A module that is found as it was is
     /// sent its stop again; ignored on a read-only connection.
     std::vector<UnconfirmedStop> unconfirmed{};

@@ -256,6 +256,7 @@ struct ConnectFailed {
     ConnectFailure reason;
     std::vector<ModuleIndex> modules;  ///< the modules concerned, if known
     std::uint32_t baud = 0;            ///< the rate that was tried
+    bool fixedRate = false;            ///< as EngineConfig::fixedRate
 };
 
 struct OperationFinished {

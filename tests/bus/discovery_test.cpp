@@ -281,6 +281,21 @@ TEST(Discovery, SaysThatNobodyAnswers) {
     EXPECT_FALSE(bus.engine.nextDeadline()) << "nothing happens without a request";
 }
 
+TEST(Discovery, StaysAtTheOnlyRateOfALine) {
+    EngineConfig config;
+    config.fixedRate = true;
+    config.knownBaud = 57'600;
+    VirtualBus bus({}, config);
+    bus.onTime = [&bus] { ASSERT_EQ(bus.hostBaud, 19'200U); };
+    EXPECT_FALSE(bus.connect());
+    EXPECT_EQ(bus.last<ConnectFailed>()->reason, ConnectFailure::NobodyAnswers);
+    EXPECT_TRUE(bus.last<ConnectFailed>()->fixedRate);
+    const std::size_t from = bus.sent.size();
+    bus.engine.restart(bus.now);
+    bus.runFor(10s);
+    EXPECT_EQ(bus.sends("AA FF 0F 0E", from), 1U) << "Hard Reset of all (DS-V 5.2)";
+}
+
 TEST(Discovery, SaysThatAnswersAreGarbled) {
     ScriptedBus bus(1);
     bus.answer = [](ByteSpan packet) {

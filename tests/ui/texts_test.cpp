@@ -50,6 +50,9 @@ TEST(Texts, Gone) {
 }
 
 TEST(Texts, NoModule) {
+    EXPECT_EQ(texts::connectFailed({bus::ConnectFailure::NobodyAnswers, {}, 19200, true}, u"tcp://lab:4000"_s)
+                  .headline,
+              u"The port is open, but no module answered (19 200 Bd tried)."_s);
     const Message m =
         texts::connectFailed({bus::ConnectFailure::NobodyAnswers, {}, 115200}, u"/dev/ttyUSB0"_s);
     EXPECT_EQ(m.headline,

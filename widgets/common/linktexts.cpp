@@ -16,8 +16,11 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
               .actions = {scanAgain(), restartNetwork(), useSimulator()}};
     switch (failed.reason) {
         case bus::ConnectFailure::NobodyAnswers:
-            m.headline = Texts::tr(
-                "The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).");
+            m.headline =
+                failed.fixedRate
+                    ? Texts::tr("The port is open, but no module answered (19 200 Bd tried).")
+                    : Texts::tr(
+                          "The port is open, but no module answered (9600, 19 200, 57 600 and 115 200 Bd tried).");
             m.body = Texts::tr(
                 "Check, in this order: module power; every cable in the chain (one loose cable hides all modules); the ADDR_IN jumper of the module farthest from the PC; TX and RX not swapped; a full-duplex (4-wire) adapter. If another program left the chain at an unusual baud rate, restart the network.");
             break;

@@ -91,6 +91,7 @@ void BusLoop::run(const TransportFactory& factory, const bus::EngineConfig& conf
     if (const auto opened = transport->open()) {
         bus::EngineConfig measured = config;
         measured.adapterLatency = std::max(config.adapterLatency, transport->latency());
+        measured.fixedRate = transport->hasFixedRate();
         m_channel.post(PortOpened{measured.adapterLatency});
         BusSession session(m_channel, *transport, measured, m_guards, m_asleepSoFar);
         closed.error = session.run();
