@@ -109,7 +109,7 @@ void HomingBox::showModule() {
     if (kept != m_shown && recipe != m_form->recipe())
         m_form->showRecipe(recipe);
     m_shown = kept;
-    m_form->showChip(m_context.scale(), module.info.identity.version, speedUnit(module));
+    m_form->showChip(m_context.scale(), module.info.identity, speedUnit(module));
     refresh();
 }
 

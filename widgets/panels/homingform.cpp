@@ -34,7 +34,7 @@ HomingForm::HomingForm(ModuleType type, QWidget* parent) : QWidget(parent), m_ty
     buildMotion(grid);
     buildEnd(grid);
     const double slowest = type == ModuleType::Stepper ? 25.0 : servodefaults::kSmallest;
-    showChip(type == ModuleType::Stepper ? AxisScale::step({}) : AxisScale::servo({}, 1), 0, slowest);
+    showChip(type == ModuleType::Stepper ? AxisScale::step({}) : AxisScale::servo({}, 1), {type, 0}, slowest);
     showRecipe(firstRecipe({type, 0}));
 }
 
@@ -191,15 +191,14 @@ void HomingForm::showRecipe(const HomingRecipe& recipe) {
     refresh();
 }
 
-void HomingForm::showChip(const AxisScale& scale, int version, double speedUnit) {
-    m_version = version;
+void HomingForm::showChip(const AxisScale& scale, const ModuleIdentity& chip, double speedUnit) {
+    m_version = chip.version;
     m_reversed = scale.reversed();
     for (const Box& box : m_boxes)
         if (m_type == ModuleType::Stepper && box.flag == &HomingRecipe::onLimit1)
             box.button->setText(m_reversed ? tr("Limit 1 (reverse)") : tr("Limit 1 (forward)"));
         else if (m_type == ModuleType::Stepper && box.flag == &HomingRecipe::onLimit2)
             box.button->setText(m_reversed ? tr("Limit 2 (forward)") : tr("Limit 2 (reverse)"));
-    const ModuleIdentity chip{m_type, static_cast<std::uint8_t>(version)};
     for (const Quantity& quantity : m_quantities) {
         const bool velocity =
             quantity.value == &HomingRecipe::velocity || quantity.value == &HomingRecipe::indexVelocity;

@@ -24,9 +24,9 @@ public:
 
     /// Emits nothing.
     void showRecipe(const HomingRecipe& recipe);
-    /// Emits nothing. The `version` of the chip determines whether the chip or the panel stops the motor;
+    /// Emits nothing. The version of `chip` determines whether the chip or the panel stops the motor;
     /// `speedUnit`: for a PIC-STEP, the speed in steps/s of which all its speeds are whole multiples.
-    void showChip(const AxisScale& scale, int version, double speedUnit);
+    void showChip(const AxisScale& scale, const ModuleIdentity& chip, double speedUnit);
     /// Locked while a search is running, because the search already has its recipe.
     void setLocked(bool locked);
 
