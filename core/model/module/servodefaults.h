@@ -18,7 +18,7 @@ inline constexpr double kHoldVelocity = 0.25;
 inline constexpr double kAcceleration = 0.002;
 /// Hold to move is limited to this velocity until an engineer changes it.
 inline constexpr double kHoldCap = 2.0;
-/// Range of accelerations, in 16.16 fixed point (DS-V 4.4).
+/// Range of 16.16 fixed point (DS-V 4.4), and of accelerations.
 inline constexpr double kLargest = 32767.0;
 inline constexpr double kSmallest = 1.0 / kFixedPointOne;
 
@@ -26,7 +26,7 @@ inline constexpr double kSmallest = 1.0 / kFixedPointOne;
 [[nodiscard]] inline double fastest(const ModuleIdentity& chip) {
     return std::min(kLargest, static_cast<double>(loadableVelocities(chip).max) / kFixedPointOne);
 }
-/// The highest velocity set for this axis, counts/tick.
+/// The highest velocity set for this axis, counts/tick; kLargest if none is set.
 [[nodiscard]] inline double fastest(const AxisSettings& settings) {
     return settings.travel.fastest > 0.0 ? settings.travel.fastest : kLargest;
 }
