@@ -30,6 +30,9 @@ inline constexpr int kSurplusCharacters = 2;
 /// Shortest quarantine (link.md 2.1).
 inline constexpr Duration kMinQuarantine = std::chrono::milliseconds(100);
 
+/// How much later than usual a process at either end of the line may act on a busy computer.
+inline constexpr Duration kSchedulingDelay = std::chrono::milliseconds(50);
+
 /// Items of every reply, by Define Status: position, A/D value, velocity (PIC-STEP: timer count), auxiliary
 /// status (PIC-STEP: inputs). Every second poll requests all items.
 inline constexpr StatusItems kStandingItems{StatusItems::Position | StatusItems::Analog |

@@ -101,8 +101,8 @@ Line::Script RateChange::sendToAll(std::uint32_t rate) const {
             script.emplace_back(Line::Spacer{});
         script.emplace_back(Line::Packet{toPacket({group, payload})});
     }
-    // The port changes when its own buffer is empty.
-    script.emplace_back(Line::Lag{kTurnaround});
+    // The port changes when its own buffer is empty, and what was sent has been read.
+    script.emplace_back(Line::Lag{kTurnaround + patience()});
     return script;
 }
 
@@ -110,8 +110,13 @@ Ask RateChange::ask() const {
     Ask question;
     question.purpose = Purpose::Connect;
     question.request = {m_chain[m_at].address, encode(Nop{}), m_chain[m_at].reply};
+    question.request.patience = patience();
     question.silentRepeats = 2;
     return question;
+}
+
+Duration RateChange::patience() const {
+    return m_lookedBack ? kSchedulingDelay : Duration{};
 }
 
 void RateChange::enter(Phase phase) {

@@ -11,10 +11,10 @@
 namespace nmc::bus {
 
 /// Switches a chain to another rate: sends Set Baud to every group in use, the host follows, and each module
-/// must answer a No Operation at the new rate (protocol.md 1). If none does, the command was lost, and it is
-/// tried once more from the old rate. If some do not, all are switched back, if wanted. Returns the next
-/// action and is informed of its outcome; changes only the rate, never an address, a position or a gain.
-/// Pure.
+/// must answer a No Operation at the new rate (protocol.md 1). If none does, the command was lost, or read
+/// too late, and it is tried once more from the old rate, with patience. If some do not, all are switched
+/// back, if wanted. Returns the next action and is informed of its outcome; changes only the rate, never an
+/// address, a position or a gain. Pure.
 class RateChange {
 public:
     /// A module, and its reply to a No Operation.
@@ -61,6 +61,7 @@ private:
     };
     [[nodiscard]] Line::Script sendToAll(std::uint32_t rate) const;
     [[nodiscard]] Ask ask() const;
+    [[nodiscard]] Duration patience() const;
     void onAll();
     void enter(Phase phase);
 
@@ -72,7 +73,7 @@ private:
     Phase m_phase = Phase::Change;
     std::size_t m_at = 0;                ///< the module being queried
     std::vector<std::size_t> m_unheard;  ///< in this phase
-    bool m_lookedBack = false;  ///< no module received the change: it is tried once more, but not twice
+    bool m_lookedBack = false;           ///< no module followed: it is tried once more, but not twice
     unsigned m_returns = 0;
     Ended m_ended;
 };

@@ -17,9 +17,6 @@ class SearchTask : public Task {
 public:
     /// Number of searches until such a failure is reported.
     static constexpr unsigned kAttempts = 3;
-    /// How much longer than usual a repeated search waits for each answer: what a scheduler needs on a busy
-    /// computer.
-    static constexpr Duration kPatience = std::chrono::milliseconds(50);
 
     using Task::Task;
 

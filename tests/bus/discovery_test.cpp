@@ -281,6 +281,30 @@ TEST(Discovery, SaysThatNobodyAnswers) {
     EXPECT_FALSE(bus.engine.nextDeadline()) << "nothing happens without a request";
 }
 
+class ReadLate : public testing::TestWithParam<std::tuple<bool, std::uint32_t>> {};
+
+TEST_P(ReadLate, IsWaitedForBeforeNobodyIsSaidToAnswer) {
+    const auto [fresh, rate] = GetParam();
+    EngineConfig config;
+    config.baud = rate;
+    VirtualBus bus(servos(2), config);
+    if (!fresh) {
+        ASSERT_TRUE(bus.connect());
+        bus.newHost();
+    }
+    bus.readLater = 40ms;
+    ASSERT_TRUE(bus.connect()) << static_cast<int>(bus.last<ConnectFailed>()->reason);
+    EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 2U);
+    EXPECT_EQ(bus.last<ChainFound>()->attached, !fresh);
+}
+
+INSTANTIATE_TEST_SUITE_P(Discovery, ReadLate,
+                         testing::Combine(testing::Bool(), testing::Values(19'200U, 115'200U)),
+                         [](const auto& test) {
+                             return std::string(std::get<bool>(test.param) ? "Fresh" : "Known") + "At" +
+                                    std::to_string(std::get<std::uint32_t>(test.param));
+                         });
+
 TEST(Discovery, StaysAtTheOnlyRateOfALine) {
     EngineConfig config;
     config.fixedRate = true;

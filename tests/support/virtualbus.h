@@ -51,6 +51,9 @@ public:
     std::function<void(std::vector<std::uint8_t>& command)> onCommand;
     /// Called with each command: how much later its last byte leaves, as on a busy machine.
     std::function<Duration()> holdsBack;
+    /// Commands reach the chain this much later, at the rate that is set then: it is a process that reads
+    /// late.
+    Duration readLater{};
     /// Called with each command: if true, the host receives nothing until the next one.
     std::function<bool(ByteSpan command)> losesReply;
     /// Called for each byte to the host: if true, it is lost.
@@ -254,6 +257,8 @@ private:
             m_hostBytes = 0;
             if (onCommand)
                 onCommand(send->bytes);
+            if (readLater > Duration{})
+                return m_leaving.push_back({now + readLater, std::move(send->bytes)});
             const Duration held = holdsBack && !send->bytes.empty() ? holdsBack() : Duration{};
             if (held > Duration{}) {
                 m_leaving.push_back({now + held, {send->bytes.back()}});
