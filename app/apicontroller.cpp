@@ -313,9 +313,8 @@ void ApiController::command(Client client, const api::Method& method, const Json
                             const Json& id) {
     if (method.access == api::Access::Control && m_control != client)
         return fail(client, id, kNoControl, texts::noControl(), "NoControl");
-    const auto refusal = whyNoChain(m_store.link());
-    const bool stops = refusal == Refusal::Looking && method.access == api::Access::Stop;
-    if (refusal && !stops)
+    const bool stops = method.access == api::Access::Stop;
+    if (const auto refusal = stops ? whyNoStop(m_store.link()) : whyNoChain(m_store.link()))
         return refuse(client, id, api::refused(*refusal));
     if (method.name != "jog" || !isHeld(session(client)))
         emit reported(texts::programCalled(

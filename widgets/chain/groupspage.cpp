@@ -258,7 +258,7 @@ QString GroupsPage::whyNotAll(IntentKind kind) const {
 
 void GroupsPage::refreshCommands() {
     const auto noChain = whyNoChain(m_link);
-    const bool stoppable = m_group->count() > 0 && (!noChain || noChain == Refusal::Looking);
+    const bool stoppable = m_group->count() > 0 && !whyNoStop(m_link);
     const bool any = stoppable && !noChain;
     const QString none =
         noChain ? texts::refusal(*noChain) : tr("No groups yet. Add modules to a group first.");

@@ -332,4 +332,9 @@ std::optional<Refusal> whyNoChain(const LinkState& link) {
     return link.phase == LinkPhase::Connecting && link.looking ? Refusal::Looking : Refusal::NotConnected;
 }
 
+std::optional<Refusal> whyNoStop(const LinkState& link) {
+    const auto refusal = whyNoChain(link);
+    return refusal == Refusal::Looking ? std::nullopt : refusal;
+}
+
 }  // namespace nmc

@@ -322,5 +322,7 @@ enum class IntentKind : std::uint8_t {
 [[nodiscard]] std::optional<Refusal> whyInaccessible(const LinkState& link);
 /// Why there is no chain now to send requests to.
 [[nodiscard]] std::optional<Refusal> whyNoChain(const LinkState& link);
+/// Why there is no chain now to send a stop to; a search does not prevent that.
+[[nodiscard]] std::optional<Refusal> whyNoStop(const LinkState& link);
 
 }  // namespace nmc
