@@ -221,16 +221,22 @@ Prediction predict(const MotorModel& motor, const servo::SetGain& gains, std::in
     std::vector<std::vector<double>> positions(prediction.run.points.size());
     bool sprung = false;
     for (const MotorConstants& other : motor.drawn(kDrawn)) {
+        // One draw to a statement: compilers differ in the order in which they evaluate arguments.
         MotorConstants swinging = other;
-        if (motor.rigidUpTo)
-            hangOn(swinging, *motor.rigidUpTo, part(random), part(random));
+        if (motor.rigidUpTo) {
+            const double where = part(random);
+            const double much = part(random);
+            hangOn(swinging, *motor.rigidUpTo, much, where);
+        }
         // Margins describe the worst case. Steps describe what is likely: every second motor drives a spring,
         // which changes its overshoot and settling, but not where it rests.
         sprung = !sprung;
         const MotorConstants& drawn = sprung ? swinging : other;
         const double held = 2 * part(random) - 1;
-        const ResponseRecord run = reckonStep(
-            drawn, taken, standing(drawn, gains, from, held, part(random), part(random)), bandPercent);
+        const double slack = part(random);
+        const double within = part(random);
+        const ResponseRecord run =
+            reckonStep(drawn, taken, standing(drawn, gains, from, held, within, slack), bandPercent);
         for (std::size_t i = 0; i < positions.size(); ++i)
             positions[i].push_back(run.points[i].position);
         overshoot.add(run.metrics.overshoot.value_or(Measured{}).value);
