@@ -234,7 +234,7 @@ TEST_F(SteppersByHand, MovesOnlyWhileAButtonIsHeld) {
 }
 
 TEST_F(SteppersByHand, SwitchesOutputsAndShowsInputsUnderTheirNames) {
-    const auto outputs = [&] { return truth()[QStringLiteral("outputs")]; };
+    const auto outputs = [&] { return truth().value(QStringLiteral("outputs")); };
     EXPECT_TRUE(panel.find<QAbstractButton>("stepperOutput5Box").isChecked())
         << "outputs are high at power-up";
     click("stepperOutput2Box");

@@ -161,7 +161,9 @@ void tryOut(std::mt19937& random, MoveTally& tally, std::uint8_t sr) {
                          16'000,
                          sr,
                          std::uint8_t{0}};
-    ASSERT_TRUE(bench.hold(gains, 1.7e-5 * spread(1, 4), uniform(0, 0.004)));
+    const double friction = uniform(0, 0.004);
+    const double inertia = 1.7e-5 * spread(1, 4);
+    ASSERT_TRUE(bench.hold(gains, inertia, friction));
     intent::StepSeries wanted;
     const auto counts = static_cast<std::int32_t>(spread(300, 20'000));
     wanted.each.method = ResponseMethod::Move;
@@ -176,7 +178,8 @@ void tryOut(std::mt19937& random, MoveTally& tally, std::uint8_t sr) {
     const SettleWindow window{std::floor(spread(1, 40)), uniform(0.01, 0.2)};
     bench.watch();
     const ProcedureReport report = bench.run(wanted, 60);
-    if (report.failure == ProcedureFailure::NotStill)  // these gains do not hold the motor still
+    // Some of these loops are not stable.
+    if (report.failure == ProcedureFailure::NotStill || report.failure == ProcedureFailure::Unstable)
         return;
     ASSERT_EQ(report.stage, ProcedureStage::Done);
     if (bench.moves.empty() || bench.moves.back() != *report.step)
