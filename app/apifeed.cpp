@@ -101,13 +101,14 @@ void ApiFeed::publishSamples() {
     for (auto& [client, subscription] : m_subscriptions) {
         if (!subscription.samples)
             continue;
-        const auto withItsCount = [&] {
-            parameters["missed"] = subscription.missed;
+        const auto withCount = [&](std::uint64_t missed) {
+            parameters["missed"] = missed;
             return notification("samples", parameters);
         };
         // No line is written out for a program that is not reading.
-        const bool sent = m_server.hasRoom(client, line.size()) &&
-                          m_server.offer(client, subscription.missed == 0 ? line : withItsCount());
+        const bool sent =
+            m_server.hasRoom(client, line.size()) &&
+            m_server.offer(client, subscription.missed == 0 ? line : withCount(subscription.missed));
         subscription.missed = sent ? 0 : subscription.missed + count;
     }
 }

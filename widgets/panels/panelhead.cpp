@@ -326,12 +326,12 @@ void PanelHead::refreshSigns() {
     look::setText(m_travel, texts::travelSign(module, m_context.scale()));
     m_travel->setToolTip(texts::travelState(module, m_context.scale()));
     if (m_limitStop != nullptr) {
-        using Watch = HomeWatch::State;
+        const HomeWatch::State watch = module.homing.state();
         const bool stops = module.homing.stops() && !LimitStopBox::isReplaced(m_context);
-        look::setText(m_limitStop, !stops                                    ? QString()
-                                   : module.homing.state() == Watch::Armed   ? tr("● Limit stop armed")
-                                   : module.homing.state() == Watch::Tripped ? tr("▲ Limit stop tripped")
-                                                                             : QString());
+        look::setText(m_limitStop, !stops                               ? QString()
+                                   : watch == HomeWatch::State::Armed   ? tr("● Limit stop armed")
+                                   : watch == HomeWatch::State::Tripped ? tr("▲ Limit stop tripped")
+                                                                        : QString());
     }
 }
 

@@ -92,8 +92,8 @@ constexpr double kReadingTime = secondsPerTick(1);
             told.push_back(
                 {toSeconds(point.time - record.commands.front().time), static_cast<double>(point.counts)});
     std::ranges::sort(told, {}, &SineReading::seconds);
-    const auto again = std::ranges::unique(told, {}, &SineReading::seconds);
-    told.erase(again.begin(), again.end());
+    const auto sameTime = [](const SineReading& a, const SineReading& b) { return a.seconds == b.seconds; };
+    told.erase(std::unique(told.begin(), told.end(), sameTime), told.end());
     return told;
 }
 
