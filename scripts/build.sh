@@ -15,7 +15,8 @@ expect() { # program megabytes what-is-said
 }
 
 configure() { # preset [cmake arguments]
-    cmake --preset "$@" >/dev/null ||
+    # Where another compiler was before, CMake forgets at first whatever else the preset says.
+    { cmake --preset "$@" && { grep -q '^CMAKE_BUILD_TYPE:.*=.' "build/$1/CMakeCache.txt" || cmake --preset "$@"; }; } >/dev/null ||
         fail "the build folder could not be set up. If it is of an older version or was moved here, remove it (rm -r build/$1), and start again."
 }
 
