@@ -67,7 +67,7 @@ void ChainLook::refill() {
     switch (m_stage) {
         case Stage::First:
             if (!m_rate && m_round < kRounds)
-                return refillUsual();
+                return refillFirst();
             if (!m_rate && m_unaddressed)
                 break;
             return enter(m_rate ? Stage::Rest : Stage::Everywhere);
@@ -77,18 +77,9 @@ void ChainLook::refill() {
                     add(rate, m_rest);
                 return;
             }
-            m_patient = trouble() == ConnectFailure::NobodyAnswers;
-            if (m_patient)
-                return enter(Stage::Patiently);
             if (trouble())
                 break;
             return enter(Stage::Missing);
-        case Stage::Patiently:
-            if (!m_rate && m_round < (m_unaddressed ? kRounds : 1))
-                return refillUsual();
-            if (!m_rate)
-                break;
-            return enter(Stage::Rest);
         case Stage::Rest:
             if (m_round++ == 0)
                 return add(*m_rate, m_rest);
@@ -106,7 +97,7 @@ void ChainLook::refill() {
 }
 
 /// There may be a chain in addition to a module without an address.
-void ChainLook::refillUsual() {
+void ChainLook::refillFirst() {
     ++m_round;
     addUnaddressed();
     for (const std::uint32_t rate : m_rates)

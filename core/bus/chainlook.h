@@ -18,9 +18,8 @@ namespace nmc::bus {
 /// known from the last time; other addresses follow at every rate only if there is no answer. If the answer
 /// is zeros, type and version are queried. Two lost answers do not hide a module: where one should be but
 /// does not answer, before a chain is considered fresh, and before no module is considered present,
-/// everything is queried three times; unusual addresses at rates where nothing else answers, twice. If nobody
-/// has answered then, the usual places are queried once more with patience: what was sent may have been read
-/// too late, at the rate of a later query. Returns the next action and is informed of its outcome. Pure.
+/// everything is queried three times; unusual addresses at rates where nothing else answers, twice. Returns
+/// the next action and is informed of its outcome. Pure.
 class ChainLook {
 public:
     /// `rates`: where to look, in this order. `addresses`: those of the last time, if known, in addition to
@@ -37,8 +36,6 @@ public:
     [[nodiscard]] const std::vector<BusAddress>& addresses() const { return m_found; }
     /// Indices, from 0, of modules at whose address two answer at once.
     [[nodiscard]] const std::vector<std::size_t>& collided() const { return m_collided; }
-    /// Nobody has answered in the usual time: whoever sends the queries should wait longer for each answer.
-    [[nodiscard]] bool patient() const { return m_patient; }
     /// A module without an address answers at the power-up rate; unaddressedIdentity() is its identity.
     [[nodiscard]] bool unaddressed() const { return m_unaddressed; }
     [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const { return m_unaddressedIdentity; }
@@ -50,7 +47,6 @@ private:
         First,       ///< the usual places of a chain, and a module without an address
         Rest,        ///< other addresses at the chain's rate
         Everywhere,  ///< nothing has answered yet
-        Patiently,   ///< still nothing: the usual places again
         Missing,     ///< addresses between and next to those that answered, and those known before
         Over
     };
@@ -60,7 +56,7 @@ private:
     };
 
     void refill();
-    void refillUsual();
+    void refillFirst();
     void refillMissing();
     [[nodiscard]] std::vector<BusAddress> missing() const;
     [[nodiscard]] bool heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard);
@@ -74,8 +70,7 @@ private:
     std::vector<BusAddress> m_first;  ///< addresses
     std::vector<BusAddress> m_rest;
     Stage m_stage = Stage::First;
-    unsigned m_round = 0;  ///< rounds of this stage so far
-    bool m_patient = false;
+    unsigned m_round = 0;         ///< rounds of this stage so far
     std::vector<Probe> m_probes;  ///< of this stage
     std::size_t m_at = 0;
     std::optional<std::uint32_t> m_hostRate;

@@ -51,8 +51,6 @@ public:
     [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const {
         return m_look.unaddressedIdentity();
     }
-    /// Each answer should be waited for longer than usual (chainlook.h).
-    [[nodiscard]] bool patient() const { return m_look.patient(); }
     [[nodiscard]] std::size_t seen() const { return std::max(m_modules.size(), m_look.addresses().size()); }
     /// The modules seen so far.
     [[nodiscard]] const std::vector<ModuleInfo>& modules() const { return m_modules; }

@@ -28,7 +28,7 @@ Next SearchTask::next(TimePoint /*now*/) {
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);
     if (auto* ask = std::get_if<Ask>(&next)) {
-        if (m_failures > 0 || m_discovery->patient())
+        if (m_failures > 0)
             ask->request.patience = kSchedulingDelay;
         return std::move(*ask);
     }

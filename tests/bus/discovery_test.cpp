@@ -283,7 +283,7 @@ TEST(Discovery, SaysThatNobodyAnswers) {
 
 class ReadLate : public testing::TestWithParam<std::tuple<bool, std::uint32_t>> {};
 
-TEST_P(ReadLate, IsWaitedForBeforeNobodyIsSaidToAnswer) {
+TEST_P(ReadLate, IsFoundAndFollowsToItsRate) {
     const auto [fresh, rate] = GetParam();
     EngineConfig config;
     config.baud = rate;
