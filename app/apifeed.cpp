@@ -13,7 +13,10 @@ using api::Json;
 
 namespace {
 
-constexpr int kPublishInterval = 100;        ///< ms
+constexpr int kPublishInterval = 100;  ///< ms
+// Even for the most clients that ApiServer accepts, a round is over before the next one.
+constexpr int kServiceInterval = 5;  ///< ms
+constexpr std::size_t kServedAtOnce = 8;
 constexpr std::uint64_t kMostSamples = 500;  ///< of a module in one message
 
 }  // namespace
@@ -23,9 +26,11 @@ ApiFeed::ApiFeed(const BusStore& store, ApiServer& server, std::function<Json()>
     m_pace.setInterval(kPublishInterval);
     m_pace.setSingleShot(true);
     connect(&m_pace, &QTimer::timeout, this, [this] {
-        publishSamples();
-        publishState();
+        beginRound(true);
+        serve(kServedAtOnce);
     });
+    m_service.setInterval(kServiceInterval);
+    connect(&m_service, &QTimer::timeout, this, [this] { serve(kServedAtOnce); });
     connect(&m_store, &BusStore::linkChanged, this, [this] {
         if (m_server.isOpen() && !m_pace.isActive())
             m_pace.start();
@@ -41,7 +46,9 @@ QByteArray ApiFeed::notification(const char* method, Json parameters) {
 }
 
 void ApiFeed::subscribe(ApiServer::Client client, const Json& parameters) {
-    publishSamples();  // so that the client gets none from before
+    // So that the client gets no samples from before.
+    beginRound(false);
+    serve(m_round.due.size());
     Subscription& subscription = m_subscriptions[client];
     subscription.state = parameters.value("state", false);
     subscription.events = parameters.value("events", false);
@@ -50,19 +57,36 @@ void ApiFeed::subscribe(ApiServer::Client client, const Json& parameters) {
         subscription.missed = 0;  // it has missed none of those that it may want later
 }
 
-void ApiFeed::publishState() {
-    std::optional<QByteArray> line;
-    for (const auto& [client, subscription] : m_subscriptions) {
-        if (!subscription.state)
+void ApiFeed::beginRound(bool withState) {
+    serve(m_round.due.size());
+    m_round = {};
+    addSamples(m_round);
+    const auto wantsState = [](const auto& each) { return each.second.state; };
+    if (withState && std::ranges::any_of(m_subscriptions, wantsState))
+        m_round.state = notification("state", m_state());
+    for (const auto& [client, subscription] : m_subscriptions)
+        m_round.due.push_back(client);
+    m_service.start();
+}
+
+void ApiFeed::serve(std::size_t programs) {
+    for (; programs > 0 && !m_round.due.empty(); --programs) {
+        const ApiServer::Client client = m_round.due.back();
+        m_round.due.pop_back();
+        const auto found = m_subscriptions.find(client);
+        if (found == m_subscriptions.end())
             continue;
-        if (!line)
-            line = notification("state", m_state());
-        m_server.offer(client, *line);
+        if (found->second.samples && !m_round.line.isEmpty())
+            sendSamples(client, found->second);
+        if (found->second.state && !m_round.state.isEmpty())
+            m_server.offer(client, m_round.state);
     }
+    if (m_round.due.empty())
+        m_service.stop();
 }
 
 /// One line for all clients, however many they are.
-void ApiFeed::publishSamples() {
+void ApiFeed::addSamples(Round& round) {
     const History& history = m_store.history();
     const TimePoint zero = history.zero().value_or(TimePoint{});
     const auto known = [](float value) { return value == value ? Json(value) : Json(); };
@@ -72,7 +96,6 @@ void ApiFeed::publishSamples() {
     if (std::exchange(m_zero, history.zero()) != history.zero())
         m_published.clear();
     m_published.resize(history.modules());
-    std::size_t count = 0;
     Json modules = Json::array();
     for (std::size_t i = 0; i < history.modules(); ++i) {
         const ModuleHistory& module = *history.module(ModuleIndex(static_cast<std::uint8_t>(i)));
@@ -90,27 +113,26 @@ void ApiFeed::publishSamples() {
                                 sample.analog, sample.gapBefore, sample.io ? Json(sample.counted) : Json()});
             },
             kMostSamples);
-        count += rows.size();
+        round.count += rows.size();
         if (!rows.empty())
             modules.push_back({{"axis", i + 1}, {"rows", std::move(rows)}});
     }
     if (modules.empty())
         return;
-    Json parameters{{"missed", 0}, {"modules", std::move(modules)}};
-    const QByteArray line = notification("samples", parameters);
-    for (auto& [client, subscription] : m_subscriptions) {
-        if (!subscription.samples)
-            continue;
-        const auto withCount = [&](std::uint64_t missed) {
-            parameters["missed"] = missed;
-            return notification("samples", parameters);
-        };
-        // No line is written out for a program that is not reading.
-        const bool sent =
-            m_server.hasRoom(client, line.size()) &&
-            m_server.offer(client, subscription.missed == 0 ? line : withCount(subscription.missed));
-        subscription.missed = sent ? 0 : subscription.missed + count;
-    }
+    round.samples = {{"missed", 0}, {"modules", std::move(modules)}};
+    round.line = notification("samples", round.samples);
+}
+
+void ApiFeed::sendSamples(ApiServer::Client client, Subscription& subscription) {
+    const auto withCount = [this](std::uint64_t missed) {
+        m_round.samples["missed"] = missed;
+        return notification("samples", m_round.samples);
+    };
+    // No line is written out for a program that is not reading.
+    const bool sent =
+        m_server.hasRoom(client, m_round.line.size()) &&
+        m_server.offer(client, subscription.missed == 0 ? m_round.line : withCount(subscription.missed));
+    subscription.missed = sent ? 0 : subscription.missed + m_round.count;
 }
 
 void ApiFeed::publish(const Message& message) {

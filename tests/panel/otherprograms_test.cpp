@@ -3,8 +3,11 @@
 // motors.
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <random>
+#include <vector>
 
 #include "link/api/apiserver.h"
 #include "tests/support/otherprogram.h"
@@ -718,6 +721,36 @@ TEST_F(OtherPrograms, AreSentNoSamplesFromBeforeTheySubscribed) {
     client.request("subscribe", {{"samples", true}});
     const Json first = client.notification("samples")["params"]["modules"][0]["rows"][0];
     EXPECT_GE(first[0].get<double>(), now);
+}
+
+/// They get their share one after another, some of them only when the next samples are nearly due.
+TEST_F(OtherPrograms, AreAllSentEverySampleHoweverManyTheyAre) {
+    std::vector<std::unique_ptr<OtherProgram>> all;
+    for (int i = 0; i < 30; ++i) {
+        all.push_back(std::make_unique<OtherProgram>(panel, path()));
+        all.back()->hello();
+        EXPECT_TRUE(all.back()->call("subscribe", {{"samples", true}}).contains("result"));
+    }
+    const double begin = toSeconds(panel.module().latestTime - *panel.composition().store().history().zero());
+    std::vector<std::vector<double>> times(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        while (times[i].empty() || times[i].back() < begin + 1) {
+            const Json samples = all[i]->notification("samples")["params"];
+            EXPECT_EQ(samples["missed"], 0);
+            for (const Json& row : samples["modules"][0]["rows"])
+                if (const auto time = row[0].get<double>(); time > begin && time < begin + 1.5)
+                    times[i].push_back(time);
+            ASSERT_FALSE(testing::Test::HasFailure());
+        }
+    std::size_t shortest = times.front().size();
+    for (const std::vector<double>& each : times)
+        shortest = std::min(shortest, each.size());
+    EXPECT_GT(shortest, 50U);
+    for (std::vector<double>& each : times)
+        each.resize(shortest);
+    EXPECT_EQ(std::ranges::count(times, times.front()), std::ssize(times));
+    EXPECT_EQ(std::ranges::adjacent_find(times.front(), std::ranges::greater_equal{}), times.front().end())
+        << "none twice, and in their order";
 }
 
 class OtherProgramsAtAPicIo : public OtherPrograms {
