@@ -140,6 +140,22 @@ TEST_F(Lending, EscapeStopsTheMotorsAndHoldsTheProgramOff) {
     EXPECT_EQ(ask(port, 1, 0x13, {0x20}, 4).size(), 4U);
 }
 
+/// Nothing else happens on the line after the stop, neither from the program nor from the user.
+TEST_F(Lending, AProgramReleasedDuringTheStopIsLetThroughAfterIt) {
+    ASSERT_NO_FATAL_FAILURE(lend());
+    Port port(path.toStdString());
+    ASSERT_NO_FATAL_FAILURE(run(port));
+    QTest::keyClick(&panel.window(), Qt::Key_Escape);
+    for (int i = 0; i < 100 && !lent()->heldOff; ++i) {
+        panel.freeze(std::chrono::microseconds(200));
+        QCoreApplication::processEvents();
+    }
+    ASSERT_TRUE(lent()->heldOff) << "moves " << moves(sim);
+    emit panel.window().requests().letProgramThrough();
+    EXPECT_TRUE(panel.waitFor([&] { return !lent()->heldOff; }));
+    EXPECT_FALSE(moves(sim));
+}
+
 TEST_F(Lending, TheProgramEndsItAndThePanelGoesOn) {
     ASSERT_NO_FATAL_FAILURE(lend());
     {

@@ -71,9 +71,9 @@ std::optional<PortError> BusSession::converse() {
         if (const auto performed = perform(m_engine.takeOutput()); !performed)
             return performed.error();
         publishEvents();
+        if (!m_engine.stopping())
+            doWhenStopped(now);
         reportLending();
-        if (!m_engine.stopping() && std::exchange(m_restartWhenStopped, false))
-            m_engine.restart(now);
         publishRecords();
         if (m_closeBy && now >= *m_closeBy && m_engine.stopMayStillReach())
             m_closeBy = std::max(*m_closeBy, m_closeAsked + kCloseInSearchTimeout);
@@ -196,12 +196,17 @@ void BusSession::endLending(LineLent::State how, TimePoint now) {
     m_engine.connect(now);
 }
 
-/// A stop that has been requested meanwhile comes first, so it was taken before.
-void BusSession::serveProgram(TimePoint now) {
-    if (!m_engine.stopping() && std::exchange(m_letThroughWhenStopped, false)) {
+void BusSession::doWhenStopped(TimePoint now) {
+    if (std::exchange(m_letThroughWhenStopped, false) && m_lent) {
         m_engine.letThrough(now);
         m_engine.onProgramRate(m_lent->baud());
     }
+    if (std::exchange(m_restartWhenStopped, false))
+        m_engine.restart(now);
+}
+
+/// A stop that has been requested meanwhile comes first, so it was taken before.
+void BusSession::serveProgram(TimePoint now) {
     const LentTerminal::Acts acts = m_lent->takeActs(m_engine.stopBurstBaud());
     m_engine.onProgram(acts.bytes, now);
     if (acts.baud)

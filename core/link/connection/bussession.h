@@ -53,6 +53,8 @@ private:
     void search(RequestBox::Search how, TimePoint now);
     void lend(const std::string& path);
     void endLending(LineLent::State how, TimePoint now);
+    /// What was requested while the modules were being stopped.
+    void doWhenStopped(TimePoint now);
     /// Passes on what the program has done.
     void serveProgram(TimePoint now);
     void reportLending();
