@@ -15,6 +15,8 @@ constexpr unsigned kRounds = 3;
 /// For unusual addresses at rates where nothing else answers: three rounds of all of them would cost ten
 /// seconds whenever a chain has no power.
 constexpr unsigned kUnusualRounds = 2;
+/// Rounds in search of missing modules on a line that never becomes quiet.
+constexpr unsigned kMostRounds = 10;
 /// A search that skips a number, because no module was heard to take it, goes beyond 32.
 constexpr unsigned kLastAddress = 34;
 
@@ -67,7 +69,7 @@ void ChainLook::refill() {
     switch (m_stage) {
         case Stage::First:
             if (!m_rate && m_round < kRounds)
-                return refillFirst();
+                return refillUsual();
             if (!m_rate && m_unaddressed)
                 break;
             return enter(m_rate ? Stage::Rest : Stage::Everywhere);
@@ -77,9 +79,18 @@ void ChainLook::refill() {
                     add(rate, m_rest);
                 return;
             }
+            m_patient = trouble() == ConnectFailure::NobodyAnswers;
+            if (m_patient)
+                return enter(Stage::Patiently);
             if (trouble())
                 break;
             return enter(Stage::Missing);
+        case Stage::Patiently:
+            if (!m_rate && m_round < (m_unaddressed ? kRounds : 1))
+                return refillUsual();
+            if (!m_rate)
+                break;
+            return enter(Stage::Rest);
         case Stage::Rest:
             if (m_round++ == 0)
                 return add(*m_rate, m_rest);
@@ -87,7 +98,7 @@ void ChainLook::refill() {
                 break;
             return enter(Stage::Missing);
         case Stage::Missing:
-            if (m_round < kRounds - 1)
+            if (m_round < kRounds - 1 || (m_doubtful && m_round < kMostRounds))
                 return refillMissing();
             break;
         case Stage::Over:
@@ -97,16 +108,19 @@ void ChainLook::refill() {
 }
 
 /// There may be a chain in addition to a module without an address.
-void ChainLook::refillFirst() {
+void ChainLook::refillUsual() {
     ++m_round;
     addUnaddressed();
     for (const std::uint32_t rate : m_rates)
         add(rate, m_unaddressed ? missing() : m_first);
 }
 
-/// All addresses have been probed once by now.
+/// All addresses have been probed once by now. The last round is patient, and is repeated if an answer was
+/// late or a module was found in it: where one was read too late, others may have been, too.
 void ChainLook::refillMissing() {
     ++m_round;
+    m_patient = m_patient || m_round == kRounds - 1;
+    m_doubtful = false;
     add(*m_rate, missing());
     addUnaddressed();
 }
@@ -188,6 +202,7 @@ void ChainLook::found(const Probe& probe) {
             std::remove_if(rest, m_probes.end(), [&](const Probe& p) { return p.rate != probe.rate; }),
             m_probes.end());
     }
+    m_doubtful = true;
     m_found.insert(std::upper_bound(m_found.begin(), m_found.end(), probe.address), probe.address);
 }
 

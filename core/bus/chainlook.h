@@ -18,8 +18,10 @@ namespace nmc::bus {
 /// known from the last time; other addresses follow at every rate only if there is no answer. If the answer
 /// is zeros, type and version are queried. Two lost answers do not hide a module: where one should be but
 /// does not answer, before a chain is considered fresh, and before no module is considered present,
-/// everything is queried three times; unusual addresses at rates where nothing else answers, twice. Returns
-/// the next action and is informed of its outcome. Pure.
+/// everything is queried three times; unusual addresses at rates where nothing else answers, twice. If nobody
+/// has answered then, the usual places are queried once more with patience: what was sent may have been read
+/// too late, at the rate of a later query. The last query for a missing module is patient, too. Returns the
+/// next action and is informed of its outcome. Pure.
 class ChainLook {
 public:
     /// `rates`: where to look, in this order. `addresses`: those of the last time, if known, in addition to
@@ -30,12 +32,16 @@ public:
     using Next = std::variant<std::monostate, Line::Script, Request>;
     [[nodiscard]] Next next();
     void onReply(const ReplyEnd& end);
+    /// Bytes have arrived that answer no query: an answer was too late, so a silence may have been none.
+    void onLateBytes() { m_doubtful = true; }
 
     /// The rate at which the chain answers; empty if no module with an address does.
     [[nodiscard]] std::optional<std::uint32_t> rate() const { return m_rate; }
     [[nodiscard]] const std::vector<BusAddress>& addresses() const { return m_found; }
     /// Indices, from 0, of modules at whose address two answer at once.
     [[nodiscard]] const std::vector<std::size_t>& collided() const { return m_collided; }
+    /// Whoever sends the queries should wait longer for each answer than usual.
+    [[nodiscard]] bool patient() const { return m_patient; }
     /// A module without an address answers at the power-up rate; unaddressedIdentity() is its identity.
     [[nodiscard]] bool unaddressed() const { return m_unaddressed; }
     [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const { return m_unaddressedIdentity; }
@@ -47,6 +53,7 @@ private:
         First,       ///< the usual places of a chain, and a module without an address
         Rest,        ///< other addresses at the chain's rate
         Everywhere,  ///< nothing has answered yet
+        Patiently,   ///< still nothing: the usual places again
         Missing,     ///< addresses between and next to those that answered, and those known before
         Over
     };
@@ -56,7 +63,7 @@ private:
     };
 
     void refill();
-    void refillFirst();
+    void refillUsual();
     void refillMissing();
     [[nodiscard]] std::vector<BusAddress> missing() const;
     [[nodiscard]] bool heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard);
@@ -70,7 +77,9 @@ private:
     std::vector<BusAddress> m_first;  ///< addresses
     std::vector<BusAddress> m_rest;
     Stage m_stage = Stage::First;
-    unsigned m_round = 0;         ///< rounds of this stage so far
+    unsigned m_round = 0;  ///< rounds of this stage so far
+    bool m_patient = false;
+    bool m_doubtful = false;      ///< whether this round has found all that are missing
     std::vector<Probe> m_probes;  ///< of this stage
     std::size_t m_at = 0;
     std::optional<std::uint32_t> m_hostRate;

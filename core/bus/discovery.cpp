@@ -19,6 +19,10 @@ constexpr unsigned kSetAttempts = 2;
 /// Number of queries, at least a tenth of a second apart, that a module must leave unanswered before the line
 /// is considered disturbed.
 constexpr unsigned kAliveAttempts = 10;
+/// This many wrong answers in a row at a number that was just assigned are not the line's fault.
+constexpr unsigned kWrongAttempts = 3;
+/// Number of rechecks, each of them in doubt, until the line is considered disturbed.
+constexpr unsigned kRechecks = 10;
 
 /// Rates other than that after power-up at which a chain is often left.
 constexpr std::array<std::uint32_t, 3> kUsualRates{115'200, 57'600, 9'600};
@@ -293,15 +297,19 @@ void Discovery::onProbe(const ReplyEnd& end) {
         case ReplyResult::Refused:
             return found(BusAddress(m_number));
         case ReplyResult::Surplus:
-            return fail(ConnectFailure::Collision, {indexOf(m_modules.size())});
         case ReplyResult::Partial:
         case ReplyResult::BadChecksum:
         case ReplyResult::Rejected:
         case ReplyResult::Echo:
-            return fail(ConnectFailure::Garbled, {indexOf(m_modules.size())});
+            if (++m_wrongInRow < kWrongAttempts)
+                return;
+            return fail(
+                end.result == ReplyResult::Surplus ? ConnectFailure::Collision : ConnectFailure::Garbled,
+                {indexOf(m_modules.size())});
         case ReplyResult::Unresponsive:
             m_unheard.emplace_back(m_number);
             m_aliveInVain = 0;
+            m_wrongInRow = 0;
             return m_modules.empty() && !m_expected ? onNumberUnheard() : enter(Phase::Alive);
     }
 }
@@ -316,6 +324,8 @@ void Discovery::onAlive(const ReplyEnd& end) {
     if (!heard)
         return m_modules.empty() ? endOfAddressing()
                                  : fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
+    if (m_rechecked)
+        return onRechecked();
     if (m_aliveInVain > 0)
         return m_number < kLastNumber ? enter(Phase::Set) : fail(ConnectFailure::Disturbed);
     onNumberUnheard();
@@ -331,23 +341,37 @@ void Discovery::onNumberUnheard() {
 void Discovery::onRecheck(const ReplyEnd& end) {
     const BusAddress address = m_unheard.back();
     m_unheard.pop_back();
-    if (!end.bytes.empty()) {
+    if (end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused) {
         const auto after =
             std::ranges::find_if(m_modules, [&](const ModuleInfo& m) { return address < m.address; });
         m_modules.insert(after, {{}, address, {}, GroupPlace{}});
         m_recheckFound = true;
     } else {
         m_stillUnheard.push_back(address);
+        m_late = m_late || !end.bytes.empty();
+        m_heardNoise = m_heardNoise || !end.bytes.empty();
     }
     if (!m_unheard.empty())
         return;
     // If one of the silent modules is present after all, the silence of others, and of those after it, does
     // not mean the end either.
     m_unheard = std::exchange(m_stillUnheard, {});
-    if (!std::exchange(m_recheckFound, false))
-        return endOfChain();
+    m_rechecked = !std::exchange(m_recheckFound, false);
     m_unheardInRow = 0;
-    enter(Phase::Set);
+    m_aliveInVain = 0;
+    if (m_rechecked && m_modules.empty())
+        return endOfChain();
+    enter(m_rechecked ? Phase::Alive : Phase::Set);
+}
+
+/// The last module that is known has answered after a recheck. If it did not do so at once, or any answer was
+/// late, the silence of the others shows nothing.
+void Discovery::onRechecked() {
+    if (m_aliveInVain == 0 && !m_late)
+        return endOfChain();
+    if (++m_rechecks == kRechecks)
+        return fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
+    endOfAddressing();
 }
 
 void Discovery::onIdentity(const ReplyEnd& end) {
@@ -362,6 +386,7 @@ void Discovery::onIdentity(const ReplyEnd& end) {
 void Discovery::found(BusAddress address) {
     m_modules.push_back({indexOf(m_modules.size()), address, {}, GroupPlace{}});
     m_unheardInRow = 0;
+    m_wrongInRow = 0;
     enter(Phase::Set, ConnectStage::Addressing);
     if (m_modules.size() == kMaxModules)
         endOfAddressing();
@@ -370,6 +395,9 @@ void Discovery::found(BusAddress address) {
 void Discovery::endOfAddressing() {
     if (m_unheard.empty())
         return endOfChain();
+    m_rechecked = false;
+    m_aliveInVain = 0;
+    m_late = false;
     enter(Phase::Recheck);
 }
 
@@ -380,8 +408,14 @@ void Discovery::endOfChain() {
                                            : ConnectFailure::NobodyAnswers);
     for (std::size_t i = 0; i < m_modules.size(); ++i)
         m_modules[i].index = indexOf(i);
+    m_addressed = true;
+    queryModules();
+}
+
+void Discovery::queryModules() {
     m_at = 0;
     m_aliveInVain = 0;
+    m_heard.clear();
     enter(Phase::Identify, ConnectStage::Identifying);
 }
 
@@ -397,7 +431,7 @@ void Discovery::nextModule(Phase after) {
 
 void Discovery::enterModules(Phase phase) {
     m_at = 0;
-    if (phase == Phase::ChangeRate && (m_attached || m_config.baud == kPowerUpBaud))
+    if (phase == Phase::ChangeRate && (m_attached || m_config.baud == kPowerUpBaud || m_rateChange))
         phase = Phase::Define;
     if (phase == Phase::ChangeRate)
         return enter(phase, ConnectStage::ChangingRate);

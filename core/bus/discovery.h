@@ -36,6 +36,17 @@ public:
     [[nodiscard]] Next next();
     /// The end of the last Ask, after its retries.
     void onReply(const ReplyEnd& end);
+    /// See ChainLook::onLateBytes.
+    void onLateBytes() {
+        m_late = true;
+        m_look.onLateBytes();
+    }
+    /// The next query may be answered later than usual.
+    [[nodiscard]] bool expectsLateAnswers() const {
+        return m_look.patient() || m_phase == Phase::Recheck || m_aliveInVain > 0 || m_wrongInRow > 0;
+    }
+    /// Continues, also after a failure, with what follows addressing. Requires addressed().
+    void queryModules();
 
     /// Returns a value once for each step forward.
     [[nodiscard]] std::optional<ConnectProgress> takeProgress() {
@@ -47,6 +58,8 @@ public:
     [[nodiscard]] bool resume();
     /// True once the first address has been assigned.
     [[nodiscard]] bool givesAddresses() const { return m_number > 0; }
+    /// True once the last one has.
+    [[nodiscard]] bool addressed() const { return m_addressed; }
     /// The identity of a module without an address that answers in addition to the chain.
     [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const {
         return m_look.unaddressedIdentity();
@@ -93,6 +106,7 @@ private:
     void onAlive(const ReplyEnd& end);
     void onNumberUnheard();
     void onRecheck(const ReplyEnd& end);
+    void onRechecked();
     void found(BusAddress address);
     void endOfAddressing();
     void endOfChain();
@@ -119,6 +133,11 @@ private:
     std::vector<BusAddress> m_unheard;
     std::vector<BusAddress> m_stillUnheard;  ///< those of them without an answer in this recheck
     bool m_recheckFound = false;             ///< one of them has answered in this recheck
+    bool m_rechecked = false;                ///< none of them has
+    unsigned m_rechecks = 0;                 ///< that were in doubt
+    bool m_late = false;                     ///< onLateBytes(), since the recheck began
+    unsigned m_wrongInRow = 0;               ///< consecutive wrong answers to the last number
+    bool m_addressed = false;
     bool m_heardNoise = false;  ///< while assigning addresses; finding no module is then reported as Garbled
     bool m_resumed = false;     ///< the port must first be set to the power-up rate
     std::optional<RateChange> m_rateChange;

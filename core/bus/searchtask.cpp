@@ -9,6 +9,7 @@ void SearchTask::begin(const EngineConfig& config, Discovery::Start start) {
     m_ended.reset();
     m_failures = 0;
     m_givesAddresses = false;
+    m_lateBytes = m_line.statistics().staleBytes;
     m_discovery.emplace(m_config, m_start);
 }
 
@@ -28,33 +29,46 @@ Next SearchTask::next(TimePoint /*now*/) {
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);
     if (auto* ask = std::get_if<Ask>(&next)) {
-        if (m_failures > 0)
+        if (m_failures > 0 || m_discovery->expectsLateAnswers())
             ask->request.patience = kSchedulingDelay;
         return std::move(*ask);
     }
     if (auto* found = std::get_if<ChainFound>(&next))
         end(std::move(*found));
-    else if (auto& failed = std::get<ConnectFailed>(next); repeats(failed))
-        m_discovery.emplace(m_config, m_start);
-    else
+    else if (auto& failed = std::get<ConnectFailed>(next); !repeat(failed))
         end(std::move(failed));
     return Again{};
 }
 
-bool SearchTask::repeats(const ConnectFailed& failed) {
+/// The line, or this computer, may have been disturbed for a moment.
+bool SearchTask::mayPass(const ConnectFailed& failed) const {
     using enum ConnectFailure;
-    if (m_discovery->givesAddresses() || failed.reason == Unaddressed || failed.reason == RateChange)
+    if (m_discovery->givesAddresses())
+        return failed.reason == Collision && m_discovery->addressed();
+    if (failed.reason == Unaddressed || failed.reason == RateChange)
         return false;
     // Bytes outside of an exchange may be answers that came too late, unless they are an echo.
     const bool heard = m_line.statistics().staleBytes > 0 && !m_line.echoes();
-    if (failed.reason == NobodyAnswers && !heard)
+    return failed.reason != NobodyAnswers || heard;
+}
+
+bool SearchTask::repeat(const ConnectFailed& failed) {
+    if (!mayPass(failed) || ++m_failures == kAttempts)
         return false;
-    return ++m_failures < kAttempts;
+    if (m_discovery->addressed())
+        m_discovery->queryModules();
+    else
+        m_discovery.emplace(m_config, m_start);
+    return true;
 }
 
 Line::Script SearchTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimePoint /*now*/) {
-    if (m_discovery)
-        m_discovery->onReply(end);
+    if (!m_discovery)
+        return {};
+    const std::uint64_t late = m_line.statistics().staleBytes;
+    if (std::exchange(m_lateBytes, late) != late && !m_line.echoes())
+        m_discovery->onLateBytes();
+    m_discovery->onReply(end);
     return {};
 }
 

@@ -45,13 +45,15 @@ public:
 
 private:
     void reportProgress();
-    [[nodiscard]] bool repeats(const ConnectFailed& failed);
+    [[nodiscard]] bool mayPass(const ConnectFailed& failed) const;
+    [[nodiscard]] bool repeat(const ConnectFailed& failed);
     void end(Result result);
 
     EngineConfig m_config;
     Discovery::Start m_start = Discovery::Start::Look;
     std::optional<Discovery> m_discovery;
     unsigned m_failures = 0;
+    std::uint64_t m_lateBytes = 0;  ///< that the line has counted until now
     bool m_givesAddresses = false;  ///< the first address has been assigned; until taken, once per search
     std::optional<Ended> m_ended;
 };

@@ -257,8 +257,10 @@ private:
             m_hostBytes = 0;
             if (onCommand)
                 onCommand(send->bytes);
-            if (readLater > Duration{})
-                return m_leaving.push_back({now + readLater, std::move(send->bytes)});
+            // What is read late is read in order.
+            const TimePoint before = m_leaving.empty() ? now : m_leaving.back().time;
+            if (const TimePoint read = std::max(now + readLater, before); read > now)
+                return m_leaving.push_back({read, std::move(send->bytes)});
             const Duration held = holdsBack && !send->bytes.empty() ? holdsBack() : Duration{};
             if (held > Duration{}) {
                 m_leaving.push_back({now + held, {send->bytes.back()}});
