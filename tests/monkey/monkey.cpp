@@ -468,7 +468,7 @@ void Monkey::turnWheel() {
 }
 
 void Monkey::resizeWindow() {
-    const QSize size(static_cast<int>(600 + below(1'300)), static_cast<int>(500 + below(700)));
+    const QSize size{static_cast<int>(600 + below(1'300)), static_cast<int>(500 + below(700))};
     note("resizes the window");
     deliver([&] { m_program->window().resize(size); });
 }

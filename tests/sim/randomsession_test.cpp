@@ -452,7 +452,8 @@ private:
         else
             randomCommand();
         static constexpr std::array kPauses{2U, 5U, 50U, 100U, 300U};
-        wait(microseconds(600) + microseconds(below(1'000) * kPauses[below(kPauses.size())]));
+        const auto pause = below(1'000);
+        wait(microseconds(600 + pause * kPauses[below(kPauses.size())]));
     }
 
     /// Sends anything that is not a header.
@@ -527,8 +528,12 @@ private:
         maybe(0, below(20'000) - 10'000, 4);
         maybe(1, book.isStep ? 1 + below(250) : below(10 * 65'536), book.isStep ? 1 : 4);
         maybe(2, book.isStep ? 1 + below(255) : below(65'536), book.isStep ? 1 : 4);
-        maybe(3, book.isStep ? (1 + below(65'452)) | (1 + below(250)) << 16U : below(256),
-              book.isStep ? 3 : 1);
+        if (book.isStep) {
+            const auto low = 1 + below(65'452);
+            maybe(3, low | (1 + below(250)) << 16U, 3);
+        } else {
+            maybe(3, below(256), 1);
+        }
         command(address, static_cast<unsigned>(data.size()) << 4U | 4U, data, good);
     }
 

@@ -285,9 +285,10 @@ TEST(SequenceModels, KeepQtsDemands) {
                     removeRow(program.sequences[0], random.below(all.size()));
                 break;
             case 2:
-                if (all.size() > 1)
-                    std::ignore =
-                        moveRow(program.sequences[0], random.below(all.size()), random.below(all.size()));
+                if (all.size() > 1) {
+                    const auto from = random.below(all.size());
+                    std::ignore = moveRow(program.sequences[0], from, random.below(all.size()));
+                }
                 break;
             case 3:
                 program.points.push_back({freeName(program.points, "P"), {}});
