@@ -39,9 +39,12 @@ protected:
             return ++m_commands % 40 == 0 ? conditions().heldCommand : Duration{};
         };
     }
-    /// Begins the random delays here, however many queries it took to find the chain.
+    /// Begins the random delays here, and at a whole second: what follows must not depend on how many queries
+    /// it took to find the chain, and when the last of them was sent.
     void SetUp() override {
         ASSERT_TRUE(m_rig.enable());
+        const Duration now = m_rig.bus.now.time_since_epoch();
+        m_rig.bus.runFor(std::chrono::ceil<std::chrono::seconds>(now) - now);
         m_random.seed(kSeed);
         m_commands = 0;
     }
