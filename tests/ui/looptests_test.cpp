@@ -224,6 +224,7 @@ TEST_F(LoopTestsInTheWindow, AReportSaysWithWhichGainsAndWhereEachPartWasMeasure
     openWith();
     KeptResponse run = ramp();
     run.run.taken.gains.kp = 77;
+    run.startedAt = "2026-11-21T21:21:02.123+01:00";
     window->stepResponses().showRun(run);
     ProcedureReport r;
     r.kind = ProcedureKind::FrequencyResponse;
@@ -244,7 +245,8 @@ TEST_F(LoopTestsInTheWindow, AReportSaysWithWhichGainsAndWhereEachPartWasMeasure
     ASSERT_EQ(saves.size(), 1);
     const QString page = QString::fromStdString(saves[0][1].value<FileContent>()());
     const QString step = page.section(u"<h3>"_s, 2, 2);
-    for (const QString& part : {u"Kp 77,"_s, u" · simulator · simulated; no real motor moved"_s})
+    const QString when = QLocale().toString(QDateTime({2026, 11, 21}, {21, 21, 2}), QLocale::ShortFormat);
+    for (const QString& part : {u"Kp 77,"_s, when + u" · Simulator · simulated; no real motor moved"_s})
         EXPECT_TRUE(step.contains(part)) << part.toStdString() << step.right(500).toStdString();
     const QString sines = page.section(u"<h3>"_s, 3, 3);
     for (const QString& part : {u"Kp 55,"_s, u"Speed while measuring 5\u202F000 counts/s"_s})

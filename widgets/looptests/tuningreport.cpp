@@ -17,6 +17,7 @@
 #include "widgets/response/modelwords.h"
 #include "widgets/response/responseplot.h"
 #include "widgets/response/responsewords.h"
+#include "widgets/scope/scoperecord.h"
 
 namespace nmc {
 
@@ -73,7 +74,8 @@ QString simulatedWords() {
 
 /// A run may be of another machine at another port, or of the simulator.
 QString whenAndWhere(const KeptResponse& kept) {
-    QStringList parts{QString::fromStdString(kept.startedAt), QString::fromStdString(kept.port)};
+    QStringList parts{QLocale().toString(dateIn(kept.startedAt), QLocale::ShortFormat),
+                      texts::portName(QString::fromStdString(kept.port))};
     if (kept.simulated)
         parts << simulatedWords();
     return parts.join(u" · "_s);

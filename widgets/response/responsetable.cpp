@@ -13,6 +13,7 @@
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/response/responsewords.h"
+#include "widgets/scope/scoperecord.h"
 
 namespace nmc {
 
@@ -74,8 +75,7 @@ void ResponseTable::showRun(int row, const KeptResponse& kept, const ShownRuns& 
         box->setToolTip(which == A ? tr("Draws this run as A, with a solid line.")
                                    : tr("Draws this run as B, with a dashed line."));
     }
-    const QDateTime started =
-        QDateTime::fromString(QString::fromStdString(kept.startedAt), Qt::ISODateWithMs);
+    const QDateTime started = dateIn(kept.startedAt);
     cell(row, Run)->setText(QString::number(kept.number));
     for (const auto& [column, words, hint] :
          {std::tuple{Name, &kept.name, tr("Name of the run. Double-click or press F2 to edit.")},

@@ -15,6 +15,10 @@ QString isoDate(const QDateTime& date) {
     return date.toOffsetFromUtc(date.offsetFromUtc()).toString(Qt::ISODateWithMs);
 }
 
+QDateTime dateIn(const std::string& iso) {
+    return QDateTime::fromString(QString::fromStdString(iso), Qt::ISODateWithMs);
+}
+
 RecordingHeader recordingHeader(const std::vector<ScopeModule>& modules, const QString& port, bool simulated,
                                 TimePoint zero, const QDateTime& date) {
     RecordingHeader header;
@@ -58,7 +62,7 @@ ScopeRecord recordOf(const QString& title, const RecordingHeader& header, Histor
     for (std::size_t i = 0; i < record.modules.size(); ++i)
         if (record.modules[i].name.isEmpty())
             record.modules[i].name = texts::moduleName(ModuleIndex(static_cast<std::uint8_t>(i)));
-    QDateTime began = QDateTime::fromString(QString::fromStdString(header.startedAt), Qt::ISODateWithMs);
+    QDateTime began = dateIn(header.startedAt);
     if (began.isValid() && history.zero())
         began = began.addMSecs(qRound64(toSeconds(*history.zero() - header.zero) * 1e3));
     record.origin = ScopeOrigin{QString::fromStdString(header.port), header.simulated, began};

@@ -31,6 +31,8 @@ struct ScopeRecord {
 [[nodiscard]] QDateTime dateOf(TimePoint at, TimePoint now);
 /// ISO 8601 with the offset of the time zone; empty for an invalid date.
 [[nodiscard]] QString isoDate(const QDateTime& date);
+/// The date in this text, which isoDate() has made; invalid for any other text.
+[[nodiscard]] QDateTime dateIn(const std::string& iso);
 
 /// The header of a file with samples of these modules, whose times count from `zero`, which was at `date`.
 [[nodiscard]] RecordingHeader recordingHeader(const std::vector<ScopeModule>& modules, const QString& port,
