@@ -274,6 +274,11 @@ TEST(Texts, LinkMessagesSayStoppedMovingOrUnknown) {
         EXPECT_TRUE(m.headline.contains(u"unknown"_s)) << m.headline.toStdString();
 }
 
+TEST(Texts, NoModuleHasBeenSilentForNoTime) {
+    const QString headline = texts::moduleUnresponsive(ModuleIndex(0), 0.02, false).headline;
+    EXPECT_TRUE(headline.startsWith(u"Module 1 has not answered for 0.1 s."_s)) << headline.toStdString();
+}
+
 /// No blame, no drama.
 TEST(Texts, NoForbiddenWords) {
     QStringList all;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The link's and the chain's part of the table of texts.
+#include <algorithm>
 #include <cmath>
 
 #include "model/sequence/sequencewalk.h"
@@ -226,7 +227,8 @@ Message badLink(const bus::HealthChanged& health) {
 }
 
 Message moduleUnresponsive(ModuleIndex module, double secondsSinceAnswer, bool wasMoving) {
-    const QString since = readout(std::round(secondsSinceAnswer * 10) / 10, 2);
+    // An answer that came too late may have been its last a moment ago.
+    const QString since = readout(std::max(0.1, std::round(secondsSinceAnswer * 10) / 10), 2);
     return {
         .key = key::silent(module),
         .module = module,
