@@ -340,8 +340,8 @@ TEST_P(ReadInFits, IsFoundWhole) {
     }
 }
 
-// Of a chain that has its addresses, more than two queries in a row that are read 75 ms late may hide a
-// module.
+// A chain that already has its addresses is not tried with 100 ms: a module can still be missed if three
+// queries to it are all read too late (docs/link.md 2.9).
 INSTANTIATE_TEST_SUITE_P(Discovery, ReadInFits,
                          testing::Values(std::tuple{true, 50}, std::tuple{false, 50}, std::tuple{true, 100}),
                          [](const auto& test) {

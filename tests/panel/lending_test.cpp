@@ -150,7 +150,7 @@ TEST_F(Lending, AProgramReleasedDuringTheStopIsLetThroughAfterIt) {
         panel.freeze(std::chrono::microseconds(200));
         QCoreApplication::processEvents();
     }
-    ASSERT_TRUE(lent()->heldOff) << "moves " << moves(sim);
+    ASSERT_TRUE(lent()->heldOff) << "the stop has not begun";
     emit panel.window().requests().letProgramThrough();
     EXPECT_TRUE(panel.waitFor([&] { return !lent()->heldOff; }));
     EXPECT_FALSE(moves(sim));
