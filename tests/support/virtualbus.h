@@ -268,7 +268,7 @@ private:
             }
             chain.hostSends(send->bytes, now);
         } else {
-            m_arriving.clear();
+            std::erase_if(m_arriving, [this](const sim::HostByte& byte) { return byte.due <= now; });
         }
     }
 
