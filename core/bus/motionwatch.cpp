@@ -11,6 +11,9 @@ namespace nmc::bus {
 
 namespace {
 
+/// The longest tick, if it is unknown (DS-V 5.2, Set Gain).
+constexpr int kLongestServoRate = 255;
+
 /// The 32 bits wrap; a motion that continues for hours does not reverse at that point.
 [[nodiscard]] std::int64_t nextTo(std::int64_t before, std::int32_t position) {
     return before + countsBetween(static_cast<std::int32_t>(before), position);
@@ -77,7 +80,8 @@ void MotionWatch::forget() {
     m_repeats = 0;
 }
 
-std::optional<MotionSuspect::Reason> MotionWatch::onReport(const StatusReport& report) {
+std::optional<MotionSuspect::Reason> MotionWatch::onReport(const StatusReport& report, TimePoint time,
+                                                           std::optional<int> servoRate) {
     // If the servo is off but still turning, a load corrupted in transmission may have become a PWM output.
     if (report.aux && !servo::AuxByte{*report.aux}.servoOn() && report.velocity == 0)
         forget();
@@ -85,7 +89,7 @@ std::optional<MotionSuspect::Reason> MotionWatch::onReport(const StatusReport& r
     if (!report.position)
         return std::nullopt;
     const std::int16_t velocity = report.velocity.value_or(m_velocity);
-    const bool isFrozen = frozen(report);
+    const bool isFrozen = frozen(report, time, servoRate);
     m_position = m_position ? nextTo(*m_position, *report.position) : *report.position;
     m_velocity = velocity;
     auto suspect = leaves(*m_position, velocity);
@@ -119,16 +123,20 @@ std::optional<MotionSuspect::Reason> MotionWatch::leaves(std::int64_t position, 
 }
 
 /// Two layouts may alternate, so each repeats its own position. A reply without a velocity does not say
-/// whether its position ought to change.
-bool MotionWatch::frozen(const StatusReport& report) {
-    if (!report.velocity)
+/// whether its position ought to change, and neither does one of the same tick as the last one.
+bool MotionWatch::frozen(const StatusReport& report, TimePoint time, std::optional<int> servoRate) {
+    const Duration tick = fromSeconds(secondsPerTick(servoRate.value_or(kLongestServoRate)));
+    if (!report.velocity || time - m_lastTime < tick)
         return false;
+    m_lastTime = time;
     const LayoutPosition now{report.items.mask(), *report.position};
     const auto before = std::ranges::find(m_last, now.items, &LayoutPosition::items);
     const bool same = before != m_last.end() && before->position == now.position;
     m_last = {now, m_last[0]};
     m_repeats = same && *report.velocity != 0 ? m_repeats + 1 : 0;
-    return m_repeats > kFrozen;
+    m_sum = m_repeats > 0 ? m_sum + *report.velocity : 0;
+    const bool rests = m_done && !m_heading;
+    return m_repeats > kFrozen && (!rests || std::abs(m_sum) > kFrozenAtRest);
 }
 
 }  // namespace nmc::bus

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/time.h"
 #include "bus/types.h"
 #include "module/registers.h"
 
@@ -22,11 +23,16 @@ public:
     static constexpr std::int64_t kOvershoot = 400;
     /// Number of replies that repeat a position while the velocity is not 0.
     static constexpr unsigned kFrozen = 5;
+    /// If the motor is at rest by its own account, they also must add up to more than this, in counts per
+    /// tick: the noise of its encoder is a velocity as well, now forward and now reverse.
+    static constexpr int kFrozenAtRest = 100;
 
     /// `sent`: the registers after this command and all before it.
     void onSent(const ModuleCommand& command, const ServoRegisters& sent);
-    /// Takes a believed report. Returns what is wrong with the motion, once.
-    [[nodiscard]] std::optional<MotionSuspect::Reason> onReport(const StatusReport& report);
+    /// Takes a believed report of this time. `servoRate`: of the module, empty if unknown. Returns what is
+    /// wrong with the motion, once.
+    [[nodiscard]] std::optional<MotionSuspect::Reason> onReport(const StatusReport& report, TimePoint time,
+                                                                std::optional<int> servoRate);
 
 private:
     struct Sent;
@@ -49,7 +55,7 @@ private:
     void started(const ServoRegisters& sent);
     void forget();
     [[nodiscard]] std::optional<MotionSuspect::Reason> leaves(std::int64_t position, int velocity);
-    [[nodiscard]] bool frozen(const StatusReport& report);
+    [[nodiscard]] bool frozen(const StatusReport& report, TimePoint time, std::optional<int> servoRate);
 
     std::optional<std::int64_t> m_position;  ///< exceeds 32 bits if the counter has wrapped
     std::int16_t m_velocity = 0;             ///< has no fraction: also 0 in slow motion
@@ -57,7 +63,9 @@ private:
     std::optional<Corridor> m_corridor;
     std::optional<Heading> m_heading;
     std::array<LayoutPosition, 2> m_last{};  ///< of the last two replies with a velocity, newest first
+    TimePoint m_lastTime{};                  ///< of the newest
     unsigned m_repeats = 0;
+    int m_sum = 0;  ///< of the velocities of those replies
 };
 
 }  // namespace nmc::bus

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/bus/replies.h"
 #include "tests/bus/steps.h"
 
@@ -26,16 +28,21 @@ public:
     Suspect is(std::int32_t position, std::int16_t velocity = 0, std::uint8_t aux = 0x04) {
         m_long = !m_long;
         const std::uint8_t items = m_long ? kLong : kShort;
-        const ServoState state{.status = static_cast<std::uint8_t>((aux & 4) != 0 ? 0x08 : 0x19),
+        const int on = arrived ? 0x09 : 0x08;
+        const ServoState state{.status = static_cast<std::uint8_t>((aux & 4) != 0 ? on : 0x19),
                                .position = position,
                                .velocity = velocity,
                                .aux = aux};
-        return watch.onReport(accepted(ModuleType::Servo, items, bytesOf(state, items), {}).report);
+        return watch.onReport(accepted(ModuleType::Servo, items, bytesOf(state, items), {}).report,
+                              time += between, sent.servoRate);
     }
     void told(const Order& order) { send(watch, sent, order); }
 
     MotionWatch watch;
     ServoRegisters sent;
+    TimePoint time{};
+    Duration between = std::chrono::milliseconds(2);  ///< two replies
+    bool arrived = false;                             ///< by its own account
 
 private:
     bool m_long = false;
@@ -203,6 +210,43 @@ TEST(MotionWatch, TellsOfThePositionThatIsRepeatedWhileItMoves) {
     EXPECT_LE(repeats, 5U + 3U) << "each layout repeats its own";
 }
 
+/// A noise of half a count at an encoder, as the position and the velocity of one tick show it: six equal
+/// positions in a row, and each time a velocity, are nothing rare.
+TEST(MotionWatch, IsNotConcernedByTheNoiseOfAnEncoderAtStandstill) {
+    Watched servo;
+    servo.arrived = true;
+    std::mt19937 random(1);
+    const auto position = [&random] { return 300 + static_cast<std::int32_t>(random() % 2); };
+    std::int32_t before = position();
+    for (int i = 0; i < 1'000'000; ++i) {
+        const std::int32_t now = position();
+        ASSERT_EQ(servo.is(now, static_cast<std::int16_t>(now - before)), Suspect{}) << i;
+        before = position();
+    }
+}
+
+/// Such as that of another host's run at a constant velocity.
+TEST(MotionWatch, TellsOfAFastMotorThatRepeatsItsPositionAndSaysThatItHasArrived) {
+    Watched servo;
+    servo.arrived = true;
+    unsigned repeats = 0;
+    while (repeats < 20 && servo.is(300, -20) != MotionSuspect::Reason::Frozen)
+        ++repeats;
+    EXPECT_LE(repeats, 5U + 3U);
+}
+
+/// At the longest tick, of 131 ms, there are 65 replies for each new position.
+TEST(MotionWatch, KnowsThatAPositionIsNewOnlyOncePerTick) {
+    for (const std::optional<int> rate : {std::optional(255), std::optional<int>()}) {
+        Watched servo;
+        servo.told(turn(false));
+        servo.sent.servoRate = rate;
+        for (std::int32_t tick = 0; tick < 10; ++tick)
+            for (int i = 0; i < 65; ++i)
+                ASSERT_EQ(servo.is(1'000 * tick, 1'000), Suspect{});
+    }
+}
+
 TEST(MotionWatch, IsNotConcernedByARepeatedPositionAtStandstill) {
     Watched servo;
     servo.told(turn(false));
@@ -223,8 +267,8 @@ TEST(MotionWatch, HasNoOpinionBeforeItKnowsWhereTheMotorIs) {
     send(watch, sent, loadMove(0, 5'000));
     send(watch, sent, start(0));
     const ServoState state{.position = -9'000};
-    EXPECT_EQ(watch.onReport(accepted(ModuleType::Servo, kLong, bytesOf(state, kLong), {}).report),
-              Suspect{});
+    const StatusReport report = accepted(ModuleType::Servo, kLong, bytesOf(state, kLong), {}).report;
+    EXPECT_EQ(watch.onReport(report, {}, 1), Suspect{});
 }
 
 TEST(MotionWatch, ForgetsItsCorridorWhenThePositionIsReset) {
