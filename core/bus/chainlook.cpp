@@ -15,8 +15,6 @@ constexpr unsigned kRounds = 3;
 /// For unusual addresses at rates where nothing else answers: three rounds of all of them would cost ten
 /// seconds whenever a chain has no power.
 constexpr unsigned kUnusualRounds = 2;
-/// Rounds in search of missing modules on a line that never becomes quiet.
-constexpr unsigned kMostRounds = 10;
 /// A search that skips a number, because no module was heard to take it, goes beyond 32.
 constexpr unsigned kLastAddress = 34;
 
@@ -116,11 +114,12 @@ void ChainLook::refillUsual() {
 }
 
 /// All addresses have been probed once by now. The last round is patient, and is repeated if an answer was
-/// late or a module was found in it: where one was read too late, others may have been, too.
+/// late before its end or a module was found in it: where one was read too late, others may have been, too.
 void ChainLook::refillMissing() {
     ++m_round;
     m_patient = m_patient || m_round == kRounds - 1;
-    m_doubtful = false;
+    if (m_round >= kRounds)
+        m_doubtful = false;
     add(*m_rate, missing());
     addUnaddressed();
 }
@@ -202,7 +201,7 @@ void ChainLook::found(const Probe& probe) {
             std::remove_if(rest, m_probes.end(), [&](const Probe& p) { return p.rate != probe.rate; }),
             m_probes.end());
     }
-    m_doubtful = true;
+    m_doubtful = m_doubtful || m_stage == Stage::Missing;
     m_found.insert(std::upper_bound(m_found.begin(), m_found.end(), probe.address), probe.address);
 }
 

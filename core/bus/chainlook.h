@@ -32,7 +32,7 @@ public:
     using Next = std::variant<std::monostate, Line::Script, Request>;
     [[nodiscard]] Next next();
     void onReply(const ReplyEnd& end);
-    /// Bytes have arrived that answer no query: an answer was too late, so a silence may have been none.
+    /// An answer was too late (Discovery::onLateBytes).
     void onLateBytes() { m_doubtful = true; }
 
     /// The rate at which the chain answers; empty if no module with an address does.
@@ -79,7 +79,7 @@ private:
     Stage m_stage = Stage::First;
     unsigned m_round = 0;  ///< rounds of this stage so far
     bool m_patient = false;
-    bool m_doubtful = false;      ///< whether this round has found all that are missing
+    bool m_doubtful = false;      ///< whether all that are missing have been found
     std::vector<Probe> m_probes;  ///< of this stage
     std::size_t m_at = 0;
     std::optional<std::uint32_t> m_hostRate;

@@ -21,8 +21,6 @@ constexpr unsigned kSetAttempts = 2;
 constexpr unsigned kAliveAttempts = 10;
 /// This many wrong answers in a row at a number that was just assigned are not the line's fault.
 constexpr unsigned kWrongAttempts = 3;
-/// Number of rechecks, each of them in doubt, until the line is considered disturbed.
-constexpr unsigned kRechecks = 10;
 
 /// Rates other than that after power-up at which a chain is often left.
 constexpr std::array<std::uint32_t, 3> kUsualRates{115'200, 57'600, 9'600};
@@ -83,7 +81,7 @@ bool Discovery::resume() {
     const BusAddress last(m_number);
     if (m_phase == Phase::Set &&
         std::ranges::find(m_modules, last, &ModuleInfo::address) == m_modules.end() &&
-        std::ranges::find(m_unheard, last) == m_unheard.end())
+        !m_recheck.contains(last))
         m_phase = Phase::Probe;
     m_resumed = true;
     return true;
@@ -105,7 +103,7 @@ Discovery::Next Discovery::next() {
         case Phase::Alive:
             return stillThere();
         case Phase::Recheck:
-            return probe(m_unheard.back(), 0);
+            return m_recheck.next() ? probe(*m_recheck.next(), 0) : stillThere();
         case Phase::Identify:
             return askModule(encode(ReadStatus{kIdentityItems}), kIdentityItems, 2);
         case Phase::ChangeRate:
@@ -171,7 +169,7 @@ void Discovery::onReply(const ReplyEnd& end) {
         case Phase::Alive:
             return onAlive(end);
         case Phase::Recheck:
-            return onRecheck(end);
+            return m_recheck.next() ? onRecheck(end) : onAlive(end);
         case Phase::Identify:
             return onIdentity(end);
         case Phase::ChangeRate:
@@ -287,7 +285,12 @@ void Discovery::onAddress(const ReplyEnd& end) {
         return found(BusAddress(m_number));
     m_heardNoise = m_heardNoise || !end.bytes.empty();
     // Either it was carried out and the answer was lost, or it was not: the new address is queried before
-    // anything else (link.md 2.3).
+    // anything else (link.md 2.3). At what seems to be the end of the chain, this is the first query of the
+    // recheck.
+    if (end.bytes.empty() && m_unheardInRow + 1 == kSetAttempts) {
+        m_recheck.add(BusAddress(m_number));
+        return endOfAddressing();
+    }
     enter(Phase::Probe);
 }
 
@@ -307,7 +310,7 @@ void Discovery::onProbe(const ReplyEnd& end) {
                 end.result == ReplyResult::Surplus ? ConnectFailure::Collision : ConnectFailure::Garbled,
                 {indexOf(m_modules.size())});
         case ReplyResult::Unresponsive:
-            m_unheard.emplace_back(m_number);
+            m_recheck.add(BusAddress(m_number));
             m_aliveInVain = 0;
             m_wrongInRow = 0;
             return m_modules.empty() && !m_expected ? onNumberUnheard() : enter(Phase::Alive);
@@ -321,13 +324,16 @@ void Discovery::onAlive(const ReplyEnd& end) {
     const bool heard = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
     if (!heard && ++m_aliveInVain < kAliveAttempts)
         return;
-    if (!heard)
-        return m_modules.empty() ? endOfAddressing()
-                                 : fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
-    if (m_rechecked)
+    if (!heard && !m_modules.empty())
+        return fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
+    if (!heard) {
+        m_expected = false;
+        return endOfAddressing();
+    }
+    if (m_phase == Phase::Recheck)
         return onRechecked();
     if (m_aliveInVain > 0)
-        return m_number < kLastNumber ? enter(Phase::Set) : fail(ConnectFailure::Disturbed);
+        return nextNumber();
     onNumberUnheard();
 }
 
@@ -337,41 +343,39 @@ void Discovery::onNumberUnheard() {
     endOfAddressing();
 }
 
-/// A module may have taken a number without having been heard since.
 void Discovery::onRecheck(const ReplyEnd& end) {
-    const BusAddress address = m_unheard.back();
-    m_unheard.pop_back();
-    if (end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused) {
+    const BusAddress address = *m_recheck.next();
+    if (m_recheck.onReply(end)) {
         const auto after =
             std::ranges::find_if(m_modules, [&](const ModuleInfo& m) { return address < m.address; });
         m_modules.insert(after, {{}, address, {}, GroupPlace{}});
-        m_recheckFound = true;
     } else {
-        m_stillUnheard.push_back(address);
-        m_late = m_late || !end.bytes.empty();
         m_heardNoise = m_heardNoise || !end.bytes.empty();
     }
-    if (!m_unheard.empty())
+    if (m_recheck.next())
         return;
-    // If one of the silent modules is present after all, the silence of others, and of those after it, does
-    // not mean the end either.
-    m_unheard = std::exchange(m_stillUnheard, {});
-    m_rechecked = !std::exchange(m_recheckFound, false);
-    m_unheardInRow = 0;
-    m_aliveInVain = 0;
-    if (m_rechecked && m_modules.empty())
-        return endOfChain();
-    enter(m_rechecked ? Phase::Alive : Phase::Set);
+    if (m_recheck.found()) {
+        m_unheardInRow = 0;
+        return nextNumber();
+    }
+    if (m_modules.empty() && !m_expected)
+        endOfChain();
 }
 
 /// The last module that is known has answered after a recheck. If it did not do so at once, or any answer was
-/// late, the silence of the others shows nothing.
+/// late, the silence of the others shows nothing, and neither does that after the last Set Address.
 void Discovery::onRechecked() {
-    if (m_aliveInVain == 0 && !m_late)
+    if (m_aliveInVain == 0 && !m_recheck.doubtful())
         return endOfChain();
-    if (++m_rechecks == kRechecks)
-        return fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
-    endOfAddressing();
+    if (!m_recheck.mayRepeat())
+        return m_modules.empty() ? endOfChain()
+                                 : fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
+    m_unheardInRow = kSetAttempts - 1;
+    nextNumber();
+}
+
+void Discovery::nextNumber() {
+    m_number < kLastNumber ? enter(Phase::Set) : fail(ConnectFailure::Disturbed);
 }
 
 void Discovery::onIdentity(const ReplyEnd& end) {
@@ -393,11 +397,10 @@ void Discovery::found(BusAddress address) {
 }
 
 void Discovery::endOfAddressing() {
-    if (m_unheard.empty())
+    if (m_recheck.empty())
         return endOfChain();
-    m_rechecked = false;
     m_aliveInVain = 0;
-    m_late = false;
+    m_recheck.begin();
     enter(Phase::Recheck);
 }
 

@@ -13,6 +13,7 @@
 #include "bus/exchange.h"
 #include "bus/line.h"
 #include "bus/ratechange.h"
+#include "bus/recheck.h"
 #include "bus/task.h"
 #include "bus/types.h"
 
@@ -36,11 +37,8 @@ public:
     [[nodiscard]] Next next();
     /// The end of the last Ask, after its retries.
     void onReply(const ReplyEnd& end);
-    /// See ChainLook::onLateBytes.
-    void onLateBytes() {
-        m_late = true;
-        m_look.onLateBytes();
-    }
+    /// Bytes have arrived that answer no query: an answer was too late, so a silence may have been none.
+    void onLateBytes() { m_phase == Phase::Look ? m_look.onLateBytes() : m_recheck.onLateBytes(); }
     /// The next query may be answered later than usual.
     [[nodiscard]] bool expectsLateAnswers() const {
         return m_look.patient() || m_phase == Phase::Recheck || m_aliveInVain > 0 || m_wrongInRow > 0;
@@ -81,7 +79,7 @@ private:
         Set,
         Probe,
         Alive,    ///< a number was not taken: is this the end of the chain, or is the line disturbed?
-        Recheck,  ///< numbers that were sent, but at which nothing has answered
+        Recheck,  ///< the numbers at which nobody was heard again, then the last module that is known
         Identify,
         ChangeRate,
         Define,
@@ -107,6 +105,7 @@ private:
     void onNumberUnheard();
     void onRecheck(const ReplyEnd& end);
     void onRechecked();
+    void nextNumber();
     void found(BusAddress address);
     void endOfAddressing();
     void endOfChain();
@@ -122,7 +121,7 @@ private:
     EngineConfig m_config;
     ChainLook m_look;
     Phase m_phase;
-    bool m_expected = false;  ///< there is a module to assign the first address to
+    bool m_expected = false;  ///< there seems to be a module to assign the first address to
     bool m_attached = false;  ///< once true, no address, rate or reset is sent
     std::vector<ModuleInfo> m_modules;
     std::vector<Heard> m_heard;
@@ -130,13 +129,8 @@ private:
     std::uint8_t m_number = 0;    ///< the last address sent; none is ever sent twice
     unsigned m_unheardInRow = 0;  ///< numbers that no module seems to have received
     unsigned m_aliveInVain = 0;   ///< consecutive unanswered queries to a module that has answered before
-    std::vector<BusAddress> m_unheard;
-    std::vector<BusAddress> m_stillUnheard;  ///< those of them without an answer in this recheck
-    bool m_recheckFound = false;             ///< one of them has answered in this recheck
-    bool m_rechecked = false;                ///< none of them has
-    unsigned m_rechecks = 0;                 ///< that were in doubt
-    bool m_late = false;                     ///< onLateBytes(), since the recheck began
-    unsigned m_wrongInRow = 0;               ///< consecutive wrong answers to the last number
+    unsigned m_wrongInRow = 0;    ///< consecutive wrong answers to the last number
+    Recheck m_recheck;
     bool m_addressed = false;
     bool m_heardNoise = false;  ///< while assigning addresses; finding no module is then reported as Garbled
     bool m_resumed = false;     ///< the port must first be set to the power-up rate

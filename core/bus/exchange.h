@@ -32,6 +32,9 @@ inline constexpr Duration kMinQuarantine = std::chrono::milliseconds(100);
 
 /// How much later than usual a process at either end of the line may act on a busy computer.
 inline constexpr Duration kSchedulingDelay = std::chrono::milliseconds(50);
+/// Number of rounds of queries for missing modules, each of them in doubt because answers were late or wrong,
+/// after which a search gives up.
+inline constexpr unsigned kMostRounds = 10;
 
 /// Items of every reply, by Define Status: position, A/D value, velocity (PIC-STEP: timer count), auxiliary
 /// status (PIC-STEP: inputs). Every second poll requests all items.

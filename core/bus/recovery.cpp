@@ -31,8 +31,9 @@ Line::Script Recovery::onUnanswered(const Ask& ask, const ReplyEnd& end) {
     if (wanted == Quarantine::None)
         return {Line::Lag{}, DiscardInput{}};
     m_state = LineState::Suspect;
-    m_quarantine =
-        wanted == Quarantine::Brief ? m_line.lastTimeout() : LineTiming::quarantine(m_line.lastTimeout());
+    // A patient request has already waited for late answers.
+    m_quarantine = wanted == Quarantine::Brief ? m_line.lastTimeout() - ask.request.patience
+                                               : LineTiming::quarantine(m_line.lastTimeout());
     if (!ask.module || !m_chain.answers(*ask.module))
         return {};
     m_chain.at(*ask.module).trust.interrupt();

@@ -9,6 +9,7 @@ void SearchTask::begin(const EngineConfig& config, Discovery::Start start) {
     m_ended.reset();
     m_failures = 0;
     m_givesAddresses = false;
+    m_late = false;
     m_lateBytes = m_line.statistics().staleBytes;
     m_discovery.emplace(m_config, m_start);
 }
@@ -47,9 +48,7 @@ bool SearchTask::mayPass(const ConnectFailed& failed) const {
         return failed.reason == Collision && m_discovery->addressed();
     if (failed.reason == Unaddressed || failed.reason == RateChange)
         return false;
-    // Bytes outside of an exchange may be answers that came too late, unless they are an echo.
-    const bool heard = m_line.statistics().staleBytes > 0 && !m_line.echoes();
-    return failed.reason != NobodyAnswers || heard;
+    return failed.reason != NobodyAnswers || (m_late && !m_line.echoes());
 }
 
 bool SearchTask::repeat(const ConnectFailed& failed) {
@@ -65,11 +64,18 @@ bool SearchTask::repeat(const ConnectFailed& failed) {
 Line::Script SearchTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimePoint /*now*/) {
     if (!m_discovery)
         return {};
-    const std::uint64_t late = m_line.statistics().staleBytes;
-    if (std::exchange(m_lateBytes, late) != late && !m_line.echoes())
+    if (takeLateBytes()) {
+        m_late = true;
         m_discovery->onLateBytes();
+    }
     m_discovery->onReply(end);
     return {};
+}
+
+/// Bytes outside of an exchange may be answers that came too late, unless they are an echo.
+bool SearchTask::takeLateBytes() {
+    const std::uint64_t before = std::exchange(m_lateBytes, m_line.statistics().staleBytes);
+    return before != m_lateBytes && !m_line.echoes();
 }
 
 void SearchTask::reportProgress() {

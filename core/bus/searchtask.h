@@ -45,6 +45,7 @@ public:
 
 private:
     void reportProgress();
+    [[nodiscard]] bool takeLateBytes();
     [[nodiscard]] bool mayPass(const ConnectFailed& failed) const;
     [[nodiscard]] bool repeat(const ConnectFailed& failed);
     void end(Result result);
@@ -54,6 +55,7 @@ private:
     std::optional<Discovery> m_discovery;
     unsigned m_failures = 0;
     std::uint64_t m_lateBytes = 0;  ///< that the line has counted until now
+    bool m_late = false;            ///< an answer was too late in this search
     bool m_givesAddresses = false;  ///< the first address has been assigned; until taken, once per search
     std::optional<Ended> m_ended;
 };

@@ -340,10 +340,7 @@ TEST_P(ReadInFits, IsFoundWhole) {
     }
 }
 
-// A chain that already has its addresses is not tried with 100 ms: a module can still be missed if three
-// queries to it are all read too late (docs/link.md 2.9).
-INSTANTIATE_TEST_SUITE_P(Discovery, ReadInFits,
-                         testing::Values(std::tuple{true, 50}, std::tuple{false, 50}, std::tuple{true, 100}),
+INSTANTIATE_TEST_SUITE_P(Discovery, ReadInFits, testing::Combine(testing::Bool(), testing::Values(50, 100)),
                          [](const auto& test) {
                              return std::string(std::get<bool>(test.param) ? "Fresh" : "Known") +
                                     std::to_string(std::get<int>(test.param)) + "ms";
@@ -452,7 +449,7 @@ TEST(Discovery, TakesLittleMoreThanASecondForAShortChain) {
     VirtualBus bus(servos(3));
     const TimePoint began = bus.now;
     ASSERT_TRUE(bus.connect());
-    EXPECT_LT(bus.now - began, 1450ms);
+    EXPECT_LT(bus.now - began, 1300ms);
 }
 
 TEST(Discovery, RunsAtEveryRate) {
