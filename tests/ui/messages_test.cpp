@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/apitexts.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/messages/messagerow.h"
@@ -59,6 +60,16 @@ TEST_F(Messages, OneRowForOneCauseAndRepeatsAreCounted) {
     EXPECT_EQ(list()->rows().at(0)->count(), 3);
     EXPECT_TRUE(list()->rows().at(0)->findChild<QLabel*>(u"messageTime"_s)->text().contains(u"3 times"_s));
     EXPECT_TRUE(list()->rows().at(0)->findChild<QLabel*>(u"messageBody"_s)->text().contains(u"(3 of 3)"_s));
+}
+
+TEST_F(Messages, WhatReplacesAnotherMessageIsNoRepeatOfIt) {
+    const QString path = u"/tmp/line"_s;
+    for (const LineLent::State state :
+         {LineLent::State::Waiting, LineLent::State::InUse, LineLent::State::Left})
+        window->showMessage(texts::lineLent({state, path.toStdString()}));
+    ASSERT_EQ(list()->rows().size(), 1);
+    EXPECT_EQ(list()->rows().at(0)->count(), 1);
+    EXPECT_TRUE(list()->rows().at(0)->message().headline.contains(u"no longer lent"_s));
 }
 
 TEST_F(Messages, WhatBecomesKnownLaterIsNoRepeat) {

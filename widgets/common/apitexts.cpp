@@ -11,7 +11,8 @@ using namespace Qt::StringLiterals;
 namespace {
 /// Messages about one program replace one another.
 [[nodiscard]] Message aboutProgram(const QString& program, const QString& headline) {
-    return {.key = u"program/"_s + program, .headline = headline, .replaces = true};
+    return {
+        .key = u"program/"_s + program, .headline = headline, .succession = Message::Succession::WhatIsNow};
 }
 }  // namespace
 
@@ -85,8 +86,7 @@ QString controlLost(ControlLost why) {
 Message apiClosed(const ApiServerProblem& problem) {
     Message message{.key = u"api"_s,
                     .severity = Severity::Attention,
-                    .headline = Texts::tr("Other programs cannot connect."),
-                    .replaces = true};
+                    .headline = Texts::tr("Other programs cannot connect.")};
     switch (problem.kind) {
         case ApiServerProblem::Kind::InUse:
             message.body = Texts::tr("Another panel already lets programs in at %1.").arg(problem.path);
@@ -126,7 +126,7 @@ Message programCalled(const QString& program, const QString& call) {
 
 Message lineLent(const LineLent& lent) {
     const QString path = QString::fromStdString(lent.path);
-    Message message{.key = u"lent"_s, .replaces = true};
+    Message message{.key = u"lent"_s, .succession = Message::Succession::WhatIsNow};
     switch (lent.state) {
         case LineLent::State::Waiting:
             message.headline = Texts::tr("The line is lent at %1. No program has used it yet.").arg(path);
@@ -156,7 +156,7 @@ Message notLent(const LendingProblem& problem) {
     Message message{.key = u"lent"_s,
                     .severity = Severity::Attention,
                     .headline = Texts::tr("The line was not lent."),
-                    .replaces = true};
+                    .succession = Message::Succession::WhatIsNow};
     switch (problem.kind) {
         case LendingProblem::Kind::NotNow:
             message.body =

@@ -226,8 +226,7 @@ Message machineNotApplied(int movingMotors) {
             movingMotors > 0
                 ? notSentWhileMoving(movingMotors)
                 : Texts::tr(
-                      "Modules or settings have changed since the table was shown, so it was updated. Check it, then apply again."),
-        .replaces = true};
+                      "Modules or settings have changed since the table was shown, so it was updated. Check it, then apply again.")};
 }
 
 Message machineSame(const QString& file) {

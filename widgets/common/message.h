@@ -52,6 +52,13 @@ struct Message {
 
         bool operator==(const Action&) const = default;
     };
+    /// What it is to the previous message of the same key, if their headlines differ. With the same headline,
+    /// it is a repeat of that one.
+    enum class Succession : std::uint8_t {
+        NewCause,   ///< the previous one has ended, and stays in the list
+        SameAgain,  ///< a repeat, in other words: another number of milliseconds
+        WhatIsNow,  ///< what has become of it; takes its place, and is counted anew
+    };
     QString key{};
     std::optional<ModuleIndex> module{};  ///< the module that it is about
     Severity severity = Severity::Normal;
@@ -64,8 +71,7 @@ struct Message {
     /// True for a state, which lasts until the message is ended; false for an event, which is old news after
     /// a while.
     bool stands = false;
-    /// Replaces the previous message of the same key, whatever that said.
-    bool replaces = false;
+    Succession succession = Succession::NewCause;
     /// LinkState::connection when it was shown, so that its buttons act on that connection only; 0: it was
     /// shown without a connection.
     std::uint32_t connection = 0;

@@ -78,10 +78,10 @@ void Banner::setNotice(const std::optional<Message>& notice) {
 void Banner::showReported(const MessageEntry& entry) {
     m_hidden.erase(entry.number);
     if (!entry.message.stands)
-        QTimer::singleShot(m_newsLife, this, [this, number = entry.number, count = entry.count] {
+        QTimer::singleShot(m_newsLife, this, [this, number = entry.number, time = entry.time] {
             const auto& entries = m_model.entries();
             const auto old = std::ranges::find(entries, number, &MessageEntry::number);
-            if (old == entries.end() || old->count != count || asksForSomething(old->message))
+            if (old == entries.end() || old->time != time || asksForSomething(old->message))
                 return;
             m_hidden.insert(number);
             present();

@@ -12,15 +12,18 @@ MessageModel::Entries::iterator MessageModel::active(const QString& key) {
 }
 
 void MessageModel::report(const Message& message, const QDateTime& time) {
+    using enum Message::Succession;
     auto found = active(message.key);
-    if (found != m_entries.end() && found->message.headline != message.headline && !message.replaces) {
+    const bool same = found != m_entries.end() && found->message.headline == message.headline;
+    if (found != m_entries.end() && !same && message.succession == NewCause) {
         endAt(found, time);
         found = m_entries.end();
     }
     MessageEntry entry{.message = message, .time = time, .number = ++m_number};
     if (found != m_entries.end()) {
         entry.number = found->number;
-        entry.count = found->count + 1;
+        if (same || message.succession == SameAgain)
+            entry.count = found->count + 1;
         m_entries.erase(found);
     }
     m_entries.push_front(std::move(entry));

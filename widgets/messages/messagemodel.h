@@ -9,9 +9,8 @@
 
 namespace nmc {
 
-/// What happened in this session: one entry per cause, with its repeats counted. The same key with another
-/// headline is another cause, unless the message replaces the previous one. The banner, the list and the log
-/// listen to it.
+/// What happened in this session: one entry per cause, with its repeats counted (Message::Succession). The
+/// banner, the list and the log listen to it.
 class MessageModel : public QObject {
     Q_OBJECT
 
