@@ -4,6 +4,7 @@
 #include <QTime>
 
 #include "link/clock.h"
+#include "widgets/common/dates.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {

@@ -5,12 +5,12 @@
 
 #include "link/clock.h"
 #include "model/module/modulescale.h"
+#include "widgets/common/dates.h"
 #include "widgets/common/words.h"
 #include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/looptests/squarewavepage.h"
 #include "widgets/response/responsedock.h"
-#include "widgets/scope/scoperecord.h"
 
 namespace nmc {
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "link/clock.h"
+#include "widgets/common/dates.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/texts.h"
 #include "widgets/scope/scopefiles.h"

@@ -8,6 +8,7 @@
 #include <QPdfWriter>
 #include <QTextDocument>
 
+#include "widgets/common/dates.h"
 #include "widgets/common/picture.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
@@ -17,7 +18,6 @@
 #include "widgets/response/modelwords.h"
 #include "widgets/response/responseplot.h"
 #include "widgets/response/responsewords.h"
-#include "widgets/scope/scoperecord.h"
 
 namespace nmc {
 

@@ -9,11 +9,11 @@
 #include <tuple>
 
 #include "model/machinefile/responsestore.h"
+#include "widgets/common/dates.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/response/responsewords.h"
-#include "widgets/scope/scoperecord.h"
 
 namespace nmc {
 

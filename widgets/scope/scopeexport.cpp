@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "model/recording/widerecording.h"
+#include "widgets/common/dates.h"
 #include "widgets/common/look.h"
 #include "widgets/common/picture.h"
 #include "widgets/common/requests.h"

@@ -3,21 +3,10 @@
 
 #include <QCoreApplication>
 
+#include "widgets/common/dates.h"
 #include "widgets/common/words.h"
 
 namespace nmc {
-
-QDateTime dateOf(TimePoint at, TimePoint now) {
-    return QDateTime::currentDateTime().addMSecs(-qRound64(toSeconds(now - at) * 1e3));
-}
-
-QString isoDate(const QDateTime& date) {
-    return date.toOffsetFromUtc(date.offsetFromUtc()).toString(Qt::ISODateWithMs);
-}
-
-QDateTime dateIn(const std::string& iso) {
-    return QDateTime::fromString(QString::fromStdString(iso), Qt::ISODateWithMs);
-}
 
 RecordingHeader recordingHeader(const std::vector<ScopeModule>& modules, const QString& port, bool simulated,
                                 TimePoint zero, const QDateTime& date) {

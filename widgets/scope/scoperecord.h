@@ -27,13 +27,6 @@ struct ScopeRecord {
     ScopeOrigin origin{};
 };
 
-/// The date and time of a moment, `now` being the present one.
-[[nodiscard]] QDateTime dateOf(TimePoint at, TimePoint now);
-/// ISO 8601 with the offset of the time zone; empty for an invalid date.
-[[nodiscard]] QString isoDate(const QDateTime& date);
-/// The date in this text, which isoDate() has made; invalid for any other text.
-[[nodiscard]] QDateTime dateIn(const std::string& iso);
-
 /// The header of a file with samples of these modules, whose times count from `zero`, which was at `date`.
 [[nodiscard]] RecordingHeader recordingHeader(const std::vector<ScopeModule>& modules, const QString& port,
                                               bool simulated, TimePoint zero, const QDateTime& date);
