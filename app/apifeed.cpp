@@ -14,9 +14,10 @@ using api::Json;
 namespace {
 
 constexpr int kPublishInterval = 100;  ///< ms
-// Even for the most clients that ApiServer accepts, a round is over before the next one.
-constexpr int kServiceInterval = 5;  ///< ms
+constexpr int kServiceInterval = 5;    ///< ms
 constexpr std::size_t kServedAtOnce = 8;
+static_assert(ApiServer::kMostClients / kServedAtOnce * kServiceInterval < kPublishInterval,
+              "a round is over before the next one");
 constexpr std::uint64_t kMostSamples = 500;  ///< of a module in one message
 
 }  // namespace
@@ -60,13 +61,14 @@ void ApiFeed::subscribe(ApiServer::Client client, const Json& parameters) {
 void ApiFeed::beginRound(bool withState) {
     serve(m_round.due.size());
     m_round = {};
-    addSamples(m_round);
+    addSamples();
     const auto wantsState = [](const auto& each) { return each.second.state; };
     if (withState && std::ranges::any_of(m_subscriptions, wantsState))
         m_round.state = notification("state", m_state());
     for (const auto& [client, subscription] : m_subscriptions)
         m_round.due.push_back(client);
-    m_service.start();
+    if (!m_round.due.empty())
+        m_service.start();
 }
 
 void ApiFeed::serve(std::size_t programs) {
@@ -86,7 +88,7 @@ void ApiFeed::serve(std::size_t programs) {
 }
 
 /// One line for all clients, however many they are.
-void ApiFeed::addSamples(Round& round) {
+void ApiFeed::addSamples() {
     const History& history = m_store.history();
     const TimePoint zero = history.zero().value_or(TimePoint{});
     const auto known = [](float value) { return value == value ? Json(value) : Json(); };
@@ -113,14 +115,14 @@ void ApiFeed::addSamples(Round& round) {
                                 sample.analog, sample.gapBefore, sample.io ? Json(sample.counted) : Json()});
             },
             kMostSamples);
-        round.count += rows.size();
+        m_round.count += rows.size();
         if (!rows.empty())
             modules.push_back({{"axis", i + 1}, {"rows", std::move(rows)}});
     }
     if (modules.empty())
         return;
-    round.samples = {{"missed", 0}, {"modules", std::move(modules)}};
-    round.line = notification("samples", round.samples);
+    m_round.samples = {{"missed", 0}, {"modules", std::move(modules)}};
+    m_round.line = notification("samples", m_round.samples);
 }
 
 void ApiFeed::sendSamples(ApiServer::Client client, Subscription& subscription) {

@@ -50,7 +50,7 @@ private:
     };
 
     void beginRound(bool withState);
-    void addSamples(Round& round);
+    void addSamples();
     /// Goes on with the round, at most for this many programs.
     void serve(std::size_t programs);
     void sendSamples(ApiServer::Client client, Subscription& subscription);

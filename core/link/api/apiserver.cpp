@@ -16,7 +16,6 @@ namespace nmc {
 
 namespace {
 
-constexpr int kMostClients = 128;
 constexpr int kLinesAtOnce = 32;     ///< of one client, so that no client keeps the others waiting
 constexpr int kAnswersWithin = 200;  ///< ms, in which a panel that runs accepts a connection
 

@@ -24,6 +24,7 @@ public:
     /// Counted from 1, never used again.
     using Client = quint64;
 
+    static constexpr std::size_t kMostClients = 128;
     static constexpr qsizetype kLongestLine = 64 * 1024;
     static constexpr qint64 kMostWaiting = 1024 * 1024;  ///< bytes of what a client must read
     static constexpr qint64 kMostOffered = 64 * 1024;    ///< bytes waiting beyond which offers are dropped
