@@ -20,6 +20,20 @@ configure() { # preset [cmake arguments]
         fail "the build folder could not be set up. If it is of an older version or was moved here, remove it (rm -r build/$1), and start again."
 }
 
+# A header keeps the date that it has in its package. So after an upgrade, ninja takes what was precompiled from the
+# older one for up to date, and clang refuses it.
+drop_outdated_headers() { # build folder
+    local precompiled headers
+    find "$1" -name 'cmake_pch.hxx.?ch' | while read -r precompiled; do
+        mapfile -t headers < <(ninja -C "$1" -t deps "${precompiled#"$1/"}" | sed -n 's|^ */|/|p')
+        if [ "${#headers[@]}" -gt 0 ] &&
+            [ -n "$(find "${headers[@]}" -newercm "$precompiled" -print -quit 2>/dev/null)" ]; then
+            rm "$precompiled"
+        fi
+    done
+}
+
 build() { # preset [cmake arguments]
+    drop_outdated_headers "build/$1"
     cmake --build --preset "$@" || fail "not everything could be built; what stopped it is above."
 }
