@@ -165,7 +165,7 @@ void ChainLook::onReply(const ReplyEnd& end) {
 
 /// Handles an answer. Returns false if the same query must be repeated.
 bool ChainLook::heard(const Probe& probe, const ReplyEnd& end, bool again, bool zerosHeard) {
-    const bool right = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
+    const bool right = !unanswered(end.result);
     const bool unaddressed = probe.address == kUnaddressed;
     if (uniform({end.bytes.data(), end.bytes.size()})) {
         // A PIC-STEP at rest without motor power answers with zeros; its type is another number (DS-S 5.2).

@@ -321,7 +321,7 @@ void Discovery::onProbe(const ReplyEnd& end) {
 /// been taken, and the search waits for the line. Of a chain none of whose modules is known yet, the one
 /// without an address is queried; if it stays silent, it has perhaps taken the number.
 void Discovery::onAlive(const ReplyEnd& end) {
-    const bool heard = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
+    const bool heard = !unanswered(end.result);
     if (!heard && ++m_aliveInVain < kAliveAttempts)
         return;
     if (!heard && !m_modules.empty())
@@ -367,7 +367,8 @@ void Discovery::onRecheck(const ReplyEnd& end) {
 void Discovery::onRechecked() {
     if (m_aliveInVain == 0 && !m_recheck.doubtful())
         return endOfChain();
-    if (!m_recheck.mayRepeat())
+    m_recheck.noteInVain();
+    if (m_recheck.exhausted())
         return m_modules.empty() ? endOfChain()
                                  : fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
     m_unheardInRow = kSetAttempts - 1;

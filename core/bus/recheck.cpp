@@ -19,14 +19,14 @@ std::optional<BusAddress> Recheck::next() const {
     return m_left > 0 ? std::optional(m_numbers[m_left - 1]) : std::nullopt;
 }
 
-bool Recheck::mayRepeat() {
+void Recheck::noteInVain() {
     m_doubtful = false;
-    return ++m_inVain < kMostRounds;
+    ++m_inVain;
 }
 
 bool Recheck::onReply(const ReplyEnd& end) {
     --m_left;
-    const bool there = end.result == ReplyResult::Accepted || end.result == ReplyResult::Refused;
+    const bool there = !unanswered(end.result);
     if (there)
         m_numbers.erase(m_numbers.begin() + static_cast<std::ptrdiff_t>(m_left));
     m_found = m_found || there;

@@ -33,8 +33,10 @@ public:
     [[nodiscard]] bool found() const { return m_found; }
     /// An answer was late or wrong since the last round that has shown nothing, or since the beginning.
     [[nodiscard]] bool doubtful() const { return m_doubtful; }
-    /// This round has shown nothing. Returns false if there have been too many of these.
-    [[nodiscard]] bool mayRepeat();
+    /// This round has shown nothing.
+    void noteInVain();
+    /// Too many rounds have shown nothing.
+    [[nodiscard]] bool exhausted() const { return m_inVain >= kMostRounds; }
 
 private:
     std::vector<BusAddress> m_numbers;  ///< ascending

@@ -34,15 +34,14 @@ public:
                                .velocity = velocity,
                                .aux = aux};
         return watch.onReport(accepted(ModuleType::Servo, items, bytesOf(state, items), {}).report,
-                              time += between, sent.servoRate);
+                              time += std::chrono::milliseconds(2), sent.servoRate);
     }
     void told(const Order& order) { send(watch, sent, order); }
 
     MotionWatch watch;
     ServoRegisters sent;
     TimePoint time{};
-    Duration between = std::chrono::milliseconds(2);  ///< two replies
-    bool arrived = false;                             ///< by its own account
+    bool arrived = false;  ///< by its own account
 
 private:
     bool m_long = false;
