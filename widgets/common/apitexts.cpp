@@ -11,8 +11,7 @@ using namespace Qt::StringLiterals;
 namespace {
 /// Messages about one program replace one another.
 [[nodiscard]] Message aboutProgram(const QString& program, const QString& headline) {
-    return {
-        .key = u"program/"_s + program, .headline = headline, .succession = Message::Succession::WhatIsNow};
+    return {.key = u"program/"_s + program, .headline = headline, .relation = Message::Relation::Update};
 }
 }  // namespace
 
@@ -126,7 +125,7 @@ Message programCalled(const QString& program, const QString& call) {
 
 Message lineLent(const LineLent& lent) {
     const QString path = QString::fromStdString(lent.path);
-    Message message{.key = u"lent"_s, .succession = Message::Succession::WhatIsNow};
+    Message message{.key = u"lent"_s, .relation = Message::Relation::Update};
     switch (lent.state) {
         case LineLent::State::Waiting:
             message.headline = Texts::tr("The line is lent at %1. No program has used it yet.").arg(path);
@@ -156,7 +155,7 @@ Message notLent(const LendingProblem& problem) {
     Message message{.key = u"lent"_s,
                     .severity = Severity::Attention,
                     .headline = Texts::tr("The line was not lent."),
-                    .succession = Message::Succession::WhatIsNow};
+                    .relation = Message::Relation::Update};
     switch (problem.kind) {
         case LendingProblem::Kind::NotNow:
             message.body =

@@ -52,12 +52,12 @@ struct Message {
 
         bool operator==(const Action&) const = default;
     };
-    /// What it is to the previous message of the same key, if their headlines differ. With the same headline,
-    /// it is a repeat of that one.
-    enum class Succession : std::uint8_t {
-        NewCause,   ///< the previous one has ended, and stays in the list
-        SameAgain,  ///< a repeat, in other words: another number of milliseconds
-        WhatIsNow,  ///< what has become of it; takes its place, and is counted anew
+    /// How it relates to the previous message with the same key if their headlines differ. With the same
+    /// headline, it is always a repeat.
+    enum class Relation : std::uint8_t {
+        NewCause,  ///< ends the previous message, which stays in the list
+        Repeat,    ///< says the same in other words, such as another number of milliseconds
+        Update,    ///< a later state of the same thing: replaces the previous message, and is not counted
     };
     QString key{};
     std::optional<ModuleIndex> module{};  ///< the module that it is about
@@ -71,7 +71,7 @@ struct Message {
     /// True for a state, which lasts until the message is ended; false for an event, which is old news after
     /// a while.
     bool stands = false;
-    Succession succession = Succession::NewCause;
+    Relation relation = Relation::NewCause;
     /// LinkState::connection when it was shown, so that its buttons act on that connection only; 0: it was
     /// shown without a connection.
     std::uint32_t connection = 0;

@@ -69,7 +69,7 @@ Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleSt
         // A separate key, so that a successful stop does not count as a repeat of one that failed.
         return {.key = key::kStopped,
                 .headline = Texts::tr("%1, %2 ms.").arg(howStopped(finished, modules), QString::number(ms)),
-                .succession = Message::Succession::SameAgain};
+                .relation = Message::Relation::Repeat};
     }
     QStringList parts = missing(finished);
     if (parts.isEmpty())

@@ -12,17 +12,17 @@ MessageModel::Entries::iterator MessageModel::active(const QString& key) {
 }
 
 void MessageModel::report(const Message& message, const QDateTime& time) {
-    using enum Message::Succession;
+    using enum Message::Relation;
     auto found = active(message.key);
     const bool same = found != m_entries.end() && found->message.headline == message.headline;
-    if (found != m_entries.end() && !same && message.succession == NewCause) {
+    if (found != m_entries.end() && !same && message.relation == NewCause) {
         endAt(found, time);
         found = m_entries.end();
     }
     MessageEntry entry{.message = message, .time = time, .number = ++m_number};
     if (found != m_entries.end()) {
         entry.number = found->number;
-        if (same || message.succession == SameAgain)
+        if (same || message.relation == Repeat)
             entry.count = found->count + 1;
         m_entries.erase(found);
     }

@@ -9,7 +9,7 @@
 
 namespace nmc {
 
-/// What happened in this session: one entry per cause, with its repeats counted (Message::Succession). The
+/// What happened in this session: one entry per cause, with its repeats counted (Message::Relation). The
 /// banner, the list and the log listen to it.
 class MessageModel : public QObject {
     Q_OBJECT
