@@ -5,8 +5,8 @@
 #include <QStringList>
 #include <set>
 
-#include "bus/discovery.h"
 #include "protocol/baud.h"
+#include "protocol/moduletype.h"
 
 namespace nmc {
 
@@ -31,7 +31,7 @@ QString rateKeyOf(const QString& port) {
 std::vector<bus::ModuleInfo> knownChain(const QSettings& settings, const QString& port) {
     const QStringList entries =
         settings.value(keyOf(port)).toString().split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    if (entries.size() > bus::Discovery::kMaxModules)
+    if (entries.size() > kMaxModules)
         return {};
     std::vector<bus::ModuleInfo> chain;
     std::set<unsigned> taken;

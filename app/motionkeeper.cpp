@@ -14,9 +14,9 @@
 #include <utility>
 
 #include "app/makingfolders.h"
-#include "bus/discovery.h"
 #include "link/clock.h"
 #include "link/guardian/guardreport.h"
+#include "protocol/moduletype.h"
 #include "widgets/common/texts.h"
 
 namespace nmc {
@@ -63,7 +63,7 @@ std::optional<MotionKeeper::Left> read(const QString& path) {
     left.process = name.captured(1).toLongLong();
     left.connection = name.captured(3).toUInt();
     for (const QJsonValue& number : json[QStringLiteral("modules")].toArray())
-        if (const int n = number.toInt(); n >= 1 && n <= bus::Discovery::kMaxModules)
+        if (const int n = number.toInt(); n >= 1 && n <= kMaxModules)
             left.modules.insert(ModuleIndex(static_cast<std::uint8_t>(n - 1)));
     for (const QJsonValue& address : json[QStringLiteral("addresses")].toArray())
         left.addresses.push_back(address.toInt());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bus/discovery.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -10,17 +11,6 @@
 namespace nmc::bus {
 
 namespace {
-
-/// Beyond this number, a search that continues is out of control.
-constexpr std::uint8_t kLastNumber = 100;
-/// This many consecutive addresses without an answer mean the end of the chain, provided that its last module
-/// keeps answering.
-constexpr unsigned kSetAttempts = 2;
-/// Number of queries, at least a tenth of a second apart, that a module must leave unanswered before the line
-/// is considered disturbed.
-constexpr unsigned kAliveAttempts = 10;
-/// This many wrong answers in a row at a number that was just assigned are not the line's fault.
-constexpr unsigned kWrongAttempts = 3;
 
 /// Rates other than that after power-up at which a chain is often left.
 constexpr std::array<std::uint32_t, 3> kUsualRates{115'200, 57'600, 9'600};
@@ -51,15 +41,6 @@ static_assert(kUsualRates.size() + 1 == kBaudRows.size());
     return addresses;
 }
 
-[[nodiscard]] Ask question(const Request& request, std::uint8_t silentRepeats, Quarantine quarantine) {
-    Ask ask;
-    ask.purpose = Purpose::Connect;
-    ask.request = request;
-    ask.silentRepeats = silentRepeats;
-    ask.quarantine = quarantine;
-    return ask;
-}
-
 [[nodiscard]] ModuleIndex indexOf(std::size_t index) {
     return ModuleIndex(static_cast<std::uint8_t>(index));
 }
@@ -69,20 +50,15 @@ static_assert(kUsualRates.size() + 1 == kBaudRows.size());
 Discovery::Discovery(const EngineConfig& config, Start start)
     : m_config(config),
       m_look(ratesToSearch(config), addressesOf(config.known)),
+      m_addressing(start == Start::Restart),
       m_phase(start == Start::Look ? Phase::Look : Phase::Restart),
-      m_expected(start == Start::Restart),
       m_progress(
           ConnectProgress{start == Start::Look ? ConnectStage::Looking : ConnectStage::Restarting, 0}) {}
 
 bool Discovery::resume() {
-    if (m_phase < Phase::Set || m_phase > Phase::Identify || !givesAddresses())
+    if (m_phase < Phase::Addressing || m_phase > Phase::Identify || !givesAddresses())
         return false;
-    // The last number sent may have been received, unless that has already been determined.
-    const BusAddress last(m_number);
-    if (m_phase == Phase::Set &&
-        std::ranges::find(m_modules, last, &ModuleInfo::address) == m_modules.end() &&
-        !m_recheck.contains(last))
-        m_phase = Phase::Probe;
+    m_addressing.resume();
     m_resumed = true;
     return true;
 }
@@ -94,16 +70,10 @@ Discovery::Next Discovery::next() {
         case Phase::Look:
             return look();
         case Phase::Restart:
-            enter(Phase::Set, ConnectStage::Addressing);
+            enter(Phase::Addressing, ConnectStage::Addressing);
             return restartScript();
-        case Phase::Set:
-            return setAddress();
-        case Phase::Probe:
-            return probe(BusAddress(m_number), m_unheardInRow + 1 < kSetAttempts ? 1 : 0);
-        case Phase::Alive:
-            return stillThere();
-        case Phase::Recheck:
-            return m_recheck.next() ? probe(*m_recheck.next(), 0) : stillThere();
+        case Phase::Addressing:
+            return addressing();
         case Phase::Identify:
             return askModule(encode(ReadStatus{kIdentityItems}), kIdentityItems, 2);
         case Phase::ChangeRate:
@@ -128,7 +98,7 @@ Discovery::Next Discovery::look() {
     if (auto* script = std::get_if<Line::Script>(&next))
         return std::move(*script);
     if (const auto* request = std::get_if<Request>(&next))
-        return question(*request, 0, Quarantine::None);
+        return Ask::toConnect(*request, 0, Quarantine::None);
     return lookedUp();
 }
 
@@ -143,18 +113,34 @@ Discovery::Next Discovery::lookedUp() {
     }
     if (m_look.rate()) {
         m_attached = true;
-        for (const BusAddress address : m_look.addresses())
-            m_modules.push_back({indexOf(m_modules.size()), address, {}, {}});
+        takeModules(m_look.addresses(), {});
         enter(Phase::Identify, ConnectStage::Identifying);
     } else if (m_config.readOnly) {
         fail(ConnectFailure::Unaddressed);
         return m_failure;
     } else {
-        m_expected = m_look.unaddressed();
-        enter(Phase::Set, ConnectStage::Addressing);
+        m_addressing = Addressing(m_look.unaddressed());
+        enter(Phase::Addressing, ConnectStage::Addressing);
     }
     // The search may have ended at another rate, or with a module that received part of a command.
     return Line::toRate(m_look.rate().value_or(kPowerUpBaud));
+}
+
+Discovery::Next Discovery::addressing() {
+    auto next = m_addressing.next();
+    if (auto* ask = std::get_if<Ask>(&next))
+        return std::move(*ask);
+    takeModules(m_addressing.addresses(), GroupPlace{});
+    if (const auto* failed = std::get_if<Addressing::Failed>(&next)) {
+        // One without an address has answered before.
+        const bool lost = failed->reason == ConnectFailure::NobodyAnswers && m_look.unaddressed();
+        fail(lost ? ConnectFailure::Disturbed : failed->reason,
+             failed->module ? std::vector{indexOf(*failed->module)} : std::vector<ModuleIndex>{});
+        return m_failure;
+    }
+    m_addressed = true;
+    queryModules();
+    return this->next();
 }
 
 void Discovery::onReply(const ReplyEnd& end) {
@@ -162,14 +148,8 @@ void Discovery::onReply(const ReplyEnd& end) {
     switch (m_phase) {
         case Phase::Look:
             return onLook(end);
-        case Phase::Set:
-            return onAddress(end);
-        case Phase::Probe:
-            return onProbe(end);
-        case Phase::Alive:
-            return onAlive(end);
-        case Phase::Recheck:
-            return m_recheck.next() ? onRecheck(end) : onAlive(end);
+        case Phase::Addressing:
+            return onAddressing(end);
         case Phase::Identify:
             return onIdentity(end);
         case Phase::ChangeRate:
@@ -242,35 +222,13 @@ Discovery::Next Discovery::changeRate() {
     return m_failure;
 }
 
-/// Always sends the next number: if the previous one was received and its answers were lost, the next module
-/// would take it as well.
-Ask Discovery::setAddress() {
-    const SetAddress set{BusAddress(++m_number), kEverybody, false};
-    Ask ask = question({kUnaddressed, encode(set), {}}, 0, Quarantine::Brief);
-    ask.refusedAttempts = 1;
-    return ask;
-}
-
 /// Defines the items of all further replies; on a read-only connection, what others have defined is kept.
 Ask Discovery::defineItems(StatusItems items) const {
     return askModule(m_config.readOnly ? encode(ReadStatus{items}) : encode(DefineStatus{items}), items, 2);
 }
 
-/// The reply differs in length from the answer to Set Address, which may still be on its way.
-Ask Discovery::probe(BusAddress address, std::uint8_t repeats) const {
-    return question({address, encode(ReadStatus{kIdentityItems}), {{}, kIdentityItems}}, repeats,
-                    Quarantine::Brief);
-}
-
-/// The reply has the same length as the answers to Set Address, which are valid even when late.
-Ask Discovery::stillThere() const {
-    const BusAddress address = m_modules.empty() ? kUnaddressed : m_modules.back().address;
-    return question({address, encode(Nop{}), {}}, 0, Quarantine::Full);
-}
-
 Ask Discovery::askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const {
-    return question({m_modules[m_at].address, payload, {m_modules[m_at].identity, items}}, repeats,
-                    Quarantine::Full);
+    return Ask::toConnect({m_modules[m_at].address, payload, {m_modules[m_at].identity, items}}, repeats);
 }
 
 void Discovery::onLook(const ReplyEnd& end) {
@@ -280,103 +238,11 @@ void Discovery::onLook(const ReplyEnd& end) {
         m_progress = ConnectProgress{ConnectStage::Looking, static_cast<std::uint8_t>(before + 1)};
 }
 
-void Discovery::onAddress(const ReplyEnd& end) {
-    if (end.result == ReplyResult::Accepted)
-        return found(BusAddress(m_number));
-    m_heardNoise = m_heardNoise || !end.bytes.empty();
-    // Either it was carried out and the answer was lost, or it was not: the new address is queried before
-    // anything else (link.md 2.3). At what seems to be the end of the chain, this is the first query of the
-    // recheck.
-    if (end.bytes.empty() && m_unheardInRow + 1 == kSetAttempts) {
-        m_recheck.add(BusAddress(m_number));
-        return endOfAddressing();
-    }
-    enter(Phase::Probe);
-}
-
-void Discovery::onProbe(const ReplyEnd& end) {
-    switch (end.result) {
-        case ReplyResult::Accepted:
-        case ReplyResult::Refused:
-            return found(BusAddress(m_number));
-        case ReplyResult::Surplus:
-        case ReplyResult::Partial:
-        case ReplyResult::BadChecksum:
-        case ReplyResult::Rejected:
-        case ReplyResult::Echo:
-            if (++m_wrongInRow < kWrongAttempts)
-                return;
-            return fail(
-                end.result == ReplyResult::Surplus ? ConnectFailure::Collision : ConnectFailure::Garbled,
-                {indexOf(m_modules.size())});
-        case ReplyResult::Unresponsive:
-            m_recheck.add(BusAddress(m_number));
-            m_aliveInVain = 0;
-            m_wrongInRow = 0;
-            return m_modules.empty() && !m_expected ? onNumberUnheard() : enter(Phase::Alive);
-    }
-}
-
-/// Silence means the end of the chain only if a module is heard right after it. Otherwise the number may have
-/// been taken, and the search waits for the line. Of a chain none of whose modules is known yet, the one
-/// without an address is queried; if it stays silent, it has perhaps taken the number.
-void Discovery::onAlive(const ReplyEnd& end) {
-    const bool heard = !unanswered(end.result);
-    if (!heard && ++m_aliveInVain < kAliveAttempts)
-        return;
-    if (!heard && !m_modules.empty())
-        return fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
-    if (!heard) {
-        m_expected = false;
-        return endOfAddressing();
-    }
-    if (m_phase == Phase::Recheck)
-        return onRechecked();
-    if (m_aliveInVain > 0)
-        return nextNumber();
-    onNumberUnheard();
-}
-
-void Discovery::onNumberUnheard() {
-    if (++m_unheardInRow < kSetAttempts)
-        return enter(Phase::Set);
-    endOfAddressing();
-}
-
-void Discovery::onRecheck(const ReplyEnd& end) {
-    const BusAddress address = *m_recheck.next();
-    if (m_recheck.onReply(end)) {
-        const auto after =
-            std::ranges::find_if(m_modules, [&](const ModuleInfo& m) { return address < m.address; });
-        m_modules.insert(after, {{}, address, {}, GroupPlace{}});
-    } else {
-        m_heardNoise = m_heardNoise || !end.bytes.empty();
-    }
-    if (m_recheck.next())
-        return;
-    if (m_recheck.found()) {
-        m_unheardInRow = 0;
-        return nextNumber();
-    }
-    if (m_modules.empty() && !m_expected)
-        endOfChain();
-}
-
-/// The last module that is known has answered after a recheck. If it did not do so at once, or any answer was
-/// late, the silence of the others shows nothing, and neither does that after the last Set Address.
-void Discovery::onRechecked() {
-    if (m_aliveInVain == 0 && !m_recheck.doubtful())
-        return endOfChain();
-    m_recheck.noteInVain();
-    if (m_recheck.exhausted())
-        return m_modules.empty() ? endOfChain()
-                                 : fail(ConnectFailure::Disturbed, {indexOf(m_modules.size() - 1)});
-    m_unheardInRow = kSetAttempts - 1;
-    nextNumber();
-}
-
-void Discovery::nextNumber() {
-    m_number < kLastNumber ? enter(Phase::Set) : fail(ConnectFailure::Disturbed);
+void Discovery::onAddressing(const ReplyEnd& end) {
+    const std::size_t before = m_addressing.addresses().size();
+    m_addressing.onReply(end);
+    if (const std::size_t now = m_addressing.addresses().size(); now != before)
+        m_progress = ConnectProgress{ConnectStage::Addressing, static_cast<std::uint8_t>(now)};
 }
 
 void Discovery::onIdentity(const ReplyEnd& end) {
@@ -388,37 +254,14 @@ void Discovery::onIdentity(const ReplyEnd& end) {
     nextModule(Phase::ChangeRate);
 }
 
-void Discovery::found(BusAddress address) {
-    m_modules.push_back({indexOf(m_modules.size()), address, {}, GroupPlace{}});
-    m_unheardInRow = 0;
-    m_wrongInRow = 0;
-    enter(Phase::Set, ConnectStage::Addressing);
-    if (m_modules.size() == kMaxModules)
-        endOfAddressing();
-}
-
-void Discovery::endOfAddressing() {
-    if (m_recheck.empty())
-        return endOfChain();
-    m_aliveInVain = 0;
-    m_recheck.begin();
-    enter(Phase::Recheck);
-}
-
-void Discovery::endOfChain() {
-    if (m_modules.empty())
-        return fail(m_heardNoise           ? ConnectFailure::Garbled
-                    : m_look.unaddressed() ? ConnectFailure::Disturbed  // one has answered
-                                           : ConnectFailure::NobodyAnswers);
-    for (std::size_t i = 0; i < m_modules.size(); ++i)
-        m_modules[i].index = indexOf(i);
-    m_addressed = true;
-    queryModules();
+void Discovery::takeModules(const std::vector<BusAddress>& addresses, std::optional<GroupPlace> group) {
+    for (const BusAddress address : addresses)
+        m_modules.push_back({indexOf(m_modules.size()), address, {}, group});
 }
 
 void Discovery::queryModules() {
     m_at = 0;
-    m_aliveInVain = 0;
+    m_silentInRow = 0;
     m_heard.clear();
     enter(Phase::Identify, ConnectStage::Identifying);
 }
@@ -426,7 +269,7 @@ void Discovery::queryModules() {
 /// Proceeds to the next module of this phase, or to the following phase.
 void Discovery::nextModule(Phase after) {
     ++m_at;
-    m_aliveInVain = 0;
+    m_silentInRow = 0;
     if (m_phase == Phase::Define || m_phase == Phase::Confirm)
         skipUnknown();
     if (m_at >= m_modules.size())
@@ -454,7 +297,7 @@ void Discovery::skipUnknown() {
 /// A module that answered before no longer does, or keeps answering wrongly. One that has just been given its
 /// address and is silent is queried again: a new search might miss it.
 void Discovery::failAnswer(const ReplyEnd& end) {
-    if (!m_attached && end.bytes.empty() && ++m_aliveInVain < kAliveAttempts)
+    if (!m_attached && end.bytes.empty() && ++m_silentInRow < Addressing::kAliveAttempts)
         return;
     fail(end.bytes.empty() ? ConnectFailure::Garbled : ConnectFailure::Collision, {indexOf(m_at)});
 }

@@ -8,27 +8,25 @@
 #include <variant>
 #include <vector>
 
+#include "bus/addressing.h"
 #include "bus/chainlook.h"
 #include "bus/engineconfig.h"
 #include "bus/exchange.h"
 #include "bus/line.h"
 #include "bus/ratechange.h"
-#include "bus/recheck.h"
 #include "bus/task.h"
 #include "bus/types.h"
 
 namespace nmc::bus {
 
 /// Finds the chain: either an existing one, which is left as it is (chainlook.h), or a fresh one, to which it
-/// assigns addresses (DS-V 4.1, protocol.md 1), after a Hard Reset if requested. On a read-only connection it
-/// does only the former, starting with a search, and uses Read Status instead of Define Status. It ends with
-/// three replies with different items from each module, which two modules at one address cannot all give
-/// correctly. Returns the next action and is informed of its outcome; retries of a query, and the resync
+/// assigns addresses (addressing.h), after a Hard Reset if requested. On a read-only connection it does only
+/// the former, starting with a search, and uses Read Status instead of Define Status. It ends with three
+/// replies with different items from each module, which two modules at one address cannot all give correctly.
+/// Returns the next action and is informed of its outcome; retries of a query, and the resync
 /// before them, are left to the engine. Pure.
 class Discovery {
 public:
-    static constexpr std::uint8_t kMaxModules = 32;
-
     enum class Start : std::uint8_t { Look, Restart };
     Discovery(const EngineConfig& config, Start start);
 
@@ -38,10 +36,11 @@ public:
     /// The end of the last Ask, after its retries.
     void onReply(const ReplyEnd& end);
     /// Bytes have arrived that answer no query: an answer was too late, so a silence may have been none.
-    void onLateBytes() { m_phase == Phase::Look ? m_look.onLateBytes() : m_recheck.onLateBytes(); }
+    void onLateBytes() { m_phase == Phase::Look ? m_look.onLateBytes() : m_addressing.onLateBytes(); }
     /// The next query may be answered later than usual.
     [[nodiscard]] bool expectsLateAnswers() const {
-        return m_look.patient() || m_phase == Phase::Recheck || m_aliveInVain > 0 || m_wrongInRow > 0;
+        return m_look.patient() || m_silentInRow > 0 ||
+               (m_phase == Phase::Addressing && m_addressing.expectsLateAnswers());
     }
     /// Continues, also after a failure, with what follows addressing. Requires addressed().
     void queryModules();
@@ -55,15 +54,17 @@ public:
     /// modules that have one for the whole chain.
     [[nodiscard]] bool resume();
     /// True once the first address has been assigned.
-    [[nodiscard]] bool givesAddresses() const { return m_number > 0; }
+    [[nodiscard]] bool givesAddresses() const { return m_addressing.begun(); }
     /// True once the last one has.
     [[nodiscard]] bool addressed() const { return m_addressed; }
     /// The identity of a module without an address that answers in addition to the chain.
     [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const {
         return m_look.unaddressedIdentity();
     }
-    [[nodiscard]] std::size_t seen() const { return std::max(m_modules.size(), m_look.addresses().size()); }
-    /// The modules seen so far.
+    [[nodiscard]] std::size_t seen() const {
+        return std::max({m_modules.size(), m_look.addresses().size(), m_addressing.addresses().size()});
+    }
+    /// The modules of the chain, also after a failure, as far as they are known.
     [[nodiscard]] const std::vector<ModuleInfo>& modules() const { return m_modules; }
     struct Heard {
         ModuleIndex module;
@@ -76,10 +77,7 @@ private:
     enum class Phase : std::uint8_t {
         Look,
         Restart,
-        Set,
-        Probe,
-        Alive,    ///< a number was not taken: is this the end of the chain, or is the line disturbed?
-        Recheck,  ///< the numbers at which nobody was heard again, then the last module that is known
+        Addressing,
         Identify,
         ChangeRate,
         Define,
@@ -92,23 +90,13 @@ private:
     [[nodiscard]] Next lookedUp();
     [[nodiscard]] Line::Script restartScript() const;
     [[nodiscard]] Next changeRate();
-    [[nodiscard]] Ask setAddress();
-    [[nodiscard]] Ask probe(BusAddress address, std::uint8_t repeats) const;
-    [[nodiscard]] Ask stillThere() const;
+    [[nodiscard]] Next addressing();
     [[nodiscard]] Ask defineItems(StatusItems items) const;
     [[nodiscard]] Ask askModule(const Payload& payload, StatusItems items, std::uint8_t repeats) const;
     void onIdentity(const ReplyEnd& end);
     void onLook(const ReplyEnd& end);
-    void onAddress(const ReplyEnd& end);
-    void onProbe(const ReplyEnd& end);
-    void onAlive(const ReplyEnd& end);
-    void onNumberUnheard();
-    void onRecheck(const ReplyEnd& end);
-    void onRechecked();
-    void nextNumber();
-    void found(BusAddress address);
-    void endOfAddressing();
-    void endOfChain();
+    void onAddressing(const ReplyEnd& end);
+    void takeModules(const std::vector<BusAddress>& addresses, std::optional<GroupPlace> group);
     void nextModule(Phase after);
     void enterModules(Phase phase);
     void skipUnknown();
@@ -120,20 +108,15 @@ private:
 
     EngineConfig m_config;
     ChainLook m_look;
+    Addressing m_addressing;
     Phase m_phase;
-    bool m_expected = false;  ///< there seems to be a module to assign the first address to
     bool m_attached = false;  ///< once true, no address, rate or reset is sent
     std::vector<ModuleInfo> m_modules;
     std::vector<Heard> m_heard;
-    std::size_t m_at = 0;         ///< the module being queried
-    std::uint8_t m_number = 0;    ///< the last address sent; none is ever sent twice
-    unsigned m_unheardInRow = 0;  ///< numbers that no module seems to have received
-    unsigned m_aliveInVain = 0;   ///< consecutive unanswered queries to a module that has answered before
-    unsigned m_wrongInRow = 0;    ///< consecutive wrong answers to the last number
-    Recheck m_recheck;
+    std::size_t m_at = 0;        ///< the module being queried
+    unsigned m_silentInRow = 0;  ///< queries to that module, unanswered since its address was assigned
     bool m_addressed = false;
-    bool m_heardNoise = false;  ///< while assigning addresses; finding no module is then reported as Garbled
-    bool m_resumed = false;     ///< the port must first be set to the power-up rate
+    bool m_resumed = false;  ///< the port must first be set to the power-up rate
     std::optional<RateChange> m_rateChange;
     ConnectFailed m_failure{};
     std::optional<ConnectProgress> m_progress;

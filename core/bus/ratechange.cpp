@@ -107,12 +107,9 @@ Line::Script RateChange::sendToAll(std::uint32_t rate) const {
 }
 
 Ask RateChange::ask() const {
-    Ask question;
-    question.purpose = Purpose::Connect;
-    question.request = {m_chain[m_at].address, encode(Nop{}), m_chain[m_at].reply};
-    question.request.patience = patience();
-    question.silentRepeats = 2;
-    return question;
+    Ask ask = Ask::toConnect({m_chain[m_at].address, encode(Nop{}), m_chain[m_at].reply}, 2);
+    ask.request.patience = patience();
+    return ask;
 }
 
 Duration RateChange::patience() const {

@@ -195,9 +195,7 @@ void ReaddressTask::moved() {
 }
 
 Ask ReaddressTask::question(BusAddress address, const Payload& payload, StatusItems items) const {
-    Ask ask;
-    ask.purpose = Purpose::Connect;
-    ask.request = {address, payload, {m_chain.belief(*m_module).info().identity, items}};
+    Ask ask = Ask::toConnect({address, payload, {m_chain.belief(*m_module).info().identity, items}}, 0);
     ask.handlesFailure = true;
     ask.believed = false;
     return ask;

@@ -10,7 +10,7 @@
 
 namespace nmc::bus {
 
-/// The numbers that were sent while addresses were assigned (discovery.h) but at which no module was heard.
+/// The numbers that were sent while addresses were assigned (addressing.h) but at which no module was heard.
 /// One may have been taken all the same, and the answers lost or too late, so before the chain is considered
 /// complete, each is queried once more. Pure.
 class Recheck {

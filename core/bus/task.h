@@ -38,6 +38,17 @@ struct Ask {
         false;  ///< the task handles silence and wrong answers itself: no retry, no recovery
     /// As another host has sent it (lending.h); its sum may be wrong.
     std::optional<PacketBytes> asSent{};
+
+    /// A query while the chain is being found or rearranged.
+    [[nodiscard]] static Ask toConnect(const Request& request, std::uint8_t silentRepeats,
+                                       Quarantine quarantine = Quarantine::Full) {
+        Ask ask;
+        ask.purpose = Purpose::Connect;
+        ask.request = request;
+        ask.silentRepeats = silentRepeats;
+        ask.quarantine = quarantine;
+        return ask;
+    }
 };
 
 /// The possible requests of a task for the line.

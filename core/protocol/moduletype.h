@@ -5,6 +5,9 @@
 
 namespace nmc {
 
+/// Longest chain on one RS-485 line (DS-V 6.1).
+inline constexpr std::uint8_t kMaxModules = 32;
+
 /// The type byte of status item 5. A module with any other value is unknown to this program.
 enum class ModuleType : std::uint8_t { Servo = 0, Adc = 1, Io = 2, Stepper = 3 };
 

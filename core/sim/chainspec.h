@@ -11,9 +11,6 @@
 
 namespace nmc::sim {
 
-/// Longest chain on one RS-485 line (DS-V 6.1).
-inline constexpr std::size_t kMaxModules = 32;
-
 /// The chain that is simulated by default.
 inline constexpr std::string_view kDefaultChain = "servo,servo,step";
 

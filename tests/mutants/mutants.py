@@ -86,14 +86,14 @@ BELIEVING = (
 
 COMMANDS = (
     Mutant("blind-retry-of-set-address", "link.md 2.3: the new address is queried first, or two modules may get it", (
-        Edit("core/bus/discovery.cpp",
+        Edit("core/bus/addressing.cpp",
              "encode(set), {}}, 0, Quarantine::Brief);",
              "encode(set), {}}, 1, Quarantine::Brief);"),
     )),
     Mutant("address-number-sent-twice", "link.md 2.3: a module may have taken the number although no answer arrived", (
-        Edit("core/bus/discovery.cpp",
+        Edit("core/bus/addressing.cpp",
              "    const SetAddress set{BusAddress(++m_number), kEverybody, false};",
-             "    m_number = static_cast<std::uint8_t>(m_modules.size() + 1);\n"
+             "    m_number = static_cast<std::uint8_t>(m_addresses.size() + 1);\n"
              "    const SetAddress set{BusAddress(m_number), kEverybody, false};"),
     )),
     Mutant("states-kept-through-new-addresses", "link.md 2.6: a module that was reset is off, and stays off", (
