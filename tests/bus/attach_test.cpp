@@ -114,7 +114,7 @@ TEST(Attach, SearchesAgainWhenAModuleFallsSilentForAMoment) {
 /// At velocity 0 in velocity mode, a servo reports move_done; the new host cannot distinguish this from a
 /// move that has ended.
 TEST(Attach, ForbidsATrapezoidalMoveOfAServoThatHolds) {
-    VirtualBus bus(servos(1), atRate(115'200));
+    VirtualBus bus(servos(1), EngineConfig{115'200});
     ASSERT_TRUE(bus.connect());
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
     bus.newHost();
@@ -128,7 +128,7 @@ TEST(Attach, ForbidsATrapezoidalMoveOfAServoThatHolds) {
 }
 
 TEST(Attach, AllowsATrapezoidalMoveOfAServoThatIsSeenOff) {
-    VirtualBus bus(servos(1), atRate(115'200));
+    VirtualBus bus(servos(1), EngineConfig{115'200});
     ASSERT_TRUE(bus.connect());
     bus.newHost();
     ASSERT_TRUE(bus.connect());
@@ -323,7 +323,7 @@ TEST(Attach, LearnsHowLongAnAdapterPausesWithinAReply) {
     for (const std::uint32_t baud : {19'200U, 115'200U})
         for (const bool fresh : {false, true}) {
             SCOPED_TRACE(std::to_string(baud) + (fresh ? ", fresh" : ""));
-            LeftBehind left(3, baud, atRate(baud));
+            LeftBehind left(3, baud, EngineConfig{baud});
             VirtualBus& bus = left.bus;
             for (std::uint8_t i = 0; fresh && i < 3; ++i)
                 bus.chain.powerCycle(ModuleIndex(i), bus.now);

@@ -6,24 +6,12 @@
 
 namespace nmc::test {
 
-[[nodiscard]] inline bus::EngineConfig atRate(std::uint32_t baud) {
-    bus::EngineConfig config;
-    config.baud = baud;
-    return config;
-}
-
-[[nodiscard]] inline sim::ChainOptions withFaults() {
-    sim::ChainOptions options;
-    options.enableFaults = true;
-    return options;
-}
-
 /// The first program assigns addresses, runs the first motor in velocity mode at one count per tick, and
 /// disappears. Another one takes its place, with `next` as its configuration.
 class LeftBehind {
 public:
     LeftBehind(std::size_t modules, std::uint32_t baud, const bus::EngineConfig& next = {})
-        : bus(servos(modules), atRate(baud), withFaults()) {
+        : bus(servos(modules), bus::EngineConfig{baud}, withFaults()) {
         EXPECT_TRUE(bus.connect());
         EXPECT_FALSE(bus.last<bus::ChainFound>()->attached);
         EXPECT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, kOnePerTick, true)}), bus::Outcome::Done);

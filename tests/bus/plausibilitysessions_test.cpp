@@ -23,7 +23,7 @@ using testing_support::kStep;
 class Session {
 public:
     Session(std::vector<ModuleIdentity> modules, std::uint32_t baud, std::uint64_t seed)
-        : m_random(seed), bus(std::move(modules), atRate(baud), withSeed(seed)) {}
+        : m_random(seed), bus(std::move(modules), EngineConfig{baud}, withSeed(seed)) {}
 
     [[nodiscard]] bool begin() { return bus.connect(); }
     void run() {
@@ -51,11 +51,6 @@ public:
     }
 
 private:
-    [[nodiscard]] static EngineConfig atRate(std::uint32_t baud) {
-        EngineConfig config;
-        config.baud = baud;
-        return config;
-    }
     [[nodiscard]] static sim::ChainOptions withSeed(std::uint64_t seed) {
         sim::ChainOptions options;
         options.seed = seed;

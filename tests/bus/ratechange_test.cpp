@@ -76,12 +76,6 @@ private:
     }
 };
 
-[[nodiscard]] sim::ChainOptions withFaults() {
-    sim::ChainOptions options;
-    options.enableFaults = true;
-    return options;
-}
-
 /// Connects to three servos that hold their positions, at 19 200 Bd.
 void makeReady(RateBus& bus) {
     ASSERT_TRUE(bus.connect());

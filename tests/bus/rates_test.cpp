@@ -13,12 +13,6 @@ namespace {
 using namespace bus;
 using namespace std::chrono_literals;
 
-[[nodiscard]] EngineConfig atRate(std::uint32_t baud) {
-    EngineConfig config;
-    config.baud = baud;
-    return config;
-}
-
 /// Samples per second of each module over ten seconds.
 [[nodiscard]] std::vector<double> rates(VirtualBus& bus) {
     std::vector<double> all;
@@ -44,7 +38,7 @@ TEST(PollRates, GiveTheOthersFiveASecondAndTheRestToTheOneThatIsLookedAt) {
     for (const auto& [baud, modules] :
          {Case{115'200, 8}, {115'200, 32}, {57'600, 8}, {19'200, 4}, {19'200, 2}}) {
         SCOPED_TRACE(testing::Message() << int{modules} << " modules at " << baud);
-        VirtualBus bus(servos(modules), atRate(baud));
+        VirtualBus bus(servos(modules), EngineConfig{baud});
         ASSERT_TRUE(bus.connect());
         bus.engine.watch({ModuleIndex(1)});
         bus.runFor(1s);
@@ -64,7 +58,7 @@ TEST(PollRates, GiveTheOthersFiveASecondAndTheRestToTheOneThatIsLookedAt) {
 }
 
 TEST(PollRates, ShareTheWireEvenlyWhenNobodyLooks) {
-    VirtualBus bus(servos(4), atRate(115'200));
+    VirtualBus bus(servos(4), EngineConfig{115'200});
     ASSERT_TRUE(bus.connect());
     bus.engine.watch({ModuleIndex(2)});
     bus.runFor(1s);
@@ -75,7 +69,7 @@ TEST(PollRates, ShareTheWireEvenlyWhenNobodyLooks) {
 }
 
 TEST(PollRates, RememberWhoIsLookedAtThroughAnotherConnection) {
-    VirtualBus bus(servos(4), atRate(115'200));
+    VirtualBus bus(servos(4), EngineConfig{115'200});
     bus.engine.watch({ModuleIndex(3)});
     ASSERT_TRUE(bus.connect());
     bus.runFor(1s);
@@ -97,7 +91,7 @@ TEST(FocusRates, GiveOneModuleWhatTheWireCarriesAndKeepTheOthersInSight) {
     for (const auto& [baud, modules] :
          {Case{115'200, 1}, {115'200, 8}, {115'200, 32}, {57'600, 8}, {19'200, 4}, {19'200, 16}}) {
         SCOPED_TRACE(testing::Message() << int{modules} << " modules at " << baud);
-        VirtualBus bus(servos(modules), atRate(baud));
+        VirtualBus bus(servos(modules), EngineConfig{baud});
         ASSERT_TRUE(bus.connect());
         bus.runFor(1s);
         std::vector<std::size_t> before;
@@ -133,7 +127,7 @@ protected:
         bus.runFor(100ms);
         return bus.sends("AA 01 13 01", from) > 10;
     }
-    VirtualBus bus{servos(2), atRate(115'200)};
+    VirtualBus bus{servos(2), EngineConfig{115'200}};
 };
 
 TEST_F(Focus, EndsByItselfAfterFiveSeconds) {

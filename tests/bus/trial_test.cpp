@@ -62,11 +62,6 @@ protected:
         bus.runFor(lasts);
         bus.chain.clearFaults(bus.now);
     }
-    static sim::ChainOptions withFaults() {
-        sim::ChainOptions options;
-        options.enableFaults = true;
-        return options;
-    }
     VirtualBus bus{servos(2), EngineConfig{115'200}, withFaults()};
     OperationId id{0};
 };
