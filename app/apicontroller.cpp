@@ -50,12 +50,6 @@ constexpr int kRefused = -32000, kNoControl = -32001, kNotGreeted = -32002;
     return kRefused;
 }
 
-[[nodiscard]] bool leadsToGoal(const Intent& intent) {
-    return std::visit(
-        [](const auto& one) { return AnyOf<std::decay_t<decltype(one)>, intent::Move, intent::GoHome>; },
-        intent);
-}
-
 }  // namespace
 
 ApiController::ApiController(const BusStore& store, BusWorker& worker, Connection& connection,
@@ -152,11 +146,11 @@ void ApiController::gone(Client client) {
         m_control.reset();
     bool stops = false;
     if (!session.finishes) {
-        if (session.runs && m_commander.sequences().running()) {
+        if (session.requests.runsSequence() && m_commander.sequences().running()) {
             m_commander.sequences().stop();
             stops = true;
         }
-        for (const ModuleIndex module : session.moved)
+        for (const ModuleIndex module : session.requests.moved())
             if (!rests(module)) {
                 m_commander.carryOut(module, intent::StopSmoothly{});
                 stops = true;
@@ -277,22 +271,20 @@ void ApiController::endControl(texts::ControlLost why) {
 
 void ApiController::noteCommand(std::optional<ModuleIndex> module) {
     for (auto& [client, session] : m_sessions) {
-        if (module) {
-            session.moved.erase(*module);
-        } else {
-            session.moved.clear();
-            session.runs = false;
-        }
+        if (module)
+            session.requests.clearMoved(*module);
+        else
+            session.requests.othersCommandAll();
     }
     endControl(texts::ControlLost::Commanded);
 }
 
 // ---- motors ----
 
-void ApiController::noteMoved(Client client, ModuleIndex module) {
+void ApiController::setMoved(Client client, ModuleIndex module) {
     for (auto& [other, session] : m_sessions)
-        session.moved.erase(module);
-    session(client).moved.insert(module);
+        session.requests.clearMoved(module);
+    session(client).requests.setMoved(module);
 }
 
 /// Needs neither hello nor control.
@@ -343,9 +335,7 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
         return why(orders.error());
     m_refused.reset();
     Session& session = this->session(client);
-    session.forget(call.module);
-    if (leadsToGoal(intent))
-        session.goals[call.module];
+    session.requests.begin(call.module, intent);
     if (isHeld(session) && session.held.module == call.module) {
         m_worker.release();
         session.heldAt.reset();
@@ -355,17 +345,16 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
     if (m_refused)
         return why(*m_refused);
     if (isStop(intent))
-        session.forget(call.module);  // a search or moves that it has just cancelled were requested before
+        session.requests.forget(
+            call.module);  // a search or moves that it has just cancelled were requested before
     else
-        noteMoved(client, call.module);
+        setMoved(client, call.module);
     for (auto& [other, each] : m_sessions)
         if (isStop(intent) && isHeld(each) && each.held.module == call.module)
             each.stopped = true;
-    if (operation)
-        m_pending[call.module] = session.operations[call.module] = *operation;
-    if (operation && leadsToGoal(intent)) {
-        session.replaced.insert(call.module);
-        session.failures.erase(call.module);
+    if (operation) {
+        m_pending[call.module] = *operation;
+        session.requests.setOperation(call.module, intent, *operation);
     }
     answer(client, id, {{"accepted", true}});
 }
@@ -392,9 +381,8 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
     session.held = hold;
     session.heldAt = monotonicNow();
     session.stopped = false;
-    session.forget(hold.module);
-    session.replaced.insert(hold.module);
-    noteMoved(client, hold.module);
+    session.requests.noteJog(hold.module);
+    setMoved(client, hold.module);
     answer(client, id, {{"accepted", true}});
 }
 
@@ -411,25 +399,24 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
         return refuse(client, id, api::refused(Refusal::Moving));
     m_connection.dropSearch();
     m_notBegun.reset();
-    Session& own = session(client);
-    own.awaitsEnd = true;  // it may end as soon as it begins
+    ProgramRequests& own = session(client).requests;
+    own.beginSequence();
     m_commander.sequences().begin(sequence ? SequenceRun(machine, name, 0)
                                            : SequenceRun::toPoint(machine, name));
     if (m_notBegun) {
-        own.awaitsEnd = false;
+        own.sequenceRefused();
         return fail(client, id, kRefused, *m_notBegun, "SequenceRefused");
     }
-    // A motor that rests is moved by the sequence from now on, whichever program has moved it before.
-    const auto isTaken = [this, parts = m_commander.sequences().parts()](ModuleIndex module) {
-        return parts.contains(module) && !m_store.module(module)->moving();
-    };
     for (auto& [other, session] : m_sessions) {
-        session.runs = other == client && own.awaitsEnd;
-        if (other != client)
-            std::erase_if(session.moved, isTaken);
+        if (other == client)
+            continue;
+        session.requests.sequenceTaken();
+        // A motor that rests is moved by the sequence from now on, whichever program has moved it before.
+        for (const ModuleIndex module : m_commander.sequences().parts())
+            if (!m_store.module(module)->moving())
+                session.requests.clearMoved(module);
     }
-    if (own.awaitsEnd)
-        own.sequenceFailure.reset();
+    own.sequenceBegun();
     for (const ModuleState& module : m_store.link().modules)  // it may move any of them
         own.forget(module.info.index);
     answer(client, id, {{"accepted", true}});
@@ -479,16 +466,8 @@ void ApiController::noteFinished(const bus::OperationFinished& finished) {
         if (module != nullptr)
             m_doneAt[finished.module] = module->latestTime;
     }
-    for (auto& [client, session] : m_sessions) {
-        const auto own = session.operations.find(finished.module);
-        if (own == session.operations.end() || own->second != finished.id)
-            continue;
-        if (finished.outcome != bus::Outcome::Done)
-            session.failures[finished.module] = texts::operationFailed(finished).headline;
-        else if (const auto goal = session.goals.find(finished.module);
-                 goal != session.goals.end() && module != nullptr)
-            goal->second = module->goal();
-    }
+    for (auto& [client, session] : m_sessions)
+        session.requests.onFinished(finished, module);
 }
 
 void ApiController::noteEnded(const ProcedureReport& report) {
@@ -498,20 +477,20 @@ void ApiController::noteEnded(const ProcedureReport& report) {
     const auto message =
         texts::procedureEnded(report, scaleOf(*module, m_store.machine().axis(report.module)));
     for (auto& [client, session] : m_sessions)
-        if (session.moved.contains(report.module) && !session.replaced.contains(report.module))
-            session.failures[report.module] = message ? message->headline : texts::wasCancelled();
+        session.requests.onProcedureFailed(report.module,
+                                           message ? message->headline : texts::wasCancelled());
 }
 
 void ApiController::noteSequence(const SequenceReport& report) {
     if (!report.over())
         return;
-    const auto message = texts::sequenceOver(report);
-    for (auto& [client, session] : m_sessions) {
-        session.runs = false;
-        if (std::exchange(session.awaitsEnd, false) && report.stage != SequenceStage::Done)
-            session.sequenceFailure =
-                message ? message->headline + u' ' + message->body : texts::wasCancelled();
+    std::optional<QString> failure;
+    if (report.stage != SequenceStage::Done) {
+        const auto message = texts::sequenceOver(report);
+        failure = message ? message->headline + u' ' + message->body : texts::wasCancelled();
     }
+    for (auto& [client, session] : m_sessions)
+        session.requests.onSequenceOver(failure);
 }
 
 void ApiController::answerWaits() {
@@ -530,7 +509,7 @@ void ApiController::answerWaits() {
             else if (m_stopping || (!wait.module && m_commander.sequences().running()) ||
                      !std::ranges::all_of(modules, [this](ModuleIndex module) { return rests(module); }))
                 waiting.push_back(std::move(wait));
-            else if (const auto failure = failureOf(session, modules, !wait.module)) {
+            else if (const auto failure = failureOf(session.requests, modules, !wait.module)) {
                 toldOfSequence |= !wait.module;
                 fail(client, wait.id, kRefused, *failure, "NotCarriedOut");
             } else if (const auto arrival = arrivalOf(wait, modules); arrival == Arrival::State::Underway)
@@ -540,13 +519,13 @@ void ApiController::answerWaits() {
             else {
                 // What becomes of their goals from now on is not the fault of these requests.
                 for (const ModuleIndex module : modules)
-                    session.forget(module);
+                    session.requests.forget(module);
                 answer(client, wait.id, stateOf(wait.module));
             }
         }
         session.waits = std::move(waiting);
         if (toldOfSequence)
-            session.sequenceFailure.reset();
+            session.requests.sequenceFailureTold();
     }
 }
 
@@ -565,30 +544,20 @@ std::vector<ModuleIndex> ApiController::awaited(const Session& session,
         return {*module};
     std::vector<ModuleIndex> all;
     for (const ModuleState& each : m_store.link().modules)
-        if (!each.silent || session.moved.contains(each.info.index))
+        if (!each.silent || session.requests.moved().contains(each.info.index))
             all.push_back(each.info.index);
     return all;
 }
 
-std::optional<QString> ApiController::failureOf(const Session& session,
+std::optional<QString> ApiController::failureOf(const ProgramRequests& requests,
                                                 const std::vector<ModuleIndex>& modules,
                                                 bool withSequence) const {
-    if (withSequence && session.sequenceFailure)
-        return session.sequenceFailure;
+    if (withSequence && requests.sequenceFailure())
+        return requests.sequenceFailure();
     for (const ModuleIndex module : modules)
-        if (auto failure = failureOf(session, module))
+        if (auto failure = requests.failure(*m_store.module(module)))
             return failure;
     return std::nullopt;
-}
-
-std::optional<QString> ApiController::failureOf(const Session& session, ModuleIndex module) const {
-    if (const auto failure = session.failures.find(module); failure != session.failures.end())
-        return failure->second;
-    const auto goal = session.goals.find(module);
-    // Whatever has stopped the motor, or commanded it since, has replaced the goal.
-    const bool replaced =
-        goal != session.goals.end() && goal->second && goal->second != m_store.module(module)->goal();
-    return replaced ? std::optional(texts::wasCancelled()) : std::nullopt;
 }
 
 // ---- answers ----

@@ -4,11 +4,11 @@
 #include <QObject>
 #include <map>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "app/apifeed.h"
 #include "app/connection.h"
+#include "app/programrequests.h"
 #include "link/api/apiserver.h"
 #include "link/command/commander.h"
 #include "link/connection/busstore.h"
@@ -68,33 +68,11 @@ private:
     struct Session {
         QString program{};      ///< empty until it has called hello
         bool finishes = false;  ///< its moves finish when it disappears
-        /// These were commanded by nobody else since.
-        std::set<ModuleIndex> moved{};
-        /// It has started the sequence that runs, which nobody else has commanded since.
-        bool runs = false;
-        bool awaitsEnd = false;                                ///< it has started the sequence that runs
-        std::map<ModuleIndex, bus::OperationId> operations{};  ///< the last one for each module
-        /// Why its last request to a module was not carried out to the end; "wait" reports it.
-        std::map<ModuleIndex, QString> failures{};
-        /// Where its last request to a module leads, once that is known.
-        std::map<ModuleIndex, std::optional<std::int32_t>> goals{};
-        /// Its last request to these is a motion that is no procedure: a procedure that ends was requested
-        /// before, and is ended by it.
-        std::set<ModuleIndex> replaced{};
-        std::optional<QString> sequenceFailure{};  ///< the same for the last sequence, until it was told
+        ProgramRequests requests{};
         std::vector<Pending> waits{};
         bus::HoldToMove held{};  ///< the last jog
         std::optional<TimePoint> heldAt{};
         bool stopped = false;  ///< another program has stopped the motor that this one jogs
-
-        /// It has requested something else of this module, or knows that its last request is done: what
-        /// becomes of that is of no interest.
-        void forget(ModuleIndex module) {
-            operations.erase(module);
-            failures.erase(module);
-            goals.erase(module);
-            replaced.erase(module);
-        }
     };
     struct Asked {
         Client client;
@@ -114,7 +92,7 @@ private:
     void request(Client client, const api::Call& call, const Json& id);
     void jog(Client client, bus::HoldToMove hold, const Json& id);
     void run(Client client, const api::Method& method, const Json& parameters, const Json& id);
-    void noteMoved(Client client, ModuleIndex module);
+    void setMoved(Client client, ModuleIndex module);
     [[nodiscard]] static bool isHeld(const Session& session);
     [[nodiscard]] bool rests(ModuleIndex module) const;
     /// How far these modules, all at rest, are: Missed if any of them has missed its goal, Underway if any
@@ -126,10 +104,9 @@ private:
     void answerWaits();
     [[nodiscard]] std::vector<ModuleIndex> awaited(const Session& session,
                                                    std::optional<ModuleIndex> module) const;
-    [[nodiscard]] std::optional<QString> failureOf(const Session& session,
+    [[nodiscard]] std::optional<QString> failureOf(const ProgramRequests& requests,
                                                    const std::vector<ModuleIndex>& modules,
                                                    bool withSequence) const;
-    [[nodiscard]] std::optional<QString> failureOf(const Session& session, ModuleIndex module) const;
 
     /// What `state` returns for this module, or without one for the whole chain.
     [[nodiscard]] Json stateOf(std::optional<ModuleIndex> module) const;
