@@ -133,10 +133,9 @@ tl::expected<ParsedMachine, FileProblem> parseMachine(std::string_view text) {
 // ---- writing ----
 
 std::string writeMachine(const Machine& machine, const UnknownKeys& unknown) {
-    using Json = layout::FieldWriter::Json;
-    Json file = Json::parse(unknown.text, nullptr, false);
+    auto file = layout::FieldWriter::Json::parse(unknown.text, nullptr, false);
     if (!file.is_object())
-        file = Json::object();
+        file = layout::FieldWriter::Json::object();
     file["format"] = layout::kFormat;
     file["version"] = layout::kVersion;
     layout::FieldWriter writer(file);
