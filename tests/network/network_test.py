@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """nmcctl at a simulated chain behind real device servers: ser2net (raw and RFC 2217) and socat. usage: network_test.py PROGRAMS"""
+import contextlib
 import json
 import os
 import socket
@@ -17,6 +18,12 @@ import inparallel  # noqa: E402
 PROGRAMS = Path(sys.argv.pop())
 GAINS = "gains 1 --set kp=200 kd=2000 ki=20 il=200 ol=255 cl=0 el=8000 sr=1\n"
 DONE, NOT_REACHED = 0, 3
+
+
+def as_a_device_of_its_own():
+    """In the field, no other program holds a device server up. nmcsim and nmcctl see to that themselves."""
+    with contextlib.suppress(PermissionError):
+        os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(os.sched_get_priority_min(os.SCHED_RR)))
 
 
 class DeviceServers(unittest.TestCase):
@@ -59,7 +66,7 @@ class DeviceServers(unittest.TestCase):
         config.write_text(f"connection: &nmc\n  accepter: {accepter},127.0.0.1,{self.port}\n"
                           f"  connector: serialdev,{self.terminal},19200n81,local\n", encoding="utf-8")
         return self.listening(self.start("/usr/sbin/ser2net", "-n", "-d", "-c", config, "-P", self.folder / "pid",
-                                         stderr=subprocess.DEVNULL))
+                                         stderr=subprocess.DEVNULL, preexec_fn=as_a_device_of_its_own))
 
     def listening(self, server):
         listens = f":{self.port:04X} 00000000:0000 0A"
@@ -97,7 +104,7 @@ class DeviceServers(unittest.TestCase):
 
     def test_raw_through_socat(self):
         self.listening(self.start("socat", f"TCP-LISTEN:{self.port},bind=127.0.0.1,reuseaddr,fork",
-                                  f"FILE:{self.terminal},raw,echo=0,b19200"))
+                                  f"FILE:{self.terminal},raw,echo=0,b19200", preexec_fn=as_a_device_of_its_own))
         self.check_moves("tcp")
 
     def test_a_raw_server_is_no_rfc2217_server(self):
