@@ -344,9 +344,8 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
     const auto operation = m_commander.carryOut(call.module, intent);
     if (m_refused)
         return why(*m_refused);
-    if (isStop(intent))
-        session.requests.forget(
-            call.module);  // a search or moves that it has just cancelled were requested before
+    if (isStop(intent))  // a search or moves that it has just cancelled were requested before
+        session.requests.forget(call.module);
     else
         setMoved(client, call.module);
     for (auto& [other, each] : m_sessions)
@@ -354,7 +353,7 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
             each.stopped = true;
     if (operation) {
         m_pending[call.module] = *operation;
-        session.requests.setOperation(call.module, intent, *operation);
+        session.requests.setOperation(call.module, *operation);
     }
     answer(client, id, {{"accepted", true}});
 }
@@ -407,12 +406,13 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
         own.sequenceRefused();
         return fail(client, id, kRefused, *m_notBegun, "SequenceRefused");
     }
+    const std::set<ModuleIndex> parts = m_commander.sequences().parts();
     for (auto& [other, session] : m_sessions) {
         if (other == client)
             continue;
         session.requests.sequenceTaken();
         // A motor that rests is moved by the sequence from now on, whichever program has moved it before.
-        for (const ModuleIndex module : m_commander.sequences().parts())
+        for (const ModuleIndex module : parts)
             if (!m_store.module(module)->moving())
                 session.requests.clearMoved(module);
     }

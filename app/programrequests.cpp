@@ -24,9 +24,9 @@ void ProgramRequests::begin(ModuleIndex module, const Intent& intent) {
         m_goals[module];
 }
 
-void ProgramRequests::setOperation(ModuleIndex module, const Intent& intent, bus::OperationId operation) {
+void ProgramRequests::setOperation(ModuleIndex module, bus::OperationId operation) {
     m_operations[module] = operation;
-    if (!leadsToGoal(intent))
+    if (!m_goals.contains(module))
         return;
     m_replaced.insert(module);
     m_failures.erase(module);

@@ -21,7 +21,7 @@ public:
     /// It is about to request this.
     void begin(ModuleIndex module, const Intent& intent);
     /// The request is carried out by this operation.
-    void setOperation(ModuleIndex module, const Intent& intent, bus::OperationId operation);
+    void setOperation(ModuleIndex module, bus::OperationId operation);
     void noteJog(ModuleIndex module);
     /// It has requested something else of this module, or knows that its last request is done: what becomes
     /// of that is of no interest.

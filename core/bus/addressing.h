@@ -47,6 +47,8 @@ public:
 
     /// True once the first address has been sent.
     [[nodiscard]] bool begun() const { return m_number > 0; }
+    /// True once the whole chain has addresses.
+    [[nodiscard]] bool done() const { return m_phase == Phase::Done; }
     /// Those that modules have taken, ascending.
     [[nodiscard]] const std::vector<BusAddress>& addresses() const { return m_addresses; }
 

@@ -138,7 +138,6 @@ Discovery::Next Discovery::addressing() {
              failed->module ? std::vector{indexOf(*failed->module)} : std::vector<ModuleIndex>{});
         return m_failure;
     }
-    m_addressed = true;
     queryModules();
     return this->next();
 }

@@ -56,7 +56,7 @@ public:
     /// True once the first address has been assigned.
     [[nodiscard]] bool givesAddresses() const { return m_addressing.begun(); }
     /// True once the last one has.
-    [[nodiscard]] bool addressed() const { return m_addressed; }
+    [[nodiscard]] bool addressed() const { return m_addressing.done(); }
     /// The identity of a module without an address that answers in addition to the chain.
     [[nodiscard]] std::optional<ModuleIdentity> unaddressedIdentity() const {
         return m_look.unaddressedIdentity();
@@ -115,8 +115,7 @@ private:
     std::vector<Heard> m_heard;
     std::size_t m_at = 0;        ///< the module being queried
     unsigned m_silentInRow = 0;  ///< queries to that module, unanswered since its address was assigned
-    bool m_addressed = false;
-    bool m_resumed = false;  ///< the port must first be set to the power-up rate
+    bool m_resumed = false;      ///< the port must first be set to the power-up rate
     std::optional<RateChange> m_rateChange;
     ConnectFailed m_failure{};
     std::optional<ConnectProgress> m_progress;
