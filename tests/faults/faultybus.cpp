@@ -13,11 +13,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-sim::ChainOptions withFaults(sim::ChainOptions options) {
-    options.enableFaults = true;
-    return options;
-}
-
 sim::ChainOptions ofSeed(std::uint64_t seed) {
     sim::ChainOptions options;
     options.seed = seed;

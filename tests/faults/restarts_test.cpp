@@ -29,8 +29,7 @@ using testing::Contains;
 class F15_ModulePowerCycled : public testing::TestWithParam<bool> {
 protected:
     static sim::ChainOptions options() {
-        sim::ChainOptions options;
-        options.enableFaults = true;
+        sim::ChainOptions options = withFaults();
         options.deafWhenAddressInputRises = GetParam();
         return options;
     }

@@ -22,7 +22,7 @@ class ProcedureBench {
 public:
     explicit ProcedureBench(const std::vector<ModuleIdentity>& identities, sim::ChainOptions options = {},
                             std::uint32_t baud = 115'200)
-        : bus(identities, at(baud), withFaults(options)) {
+        : bus(identities, bus::EngineConfig{baud}, withFaults(options)) {
         bus.onTime = [this] {
             workSwitches();
             if (watchesSpeed)
@@ -161,15 +161,6 @@ private:
         std::optional<bool> last{};
     };
 
-    [[nodiscard]] static bus::EngineConfig at(std::uint32_t baud) {
-        bus::EngineConfig config;
-        config.baud = baud;
-        return config;
-    }
-    [[nodiscard]] static sim::ChainOptions withFaults(sim::ChainOptions options) {
-        options.enableFaults = true;
-        return options;
-    }
     void workSwitches() {
         if (m_switches.empty())
             return;

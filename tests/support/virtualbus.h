@@ -134,8 +134,7 @@ private:
     return std::vector<ModuleIdentity>(count, ModuleIdentity{ModuleType::Servo, version});
 }
 
-[[nodiscard]] inline sim::ChainOptions withFaults() {
-    sim::ChainOptions options;
+[[nodiscard]] inline sim::ChainOptions withFaults(sim::ChainOptions options = {}) {
     options.enableFaults = true;
     return options;
 }
