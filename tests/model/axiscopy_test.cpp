@@ -17,15 +17,15 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing_support::ids;
 using testing_support::kFirst;
 using testing_support::kIo;
 using testing_support::kSc;
 using testing_support::kSecond;
 using testing_support::kServo;
 using testing_support::kStep;
+using testing_support::kThird;
 using testing_support::servoAxis;
-
-constexpr ModuleIndex kThird{2};
 
 /// A chain of modules that answer and are off, in this order.
 std::vector<ModuleState> chainOf(std::initializer_list<ModuleIdentity> identities) {
@@ -45,12 +45,6 @@ std::vector<ModuleState> chainOf(std::initializer_list<ModuleIdentity> identitie
 
 AxisCopy copyOf(const AxisSettings& axis, std::vector<ModuleIndex> to, std::vector<MachinePart> parts = {}) {
     return {kFirst, axis, std::move(to), std::move(parts)};
-}
-std::vector<PartId> ids(const std::vector<Difference>& rows) {
-    std::vector<PartId> found;
-    for (const Difference& row : rows)
-        found.push_back(row.id);
-    return found;
 }
 
 TEST(AxisCopy, GoesOnlyToModulesOfTheSameType) {

@@ -14,8 +14,7 @@ namespace {
 
 using testing_support::kFirst;
 using testing_support::kSecond;
-
-constexpr ModuleIndex kThird{2};
+using testing_support::kThird;
 
 std::vector<AxisSettings> axesCalled(std::initializer_list<const char*> names) {
     std::vector<AxisSettings> axes;

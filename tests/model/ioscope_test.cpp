@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing_support::atSeconds;
 using testing_support::readRecording;
 
-constexpr ModuleIndex kIo(0);
+constexpr ModuleIndex kBox(0);
 
 struct Reply {
     double seconds = 0;
@@ -31,7 +31,7 @@ bus::Sample asSample(const Reply& reply) {
     for (std::size_t i = 0; reply.analogs && i < 3; ++i)
         report.analogs.at(i) = reply.analogs->at(i);
     report.counter = reply.counter;
-    return {kIo, atSeconds(reply.seconds), report};
+    return {kBox, atSeconds(reply.seconds), report};
 }
 
 ScopeSample taken(ScopeFeed& feed, const Reply& reply) {
@@ -88,11 +88,11 @@ std::vector<ScopeSample> rateOf(const std::vector<Reply>& replies) {
     ScopeFeed feed;
     History history(1);
     for (const Reply& reply : replies)
-        history.append(kIo, taken(feed, reply));
+        history.append(kBox, taken(feed, reply));
     DerivedSignals signals;
-    signals.want({{kIo, ScopeSignal::CountRate}});
+    signals.want({{kBox, ScopeSignal::CountRate}});
     EXPECT_TRUE(signals.follow(history));
-    return signals.source(history, {kIo, ScopeSignal::CountRate})
+    return signals.source(history, {kBox, ScopeSignal::CountRate})
         .samples->samples(TimePoint::min(), TimePoint::max());
 }
 
@@ -128,7 +128,7 @@ RecordingHeader ioHeader() {
     PinSettings::in(pins.analog, 0).scale = {0.5, 0, "V"};
     PinSettings::in(pins.analog, 1) = {"Pressure", {0.5, -10, "bar"}};
     PinSettings::in(pins.analog, 2).scale = {0.25, 0, "V"};
-    head.modules = {{kIo, {ModuleType::Io, 1}, "Box", {}, {0.5, 0, "V"}, pins}};
+    head.modules = {{kBox, {ModuleType::Io, 1}, "Box", {}, {0.5, 0, "V"}, pins}};
     return head;
 }
 
@@ -141,7 +141,7 @@ ScopeSample oneSample() {
 
 TEST(IoScope, IsRecordedAndReadAgain) {
     std::string row;
-    appendRow(row, kIo, oneSample(), TimePoint{});
+    appendRow(row, kBox, oneSample(), TimePoint{});
     EXPECT_EQ(row, "1,0.500000000,-2,,,,,,10,5,10,0,20,30,1\n");
     const auto read = readRecording(recordingHead(ioHeader()) + row);
     EXPECT_FALSE(read.problem.has_value());
@@ -153,7 +153,7 @@ TEST(IoScope, IsRecordedAndReadAgain) {
     EXPECT_EQ(valueOf(sample, ScopeSignal::Analog3), 30);
     EXPECT_EQ(read.header.modules, ioHeader().modules);
     std::string again;
-    appendRow(again, kIo, sample, TimePoint{});
+    appendRow(again, kBox, sample, TimePoint{});
     EXPECT_EQ(again, row);
 }
 
@@ -180,7 +180,7 @@ TEST(IoScope, ARecordingWithoutItsColumnsOpens) {
 /// 20 x 0.5 bar - 10 bar; IO1, IO3, IO10 and IO12 are 1 + 4 + 512 + 2048.
 TEST(IoScope, AWideRecordingHasTheMachinesNamesAndUnits) {
     History history(1);
-    history.append(kIo, oneSample());
+    history.append(kBox, oneSample());
     const std::string text = wideRecordingOf(ioHeader(), history);
     EXPECT_EQ(text,
               "time_s,module1_Box/AD1_V,module1_Box/Pressure_bar,module1_Box/AD3_V,module1_Box/count,"

@@ -23,6 +23,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing_support::ids;
 using testing_support::kFirst;
 using testing_support::kSecond;
 using testing_support::mill;
@@ -42,12 +43,6 @@ std::vector<ModuleState> millChain() {
     return {moduleOf(0, ModuleType::Servo, 4), moduleOf(1, ModuleType::Stepper, 1)};
 }
 
-std::vector<PartId> ids(const std::vector<Difference>& rows) {
-    std::vector<PartId> found;
-    for (const Difference& row : rows)
-        found.push_back(row.id);
-    return found;
-}
 const Difference* row(const std::vector<Difference>& rows, PartId id) {
     for (const Difference& difference : rows)
         if (difference.id == id)

@@ -10,8 +10,7 @@ namespace {
 
 using testing_support::kFirst;
 using testing_support::kSecond;
-
-constexpr ModuleIndex kThird{2};
+using testing_support::kThird;
 
 std::vector<ModuleState> chainIn(const std::vector<std::optional<bus::GroupPlace>>& places) {
     std::vector<ModuleState> modules;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "model/machinefile/machinecompare.h"
 #include "model/settings/machine.h"
 
 /// Machines with something in every part; arbitrary ones are in anymachine.h.
@@ -65,6 +66,13 @@ inline Machine taughtMill() {
         {"Twice", {action::Call{"Main"}, action::Repeat{0, 2}}}};
     machine.homeOrder = {kTable, kX};
     return machine;
+}
+
+inline std::vector<PartId> ids(const std::vector<Difference>& rows) {
+    std::vector<PartId> found;
+    for (const Difference& row : rows)
+        found.push_back(row.id);
+    return found;
 }
 
 }  // namespace nmc::testing_support

@@ -9,7 +9,7 @@
 namespace nmc {
 namespace {
 
-constexpr double kInterval = 0.001;
+constexpr double kBetweenPoints = 0.001;
 constexpr double kRecord = 2.0;
 
 /// 4 counts per tick at 0.02 counts per tick squared: 200 ticks of 512 us to its velocity, over 400 counts
@@ -31,8 +31,8 @@ constexpr double kEnd = kMoveTime - kServoTickTime;
 template <typename Error>
 [[nodiscard]] std::vector<ResponsePoint> points(const Error& error, double off = 0.0) {
     std::vector<ResponsePoint> points;
-    for (int i = -10; i < kRecord / kInterval; ++i) {
-        const double s = i * kInterval;
+    for (int i = -10; i < kRecord / kBetweenPoints; ++i) {
+        const double s = i * kBetweenPoints;
         points.push_back({s, 2'000 - off - error(s), error(s)});
     }
     return points;
@@ -57,7 +57,7 @@ TEST(MoveMetrics, ItHasSettledWhereTheDwellBegins) {
     ASSERT_TRUE(shortDwell.settling);
     // The error falls to 3 between 0.499 s and 0.5 s, and is 5.5 after (20 - 5.5) / (20 - 3) of that.
     EXPECT_NEAR(shortDwell.settling->value, 0.49985 - kEnd, 1e-4);
-    EXPECT_NEAR(shortDwell.settling->doubt, kInterval / 2 + kServoTickTime, 1e-9);
+    EXPECT_NEAR(shortDwell.settling->doubt, kBetweenPoints / 2 + kServoTickTime, 1e-9);
     const MoveMetrics longDwell = measured(points(error), {5, 0.05});
     ASSERT_TRUE(longDwell.settling);
     EXPECT_NEAR(longDwell.settling->value, 0.59985 - kEnd, 1e-4);
@@ -122,7 +122,7 @@ TEST(MoveMetrics, AtALowerServoRateItsEndIsLessCertain) {
     const MoveMetrics metrics = measured(points(error), {5, 0.1}, slow);
     ASSERT_TRUE(metrics.settling);
     EXPECT_NEAR(metrics.settling->value, 1.49985 - (700 - 1) * 0.002'048, 2e-4);
-    EXPECT_NEAR(metrics.settling->doubt, kInterval / 2 + 0.002'048, 1e-9);
+    EXPECT_NEAR(metrics.settling->doubt, kBetweenPoints / 2 + 0.002'048, 1e-9);
 }
 
 }  // namespace

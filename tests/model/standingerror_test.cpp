@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 
 /// A shaft that rests at 0 between its motions.
-struct Shaft {
+struct RestingShaft {
     StandingError error;
     TimePoint now{};
 
@@ -25,12 +25,12 @@ struct Shaft {
     }
 };
 
-constexpr CommandEstimate kFirst{-2, -2.5, -1.5};
+constexpr CommandEstimate kFirstBand{-2, -2.5, -1.5};
 
 TEST(StandingError, TakesBackWhatAMotionAddsBeyondTheFarthest) {
-    Shaft shaft;
-    EXPECT_FALSE(shaft.rest({-2, -2, -2}, kFirst)) << "no rest before to compare with";
-    const auto narrower = shaft.rest(kFirst, {-2, -3, -1});
+    RestingShaft shaft;
+    EXPECT_FALSE(shaft.rest({-2, -2, -2}, kFirstBand)) << "no rest before to compare with";
+    const auto narrower = shaft.rest(kFirstBand, {-2, -3, -1});
     ASSERT_TRUE(narrower);
     EXPECT_DOUBLE_EQ(narrower->low, -2.5);
     EXPECT_DOUBLE_EQ(narrower->high, -1);
@@ -39,8 +39,8 @@ TEST(StandingError, TakesBackWhatAMotionAddsBeyondTheFarthest) {
 /// Load and friction may have changed since the shaft deviated most; the motion has added 0.1 in either
 /// direction.
 TEST(StandingError, KeepsADoubtThatIsNotOfTheMotions) {
-    Shaft shaft;
-    EXPECT_FALSE(shaft.rest({-2, -2, -2}, kFirst));
+    RestingShaft shaft;
+    EXPECT_FALSE(shaft.rest({-2, -2, -2}, kFirstBand));
     const auto narrower = shaft.rest({-2, -6, 2}, {-2, -6.1, 2.1});
     ASSERT_TRUE(narrower);
     EXPECT_NEAR(narrower->low, -5.9, 1e-9);

@@ -15,5 +15,6 @@ inline constexpr ModuleIdentity kIo{ModuleType::Io, 1};
 
 inline constexpr ModuleIndex kFirst{0};
 inline constexpr ModuleIndex kSecond{1};
+inline constexpr ModuleIndex kThird{2};
 
 }  // namespace nmc::testing_support
