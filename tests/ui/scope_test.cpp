@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "scopehistory.h"
 #include "tests/model/stepperfixture.h"
@@ -187,6 +188,36 @@ TEST_F(Scope, ASteepLineIsSmoothHoweverManySamplesThereAre) {
             ++rows;
         }
         EXPECT_GT(rows, 50);
+    }
+}
+
+/// Points that are drawn as one line may not be beside it: in every column of pixels, the middle of the
+/// coloured ones is where the curve crosses it.
+TEST_F(Scope, ACurveOfFewSamplesIsWhereTheyAre) {
+    ScopeSetup setup;
+    setup.strips[0] = {{std::nullopt, ScopeSignal::Position}};
+    find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
+    const auto place = [](double t) { return 9'000 * std::sin(2 * std::numbers::pi * t / 5); };
+    HandMadeHistory history;
+    for (int i = 0; i <= 200; ++i)
+        history.add(i / 20.0, static_cast<std::int32_t>(std::lround(place(i / 20.0))));
+    show(history, 10);
+    const QImage image = plot()->grab().toImage();
+    const QRectF area = plot()->plotArea();
+    const AxisRange::Range range = plot()->valueRange();
+    for (double t = 4; t < 9; t += 0.02) {  // the legend is at the left
+        const int x = static_cast<int>(area.left() + t / 10 * area.width());
+        const double value = place((x + 0.5 - area.left()) / area.width() * 10);
+        const double expected = area.bottom() - (value - range.min) / (range.max - range.min) * area.height();
+        double weight = 0, sum = 0;
+        for (int y = static_cast<int>(expected) - 6; y < static_cast<int>(expected) + 6; ++y) {
+            const QColor pixel = image.pixelColor(x, y);
+            const auto [least, most] = std::minmax({pixel.red(), pixel.green(), pixel.blue()});
+            weight += most - least;
+            sum += (most - least) * (y + 0.5);
+        }
+        ASSERT_GT(weight, 0) << t;
+        EXPECT_NEAR(sum / weight, expected, 0.3) << t;
     }
 }
 

@@ -46,7 +46,7 @@ void ScopePlot::setTraces(std::vector<Trace> traces) {
         drawing.colour =
             look::traceColour(static_cast<int>(m_traces.front().signal) + static_cast<int>(i), palette());
         drawing.dashed = trace.signal == ScopeSignal::Command;
-        drawing.tag = trace.tag;
+        drawing.tag.setText(trace.tag);
         m_under[i].dashed = drawing.dashed;
         m_under[i].colour = drawing.colour;
         m_under[i].colour.setAlphaF(kUnderlayOpacity);

@@ -21,7 +21,9 @@ constexpr double kDashShare = 0.6;
 constexpr int kEnvelopeAlpha = 70;
 constexpr double kDense = 0.5;       ///< columns per pixel
 constexpr double kClampMargin = 10;  ///< px beyond the plot area
-constexpr double kTip = 2;  ///< px; a column that exceeds its neighbours by more stays one pixel wide
+constexpr double kTip = 2;          ///< px; a column that exceeds its neighbours by more stays one pixel wide
+constexpr double kStraight = 0.05;  ///< px by which a point may be beside the line that passes it
+constexpr double kSteep = 2;        ///< px per px; steeper lines are not dashed
 
 using Lines = QVarLengthArray<QLineF, 4096>;
 
@@ -33,7 +35,7 @@ bool isVector(const QPainter& painter) {
 /// Adds dashes that are tied to the time of the data, so that they roll with the trace instead of crawling
 /// along it. Where the trace is steep, a gap would hide something, so the line is drawn solid.
 void addDashed(const QLineF& line, double phase, double next, Lines& lines) {
-    if (std::abs(line.dy()) > 2 * std::abs(line.dx()) + 4) {
+    if (std::abs(line.dy()) > kSteep * std::abs(line.dx()) + 4) {
         lines.append(line);
         return;
     }
@@ -47,6 +49,47 @@ void addDashed(const QLineF& line, double phase, double next, Lines& lines) {
                                 line.pointAt((to - phase) / (next - phase))));
     }
 }
+
+/// Lines that go straight on, as one line: most of what a line costs does not depend on its length.
+class Straight {
+public:
+    /// The times, in s, are those of the line's ends. A dashed line must not become so long that it is steep.
+    Straight(const QLineF& line, double from, double to, bool dashed)
+        : m_line(line),
+          m_from(from),
+          m_to(to),
+          m_most(dashed ? kSteep : std::numeric_limits<double>::infinity()) {
+        narrow();
+    }
+
+    [[nodiscard]] const QLineF& line() const { return m_line; }
+    [[nodiscard]] double from() const { return m_from; }
+    [[nodiscard]] double to() const { return m_to; }
+
+    /// Returns false if this line does not go straight on.
+    bool add(const QLineF& line, double to) {
+        const QLineF whole(m_line.p1(), line.p2());
+        const double slope = whole.dy() / whole.dx();
+        if (line.p1() != m_line.p2() || !(slope >= m_least && slope <= m_most))
+            return false;
+        m_line = whole;
+        m_to = to;
+        narrow();
+        return true;
+    }
+
+private:
+    /// Whatever is added must pass the present end.
+    void narrow() {
+        m_least = std::max(m_least, (m_line.dy() - kStraight) / m_line.dx());
+        m_most = std::min(m_most, (m_line.dy() + kStraight) / m_line.dx());
+    }
+
+    QLineF m_line;
+    double m_from, m_to;
+    double m_most;  ///< px per px
+    double m_least = -m_most;
+};
 
 /// Draws a thick line from left to right, one column of pixels at a time: where two columns meet, its edges
 /// are halfway between them, so that it is smooth however steep it is. The coverage of a pixel has a closed
@@ -251,7 +294,7 @@ void TraceDrawing::paint(QPainter& painter, const PlotGeometry& geometry) const 
         paintDense(painter, geometry);
     else
         paintLines(painter, geometry);
-    if (!tag.isEmpty())
+    if (!tag.text().isEmpty())
         paintTag(painter, geometry);
 }
 
@@ -316,12 +359,22 @@ void TraceDrawing::visitLines(const PlotGeometry& geometry, Add&& add) const {
 void TraceDrawing::paintLines(QPainter& painter, const PlotGeometry& geometry) const {
     const double dashes = dashesPerSecond(geometry);
     Lines lines;
-    visitLines(geometry, [&](const QLineF& line, double fromSecond, double toSecond) {
-        if (dashed && toSecond > fromSecond)
-            addDashed(line, fromSecond * dashes, toSecond * dashes, lines);
+    std::optional<Straight> straight;
+    const auto draw = [&] {
+        if (!straight)
+            return;
+        if (dashed && straight->to() > straight->from())
+            addDashed(straight->line(), straight->from() * dashes, straight->to() * dashes, lines);
         else
-            lines.append(line);
+            lines.append(straight->line());
+    };
+    visitLines(geometry, [&](const QLineF& line, double fromSecond, double toSecond) {
+        if (straight && straight->add(line, toSecond))
+            return;
+        draw();
+        straight.emplace(line, fromSecond, toSecond, dashed);
     });
+    draw();
     // Round caps would cost six times as much.
     painter.setPen(QPen(colour, kTraceWidth, Qt::SolidLine, dashed ? Qt::FlatCap : Qt::SquareCap));
     painter.drawLines(lines.constData(), static_cast<int>(lines.size()));
@@ -446,10 +499,11 @@ void TraceDrawing::paintTag(QPainter& painter, const PlotGeometry& geometry) con
     for (auto column = m_columns.rbegin(); column != m_columns.rend(); ++column) {
         if (column->right > geometry.right)
             continue;
-        const QFontMetricsF metrics(painter.font());
-        const double width = metrics.horizontalAdvance(tag);
-        const double x = std::min(geometry.x(column->right) + 3, geometry.area.right() - width - 2);
-        painter.drawText(QPointF(x, geometry.y(column->exit) - 3), tag);
+        const QSizeF size = tag.size();
+        const double x = std::min(geometry.x(column->right) + 3, geometry.area.right() - size.width() - 2);
+        const double ascent = QFontMetricsF(painter.font()).ascent();
+        painter.setPen(colour);
+        painter.drawStaticText(QPointF(x, geometry.y(column->exit) - 3 - ascent), tag);
         return;
     }
 }

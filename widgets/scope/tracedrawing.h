@@ -6,7 +6,7 @@
 #include <QPointF>
 #include <QPolygonF>
 #include <QRectF>
-#include <QString>
+#include <QStaticText>
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -85,7 +85,7 @@ class TraceDrawing {
 public:
     QColor colour;
     bool dashed = false;  ///< for a command position
-    QString tag;          ///< written at the end of the trace, where hue alone does not distinguish traces
+    QStaticText tag;      ///< written at the end of the trace, where hue alone does not distinguish traces
 
     /// Takes the samples that are visible in `geometry`'s time; its range of values does not matter yet.
     void take(const ModuleHistory& history, ScopeSignal signal, const LinearScale& scale, TimePoint zero,
