@@ -36,6 +36,7 @@ public:
     /// Opens the question, in place of one of this name that is already open: that one may be about something
     /// else.
     static AskDialog& ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
+    ~AskDialog() override;
     /// An open question of this window, of its pages, or of windows that it has opened, while the user works
     /// in another window; null if there is none.
     [[nodiscard]] static AskDialog* waiting(const QWidget& window);
