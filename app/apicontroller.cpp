@@ -563,9 +563,10 @@ std::optional<QString> ApiController::failureOf(const ProgramRequests& requests,
 // ---- answers ----
 
 /// A request without an id is not answered (JSON-RPC 2.0, notifications).
-void ApiController::answer(Client client, const Json& id, const Json& result) {
+void ApiController::answer(Client client, const Json& id, Json result) {
     if (!id.is_null())
-        m_server.send(client, ApiFeed::lineOf({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}));
+        m_server.send(client,
+                      ApiFeed::lineOf({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}}));
 }
 
 void ApiController::refuse(Client client, const Json& id, const api::Problem& problem,

@@ -110,7 +110,7 @@ private:
 
     /// What `state` returns for this module, or without one for the whole chain.
     [[nodiscard]] Json stateOf(std::optional<ModuleIndex> module) const;
-    void answer(Client client, const Json& id, const Json& result);
+    void answer(Client client, const Json& id, Json result);
     void refuse(Client client, const Json& id, const api::Problem& problem, const QString& sentence = {});
     void fail(Client client, const Json& id, int code, const QString& sentence, std::string_view reason);
     [[nodiscard]] Session& session(Client client) { return m_sessions.at(client); }
