@@ -12,6 +12,12 @@
 namespace nmc {
 namespace {
 
+/// How far it is from grey, as axes and grid are.
+int colourOf(const QColor& pixel) {
+    const auto [least, most] = std::minmax({pixel.red(), pixel.green(), pixel.blue()});
+    return most - least;
+}
+
 class Scope : public WindowTest {
 protected:
     Scope() { showServo(); }
@@ -24,8 +30,7 @@ protected:
             plot()->grab();
         }
     }
-    /// Rows of the plot area that a trace colours, at a time within the visible 0..10 s. Axes and grid are
-    /// grey.
+    /// Rows of the plot area that a trace colours, at a time within the visible 0..10 s.
     QList<int> rowsAt(const QString& name, double seconds, int reach = 1) {
         ScopePlot* strip = plot(name);
         const QImage image = strip->grab().toImage();
@@ -34,9 +39,7 @@ protected:
         QList<int> rows;
         for (int y = static_cast<int>(area.top()); y <= static_cast<int>(area.bottom()); ++y) {
             for (int x = centre - reach; x <= centre + reach; ++x) {
-                const QColor pixel = image.pixelColor(x, y);
-                const auto [least, most] = std::minmax({pixel.red(), pixel.green(), pixel.blue()});
-                if (most - least > 25) {
+                if (colourOf(image.pixelColor(x, y)) > 25) {
                     rows << y;
                     break;
                 }
@@ -178,10 +181,9 @@ TEST_F(Scope, ASteepLineIsSmoothHoweverManySamplesThereAre) {
             const double expected = area.left() + (4 + 0.5 * middle / 100'000) / 10 * area.width();
             double weight = 0, sum = 0;
             for (int x = static_cast<int>(expected) - 8; x < static_cast<int>(expected) + 8; ++x) {
-                const QColor pixel = image.pixelColor(x, y);
-                const auto [least, most] = std::minmax({pixel.red(), pixel.green(), pixel.blue()});
-                weight += most - least;
-                sum += (most - least) * (x + 0.5);
+                const int colour = colourOf(image.pixelColor(x, y));
+                weight += colour;
+                sum += colour * (x + 0.5);
             }
             ASSERT_GT(weight, 0) << perSecond << " at " << value;
             EXPECT_NEAR(sum / weight, expected, 0.3) << perSecond << " at " << value;
@@ -211,13 +213,33 @@ TEST_F(Scope, ACurveOfFewSamplesIsWhereTheyAre) {
         const double expected = area.bottom() - (value - range.min) / (range.max - range.min) * area.height();
         double weight = 0, sum = 0;
         for (int y = static_cast<int>(expected) - 6; y < static_cast<int>(expected) + 6; ++y) {
-            const QColor pixel = image.pixelColor(x, y);
-            const auto [least, most] = std::minmax({pixel.red(), pixel.green(), pixel.blue()});
-            weight += most - least;
-            sum += (most - least) * (y + 0.5);
+            const int colour = colourOf(image.pixelColor(x, y));
+            weight += colour;
+            sum += colour * (y + 0.5);
         }
         ASSERT_GT(weight, 0) << t;
         EXPECT_NEAR(sum / weight, expected, 0.3) << t;
+    }
+}
+
+/// With few samples as well as with more than there are pixels.
+TEST_F(Scope, TheNumberAtTheEndOfATraceHasItsColour) {
+    showServos({{}, {}});
+    ScopeSetup setup;
+    setup.strips[0] = {{ModuleIndex(0), ScopeSignal::Position}, {ModuleIndex(1), ScopeSignal::Position}};
+    find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
+    for (const int perSecond : {20, 400}) {
+        HandMadeHistory history(2);
+        for (int i = 0; i <= 8 * perSecond; ++i) {
+            history.add(static_cast<double>(i) / perSecond, 0);
+            history.addTo(1, static_cast<double>(i) / perSecond, 1'000);
+        }
+        show(history, 10);
+        ASSERT_EQ(plot()->traces().size(), 2U);
+        ASSERT_EQ(plot()->traces()[1].tag, u"2"_s);
+        // From 4 to 8 pixels behind the last sample.
+        EXPECT_FALSE(rowsAt(u"scopePlot1"_s, 8 + 6 / plot()->plotArea().width() * 10, 2).isEmpty())
+            << perSecond;
     }
 }
 
