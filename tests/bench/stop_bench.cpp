@@ -28,6 +28,7 @@
 
 #include "app/composition.h"
 #include "link/clock.h"
+#include "tests/support/gains.h"
 #include "timedchain.h"
 #include "widgets/common/look.h"
 
@@ -105,10 +106,9 @@ public:
         if (link().modules.size() != kModules)
             fail("not 32 modules");
         m_dialog.show();
-        const servo::SetGain gains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
         const servo::StopMotor hold{true, servo::StopManner::Abruptly, {}};
         for (std::uint8_t i = 0; i < kModules; ++i)
-            submit({step(i, gains), step(i, hold)});
+            submit({step(i, testing_support::kGains), step(i, hold)});
         waitFor("not enabled", [&] { return all(&ModuleState::servoOn); });
     }
 

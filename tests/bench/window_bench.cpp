@@ -23,6 +23,7 @@
 
 #include "app/composition.h"
 #include "link/clock.h"
+#include "tests/support/gains.h"
 #include "timedchain.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
@@ -151,7 +152,6 @@ private:
     }
 
     void setGoing() {
-        const servo::SetGain gains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
         servo::LoadTrajectory load;
         load.velocity = CountsPerTick(4 << 16);
         load.acceleration = CountsPerTickSquared(6'554);  // 0.1 counts/tick^2
@@ -160,10 +160,10 @@ private:
             const auto step = [i](ServoCommand command) {
                 return bus::Order{ModuleIndex(i), std::move(command)};
             };
-            m_composition->worker().ask(
-                bus::Operation{bus::OperationId(1'000'000U + i),
-                               {step(gains), step(servo::StopMotor{true, servo::StopManner::Abruptly, {}}),
-                                step(load), step(StartMotion{})}});
+            m_composition->worker().ask(bus::Operation{
+                bus::OperationId(1'000'000U + i),
+                {step(testing_support::kGains), step(servo::StopMotor{true, servo::StopManner::Abruptly, {}}),
+                 step(load), step(StartMotion{})}});
         }
     }
 

@@ -10,6 +10,7 @@
 #include "link/connection/busworker.h"
 #include "link/connection/serialtransport.h"
 #include "tests/support/eventually.h"
+#include "tests/support/gains.h"
 
 namespace nmc::testing_support {
 
@@ -98,7 +99,7 @@ inline bus::Order step(std::uint8_t module, ServoCommand command) {
 
 /// The gains and the enabling of every end-to-end test.
 inline std::vector<bus::Order> gainsAndEnable(std::uint8_t module) {
-    return {step(module, servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}),
+    return {step(module, testing_support::kGains),
             step(module, servo::StopMotor{true, servo::StopManner::Abruptly, {}})};
 }
 

@@ -12,6 +12,7 @@
 
 #include "tests/link/hurriedclock.h"
 #include "tests/link/looprig.h"
+#include "tests/support/gains.h"
 #include "tests/support/port.h"
 
 namespace nmc {
@@ -200,8 +201,8 @@ TEST_F(LineLentAt, TheUserEndsIt) {
 TEST_F(LineLentAt, ClosingTheConnectionStopsTheMotorsOfTheProgram) {
     openSimulator(simulatorConfig(), servoChain(1));
     ASSERT_TRUE(waitFor<bus::ChainFound>());
-    loop.ask(servoOperation(1, {servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}},
-                                servo::StopMotor{true, servo::StopManner::Abruptly, {}}}));
+    loop.ask(servoOperation(
+        1, {testing_support::kGains, servo::StopMotor{true, servo::StopManner::Abruptly, {}}}));
     ASSERT_TRUE(waitFor<bus::OperationFinished>());
     ASSERT_NO_FATAL_FAILURE(lend());
     Port port(path);

@@ -13,6 +13,7 @@
 #include "link/clock.h"
 #include "link/connection/busloop.h"
 #include "link/connection/simulatortransport.h"
+#include "tests/support/gains.h"
 
 namespace nmc::testing_support {
 
@@ -134,7 +135,7 @@ inline bus::Operation runOn(std::uint32_t id) {
     load.velocity = CountsPerTick(4U << 16U);
     load.acceleration = CountsPerTickSquared(1'311);
     load.profile = servo::ProfileMode::Velocity;
-    return servoOperation(id, {servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}},
+    return servoOperation(id, {testing_support::kGains,
                                servo::StopMotor{true, servo::StopManner::Abruptly, {}}, load, StartMotion{}});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Amplifier page of an SC, used with mouse and keys; the oracle is what the simulator knows about the
 // module.
+#include "tests/support/gains.h"
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {
@@ -37,7 +38,7 @@ protected:
             [&] { return panel.find<QLabel>("amplifierState").text().startsWith(u"✓ Applied"_s); }));
     }
     void enableAndRun() {
-        panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
+        panel.ask(intent::ApplyGains{testing_support::kGains});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains && !panel.module().awaited; }));
         panel.ask(intent::Enable{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().servoOn() && !panel.module().awaited; }));

@@ -2,6 +2,7 @@
 // Settings copied from one axis to others, in the whole program: the differences are shown, Apply sends
 // exactly those commands, and only to the chosen modules.
 #include "tests/support/changes.h"
+#include "tests/support/gains.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/machine/machinemenu.h"
 
@@ -10,10 +11,9 @@ namespace {
 
 using namespace Qt::StringLiterals;
 using testing_support::changes;
+using testing_support::kGains;
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
-
-const servo::SetGain kGains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
 
 class CopyAxis : public testing::Test {
 protected:

@@ -9,6 +9,7 @@
 #include "link/files/machineio.h"
 #include "model/machinefile/machinefile.h"
 #include "tests/support/choosefile.h"
+#include "tests/support/gains.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/operatorlock.h"
@@ -16,10 +17,9 @@
 namespace nmc {
 namespace {
 
+using testing_support::kGains;
 using testing_support::VirtualChain;
 using testing_support::VirtualPanel;
-
-const servo::SetGain kMillGains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
 
 /// A machine for servo,servo: names and gains for both, limit pins for the first.
 Machine twoServos() {
@@ -29,7 +29,7 @@ Machine twoServos() {
     machine.axes.resize(2);
     machine.axes[0].name = "X axis";
     machine.axes[0].expected = ModuleIdentity{ModuleType::Servo, 4};
-    machine.axes[0].gains = kMillGains;
+    machine.axes[0].gains = kGains;
     machine.axes[0].io = servo::IoControl{false, true, true, false};
     machine.axes[1] = machine.axes[0];
     machine.axes[1].name = "Y axis";
@@ -244,7 +244,7 @@ TEST_F(MachineFiles, AMotorThatMovesGoesOnAndNothingIsSentToIt) {
     VirtualPanel panel;
     panel.startMoving(sim);
     // It already has the gains of the file, but not the limit pins.
-    ASSERT_EQ(kMillGains.kp, panel.module().gains->kp);
+    ASSERT_EQ(kGains.kp, panel.module().gains->kp);
     open(panel, file);
     click(panel, "tickAllButton");
     ASSERT_TRUE(panel.waitFor([&] {
@@ -318,7 +318,7 @@ TEST_F(MachineFiles, AServoThatIsSwitchedOnMeanwhileIsNotSentGainsUnasked) {
     VirtualChain sim(QStringLiteral("servo,servo"));
     VirtualPanel panel;
     connectTo(panel, sim);
-    servo::SetGain others = kMillGains;
+    servo::SetGain others = kGains;
     others.kp = 100;
     panel.ask(intent::ApplyGains{others});
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
@@ -360,7 +360,7 @@ TEST_F(MachineFiles, WhatThePanelKnowsIsSavedAndOpenedAgain) {
     VirtualPanel panel;
     connectTo(panel, sim);
     rename(panel, "Spindle");
-    panel.ask(intent::ApplyGains{kMillGains});
+    panel.ask(intent::ApplyGains{kGains});
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
     EXPECT_TRUE(panel.window().isWindowModified());
     const QString path = directory.filePath(QStringLiteral("lathe.json"));
@@ -372,7 +372,7 @@ TEST_F(MachineFiles, WhatThePanelKnowsIsSavedAndOpenedAgain) {
     EXPECT_EQ(saved.baud, 115'200U);
     ASSERT_EQ(saved.axes.size(), 2U);
     EXPECT_EQ(saved.axes[0].name, "Spindle");
-    EXPECT_EQ(saved.axes[0].gains, kMillGains);
+    EXPECT_EQ(saved.axes[0].gains, kGains);
     EXPECT_EQ(saved.axes[0].expected, (ModuleIdentity{ModuleType::Servo, 4}));
     EXPECT_EQ(saved.axes[1].expected, (ModuleIdentity{ModuleType::Stepper, 1}));
 

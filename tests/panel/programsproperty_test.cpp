@@ -9,6 +9,7 @@
 #include "link/api/apiserver.h"
 #include "link/clock.h"
 #include "tests/support/campaign.h"
+#include "tests/support/gains.h"
 #include "tests/support/otherprogram.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/common/requests.h"
@@ -39,7 +40,7 @@ protected:
         for (std::uint8_t i = 0; i < kModules; ++i) {
             const ModuleState& module = *panel.composition().store().module(ModuleIndex(i));
             ASSERT_TRUE(panel.waitFor([&] { return module.activity() != Activity::Unknown; }));
-            user(i, intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
+            user(i, intent::ApplyGains{testing_support::kGains});
             ASSERT_TRUE(panel.waitFor([&] { return module.gains.has_value(); }));
             user(i, intent::Enable{});
             ASSERT_TRUE(panel.waitFor([&] { return module.servoOn(); }));

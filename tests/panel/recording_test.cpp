@@ -4,6 +4,7 @@
 
 #include "model/recording/recordingreader.h"
 #include "tests/support/choosefile.h"
+#include "tests/support/gains.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/common/requests.h"
 #include "widgets/scope/scopefiles.h"
@@ -59,7 +60,6 @@ protected:
     [[nodiscard]] const ModuleHistory& live() {
         return *panel.composition().store().history().module(ModuleIndex(0));
     }
-    static servo::SetGain gains() { return {200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}; }
     void record(const QString& file) { emit files().recordRequested(file); }
     bool told(const char* words) {
         return panel.waitFor([&] { return panel.count(QLatin1String(words)) > 0; });
@@ -88,7 +88,7 @@ TEST_F(RecordingProgram, AMoveIsRecordedToTheLastBit) {
     EXPECT_TRUE(read.header.simulated);
     EXPECT_EQ(read.header.modules.size(), 2U);
     ASSERT_EQ(read.gains.size(), 1U);
-    EXPECT_EQ(read.gains[0].gains, gains());
+    EXPECT_EQ(read.gains[0].gains, testing_support::kGains);
 
     const TimePoint zero = *panel.composition().store().history().zero();
     std::vector<ScopeSample> kept;
@@ -139,7 +139,7 @@ TEST_F(RecordingProgram, ARecordingIsLaidUnderWhatIsLive) {
 }
 
 TEST_F(RecordingProgram, GainsInForceAtTheStartAreInTheFile) {
-    panel.ask(intent::ApplyGains{gains()});
+    panel.ask(intent::ApplyGains{testing_support::kGains});
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
     record(path("later.csv"));
     ASSERT_TRUE(panel.answersFor(0.2));
@@ -147,7 +147,7 @@ TEST_F(RecordingProgram, GainsInForceAtTheStartAreInTheFile) {
     ASSERT_TRUE(told("Recorded \"later.csv\""));
     const ReadBack read = readBack(path("later.csv"));
     ASSERT_EQ(read.gains.size(), 1U);
-    EXPECT_EQ(read.gains[0].gains, gains());
+    EXPECT_EQ(read.gains[0].gains, testing_support::kGains);
     EXPECT_LE(read.gains[0].time, read.samples.front().time);
 }
 

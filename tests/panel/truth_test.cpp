@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window says about a motor, compared with what the simulated motor does.
+#include "tests/support/gains.h"
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {
@@ -55,7 +56,7 @@ TEST_F(Truth, OvercurrentIsSaid) {
     (void)sim.control(QStringLiteral("set 1 analog 200"));
     ASSERT_TRUE(saysSoon("Overcurrent")) << label("stateLabel").toStdString();
     EXPECT_EQ(panel.count(QStringLiteral("Overcurrent")), 1);
-    panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
+    panel.ask(intent::ApplyGains{testing_support::kGains});
     panel.click("clearStickyButton");
     EXPECT_TRUE(saysSoon("Holding")) << label("stateLabel").toStdString();
 }

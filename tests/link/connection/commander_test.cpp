@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/link/connection/virtualconnection.h"
+#include "tests/support/gains.h"
 
 namespace nmc {
 namespace {
@@ -12,7 +13,6 @@ namespace {
 using namespace testing_support;
 using namespace Qt::StringLiterals;
 
-constexpr servo::SetGain kGains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
 constexpr ModuleIndex kModule{0};
 
 class CommanderTest : public testing::Test {
@@ -36,7 +36,7 @@ protected:
     void TearDown() override { EXPECT_EQ(sim.violations(), ""); }
 
     void enable() {
-        commander.carryOut(kModule, intent::ApplyGains{kGains});
+        commander.carryOut(kModule, intent::ApplyGains{testing_support::kGains});
         ASSERT_TRUE(connection.waitUntil([this] { return connection.module(0).gains.has_value(); }));
         commander.carryOut(kModule, intent::Enable{});
         ASSERT_TRUE(connection.waitUntil([this] { return connection.module(0).servoOn(); }));

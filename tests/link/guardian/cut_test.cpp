@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/link/guardian/guardhost.h"
+#include "tests/support/gains.h"
 
 namespace nmc {
 namespace {
@@ -43,7 +44,7 @@ TEST_P(LastExchange, AStartOfAnotherMotion) {
 }
 
 TEST_P(LastExchange, TheLongestCommand) {
-    cutEverywhere(encode(servo::SetGain{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}));
+    cutEverywhere(encode(testing_support::kGains));
 }
 
 INSTANTIATE_TEST_SUITE_P(H02, LastExchange, testing::Values(19'200U, 115'200U));

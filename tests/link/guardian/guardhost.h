@@ -12,6 +12,7 @@
 #include "base/bytes.h"
 #include "link/clock.h"
 #include "protocol/servocommands.h"
+#include "tests/support/gains.h"
 #include "tests/support/lineprocess.h"
 #include "tests/support/patience.h"
 #include "tests/support/port.h"
@@ -57,8 +58,7 @@ public:
         port.setRate(B19200);
         say(port, {0xAA, 0x00, 0x21, 0x01, 0xFF, 0x21});
         say(port, {0xAA, 0x00, 0x21, 0x02, 0xFF, 0x22});
-        const servo::SetGain gains{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}};
-        say(port, packet(encode(gains)));
+        say(port, packet(encode(testing_support::kGains)));
         if (baud == 115'200) {
             port.write({0xAA, 0xFF, 0x1A, 0x0A, 0x23});  // Set Baud, which is not answered
             port.setRate(B115200);
