@@ -3,7 +3,7 @@
 
 #include <QPainter>
 
-#include "widgets/scope/tracedrawing.h"
+#include "widgets/scope/plotgeometry.h"
 
 namespace nmc {
 

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "model/response/responsefile.h"
-#include "widgets/scope/tracedrawing.h"
+#include "widgets/scope/plotgeometry.h"
 
 class QPainter;
 class QPalette;

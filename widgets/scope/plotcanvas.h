@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "widgets/scope/plotframe.h"
-#include "widgets/scope/tracedrawing.h"
+#include "widgets/scope/plotgeometry.h"
 
 namespace nmc {
 

@@ -9,7 +9,7 @@
 #include <QString>
 #include <vector>
 
-#include "widgets/scope/tracedrawing.h"
+#include "widgets/scope/plotgeometry.h"
 
 class QPainter;
 

@@ -8,6 +8,7 @@
 #include "widgets/scope/axisrange.h"
 #include "widgets/scope/plotcanvas.h"
 #include "widgets/scope/scopemodule.h"
+#include "widgets/scope/tracedrawing.h"
 
 namespace nmc {
 
