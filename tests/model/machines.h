@@ -68,6 +68,7 @@ inline Machine taughtMill() {
     return machine;
 }
 
+/// What was found to differ.
 inline std::vector<PartId> ids(const std::vector<Difference>& rows) {
     std::vector<PartId> found;
     for (const Difference& row : rows)

@@ -9,7 +9,7 @@
 namespace nmc {
 namespace {
 
-constexpr double kBetweenPoints = 0.001;
+constexpr double kBetweenPoints = 0.001;  ///< s
 constexpr double kRecord = 2.0;
 
 /// 4 counts per tick at 0.02 counts per tick squared: 200 ticks of 512 us to its velocity, over 400 counts

@@ -18,8 +18,8 @@ namespace nmc {
 namespace {
 constexpr int kQuestionWidth = 30;  ///< line heights
 
-/// Those that exist. They are asked for at each status, and looking for them among the widgets of 32 modules'
-/// pages would take 0.3 ms.
+/// All that exist. They are needed for each status that is shown, and to find them among the widgets of 32
+/// modules' pages would take 0.3 ms.
 std::vector<AskDialog*>& dialogs() {
     static std::vector<AskDialog*> all;
     return all;
