@@ -72,7 +72,7 @@ ApiController::ApiController(const BusStore& store, BusWorker& worker, Connectio
     connect(&m_store, &BusStore::happened, this, [this](const StoreEvent& event) {
         if (const auto* finished = std::get_if<bus::OperationFinished>(&event))
             noteFinished(*finished);
-        // Nor may it go on where nobody but the panel itself has stopped the motors.
+        // Nor may it go on if the panel itself has stopped the motors.
         if (std::holds_alternative<bus::StopFinished>(event)) {
             m_stopping = false;
             endControl(texts::ControlLost::Stopped);
@@ -497,7 +497,7 @@ void ApiController::answerWaits() {
     const bool connected = m_store.link().phase == LinkPhase::Connected;
     for (auto& [client, session] : m_sessions) {
         std::vector<Pending> waiting;
-        bool toldOfSequence = false;
+        bool sequenceReported = false;
         for (Pending& wait : std::exchange(session.waits, {})) {
             const std::vector<ModuleIndex> modules = awaited(session, wait.module);
             const auto silent = std::ranges::any_of(modules, [this](ModuleIndex module) {
@@ -510,7 +510,7 @@ void ApiController::answerWaits() {
                      !std::ranges::all_of(modules, [this](ModuleIndex module) { return rests(module); }))
                 waiting.push_back(std::move(wait));
             else if (const auto failure = failureOf(session.requests, modules, !wait.module)) {
-                toldOfSequence |= !wait.module;
+                sequenceReported |= !wait.module;
                 fail(client, wait.id, kRefused, *failure, "NotCarriedOut");
             } else if (const auto arrival = arrivalOf(wait, modules); arrival == Arrival::State::Underway)
                 waiting.push_back(std::move(wait));
@@ -524,8 +524,8 @@ void ApiController::answerWaits() {
             }
         }
         session.waits = std::move(waiting);
-        if (toldOfSequence)
-            session.requests.sequenceFailureTold();
+        if (sequenceReported)
+            session.requests.clearSequenceFailure();
     }
 }
 

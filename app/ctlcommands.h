@@ -38,7 +38,7 @@ public:
 
     /// Carries out the command that the words are, the first one being its name.
     [[nodiscard]] Exit run(const QStringList& words);
-    /// Call before closing the connection after success: moves that nobody waited for go on. If that fails,
+    /// Call before closing the connection after success: moves that were not waited for go on. If that fails,
     /// they are stopped.
     [[nodiscard]] Exit leaveRunning();
 
@@ -88,7 +88,7 @@ private:
     [[nodiscard]] tl::expected<Exit, ApiClient::Error> follow(
         const Json& subscription, const QDeadlineTimer& until,
         const std::function<Exit(const std::string& method, const Json& parameters)>& take);
-    /// ApiClient::next(), which may tell that control is lost.
+    /// ApiClient::next(), which may report that control is lost.
     [[nodiscard]] ApiClient::Or<std::optional<Json>> next(const QDeadlineTimer& until);
     /// Whether it still has control after what has been notified of until now, which is dropped.
     [[nodiscard]] bool mayMove();

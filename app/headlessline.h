@@ -37,7 +37,8 @@ public:
 signals:
     /// The chain has been found, and every module of it that answers has reported.
     void connected();
-    /// It could not be connected, or is no longer, although nobody has ended it; why has been reported.
+    /// It could not be connected, or is no longer, although it was not ended from here; the cause has been
+    /// reported.
     void lost();
     void ended();
     /// What the window would show.

@@ -74,8 +74,8 @@ void MessageController::look() {
     const LinkState& link = m_store.link();
     const std::vector<Message> all = texts::standing(
         link, monotonicNow(), [this](ModuleIndex module) { return m_procedures.running(module); });
-    std::erase_if(m_standing, [&](const auto& told) {
-        const auto& [key, standing] = told;
+    std::erase_if(m_standing, [&](const auto& entry) {
+        const auto& [key, standing] = entry;
         const bool stands =
             standing.connection == link.connection && std::ranges::find(all, key, &Message::key) != all.end();
         // Nothing is known about a chain that is gone: a motor that may be moving may still be.

@@ -25,8 +25,8 @@ struct Reporter {
     using All = std::vector<News>;
 
     All operator()(const bus::ChainFound& found) const {
-        All all{
-            {texts::connected(found, port), Until::Cause, bus::StopCause::ConnectionEnded, found.toldToStop}};
+        All all{{texts::connected(found, port), Until::Cause, bus::StopCause::ConnectionEnded,
+                 found.commandedToStop}};
         if (found.replyGap > Duration{})
             all.push_back(
                 {texts::repliesInPieces(port, static_cast<int>(std::lround(1e3 * toSeconds(found.replyGap)))),
@@ -86,7 +86,7 @@ struct Reporter {
     }
     All operator()(const bus::ForeignTraffic& traffic) const {
         return {{texts::withRecord(texts::foreignTraffic(traffic)), Until::ConnectionEnds,
-                 bus::StopCause::ForeignTraffic, traffic.toldToStop}};
+                 bus::StopCause::ForeignTraffic, traffic.commandedToStop}};
     }
     All operator()(const bus::ForeignMotion& motion) const {
         return {{texts::withRecord(texts::foreignMotion(motion)), Until::ConnectionEnds}};
@@ -104,7 +104,7 @@ struct Reporter {
         }
         if (!isGroupStop(finished))
             return {};
-        return {{texts::groupToldToStop(finished), Until::Cause, bus::StopCause::GroupStop, members}};
+        return {{texts::groupCommandedToStop(finished), Until::Cause, bus::StopCause::GroupStop, members}};
     }
     All operator()(const bus::RateChanged& changed) const { return {{texts::rateChanged(changed)}}; }
     All operator()(const bus::RateChangeFailed& failed) const {

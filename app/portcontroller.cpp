@@ -34,7 +34,7 @@ void PortController::opening(const ConnectTarget& target) {
     m_adapters.opened(target.port, ports());
     const auto latency = latencyTimerOf(target.port, m_places.sysfs);
     m_slow = latency && *latency >= kSlow ? latency : std::nullopt;
-    emit ended(texts::key::kSlowAdapter);  // its cure is told for the port that is open
+    emit ended(texts::key::kSlowAdapter);  // its remedy applies to the port that is open
 }
 
 void PortController::closed(const PortError& error) {

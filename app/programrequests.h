@@ -30,7 +30,7 @@ public:
     /// It moves this motor, and nobody else has commanded it since.
     void setMoved(ModuleIndex module) { m_moved.insert(module); }
     void clearMoved(ModuleIndex module) { m_moved.erase(module); }
-    /// Somebody else has commanded all motors, and ended the sequence.
+    /// The user or another program has commanded all motors, and ended the sequence.
     void othersCommandAll() { m_moved.clear(), sequenceTaken(); }
     [[nodiscard]] const std::set<ModuleIndex>& moved() const { return m_moved; }
 
@@ -40,7 +40,7 @@ public:
     void beginSequence() { m_awaitsEnd = true; }
     void sequenceRefused() { m_awaitsEnd = false; }
     void sequenceBegun();
-    /// Somebody else has commanded it, or starts another.
+    /// The user or another program has commanded it, or starts another.
     void sequenceTaken() { m_runs = false; }
     /// It has started the sequence that runs, which nobody else has commanded since.
     [[nodiscard]] bool runsSequence() const { return m_runs; }
@@ -56,9 +56,9 @@ public:
 
     /// Why the last request of this motor was not carried out to the end, if it was not.
     [[nodiscard]] std::optional<QString> failure(const ModuleState& module) const;
-    /// The same for its last sequence, until it is told.
+    /// The same for its last sequence, until clearSequenceFailure().
     [[nodiscard]] const std::optional<QString>& sequenceFailure() const { return m_sequenceFailure; }
-    void sequenceFailureTold() { m_sequenceFailure.reset(); }
+    void clearSequenceFailure() { m_sequenceFailure.reset(); }
 
 private:
     std::set<ModuleIndex> m_moved;

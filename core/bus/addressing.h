@@ -57,7 +57,7 @@ private:
         Set,
         Probe,
         Alive,    ///< a number was not taken: is this the end of the chain, or is the line disturbed?
-        Recheck,  ///< the numbers at which nobody was heard again, then the last module that is known
+        Recheck,  ///< the numbers at which no module answered, again; then the last module that is known
         Done,
         Failed
     };

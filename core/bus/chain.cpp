@@ -143,7 +143,7 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
     if (!hasStop(module.belief.info().identity.type))
         return;  // it has no stop command
     if (m_readOnly && cause != StopCause::StopAll)
-        return;  // nobody asked
+        return;  // the user did not request it
     // A motor that runs the wrong way would continue with its servo on.
     const bool bothWanted = module.owed && ofOperator(module.owed->cause) && ofOperator(cause);
     if (module.owed && !bothWanted)
@@ -220,7 +220,7 @@ std::vector<std::uint8_t> Chain::stopBurst() const {
             burst.assign(kNullCount, 0);
         const PacketBytes packet = toPacket({belief(order.module).info().address, payloadOf(order.command)});
         burst.insert(burst.end(), packet.begin(), packet.end());
-        // Nobody waits between the packets any more, so nulls must provide the delay: a packet that arrives
+        // Nothing waits between the packets any more, so nulls must provide the delay: a packet that arrives
         // before the previous one was carried out replaces it (DS-V 4.1).
         burst.insert(burst.end(), pause, 0);
     }

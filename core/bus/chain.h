@@ -51,7 +51,7 @@ struct Trial {
     TimePoint due{};  ///< of the next action; initially at once
     std::optional<TrialEnd> end{};
     Outcome outcome = Outcome::Cancelled;  ///< set once it is over
-    bool told = false;                     ///< never cleared: its OperationFinished was emitted
+    bool reported = false;                 ///< never cleared: its OperationFinished was emitted
 };
 
 /// The last chain found: its modules, and everything believed about them. It is kept while another one is

@@ -18,10 +18,10 @@ namespace nmc::bus {
 /// known from the last time; other addresses follow at every rate only if there is no answer. If the answer
 /// is zeros, type and version are queried. Two lost answers do not hide a module: where one should be but
 /// does not answer, before a chain is considered fresh, and before no module is considered present,
-/// everything is queried three times; unusual addresses at rates where nothing else answers, twice. If nobody
-/// has answered then, the usual places are queried once more with patience: what was sent may have been read
-/// too late, at the rate of a later query. The last query for a missing module is patient, too. Returns the
-/// next action and is informed of its outcome. Pure.
+/// everything is queried three times; unusual addresses at rates where nothing else answers, twice. If no
+/// module has answered then, the usual places are queried once more with patience: what was sent may have
+/// been read too late, at the rate of a later query. The last query for a missing module is patient, too.
+/// Returns the next action and is informed of its outcome. Pure.
 class ChainLook {
 public:
     /// `rates`: where to look, in this order. `addresses`: those of the last time, if known, in addition to
@@ -40,7 +40,7 @@ public:
     [[nodiscard]] const std::vector<BusAddress>& addresses() const { return m_found; }
     /// Indices, from 0, of modules at whose address two answer at once.
     [[nodiscard]] const std::vector<std::size_t>& collided() const { return m_collided; }
-    /// Whoever sends the queries should wait longer for each answer than usual.
+    /// The caller should wait longer than usual for each answer.
     [[nodiscard]] bool patient() const { return m_patient; }
     /// A module without an address answers at the power-up rate; unaddressedIdentity() is its identity.
     [[nodiscard]] bool unaddressed() const { return m_unaddressed; }

@@ -253,7 +253,7 @@ void Engine::stopAll(TimePoint now) {
     } else if (m_search.active()) {
         m_stops.stopAllAfterSearch(now);
     } else {
-        m_stops.stopAll(now);  // nobody is known that could be stopped, and StopFinished says so
+        m_stops.stopAll(now);  // no module is known that could be stopped, and StopFinished reports that
     }
     proceed(now);
 }
@@ -450,9 +450,9 @@ bool Engine::dispatch(TimePoint now) {
     else if (m_config.readOnly)
         m_line.permit(Line::Permit::Questions);
     const bool live = m_connected || m_search.active();
-    Turn taken = Turn::Nobody;
+    Turn taken = Turn::Free;
     const auto offer = [&](bool may, auto&... tasks) {
-        ((taken = may && taken == Turn::Nobody ? take(tasks, now) : taken), ...);
+        ((taken = may && taken == Turn::Free ? take(tasks, now) : taken), ...);
     };
     if (lent()) {
         offer(m_lending.heldOff(), m_lending, m_stops);
@@ -463,10 +463,10 @@ bool Engine::dispatch(TimePoint now) {
     // A servo that swings is not seen at rest before its gains are restored.
     offer(m_stops.allSent() && m_connected, m_trials);
     offer(true, m_stops);
-    if (taken == Turn::Nobody)
+    if (taken == Turn::Free)
         taken = repeat(true, now);
     offer(live, m_recovery, m_restartSearch);
-    if (taken == Turn::Nobody)
+    if (taken == Turn::Free)
         taken = repeat(false, now);
     offer(live, m_search, m_rate, m_readdress, m_trials);
     // Operations submitted for the module before a hold come first: a stop sent after the start would end the
@@ -481,13 +481,13 @@ bool Engine::dispatch(TimePoint now) {
 
 Engine::Turn Engine::take(Task& task, TimePoint now) {
     if (!task.wants(now))
-        return Turn::Nobody;
+        return Turn::Free;
     // While the previous reply may still turn out to have surplus bytes, only an ordinary exchange may begin.
     if (!m_line.idle() && !task.pipelines())
         return Turn::Waits;
     Next next = task.next(now);
     if (std::holds_alternative<Idle>(next))
-        return Turn::Nobody;
+        return Turn::Free;
     if (auto* script = std::get_if<Line::Script>(&next))
         m_line.run(std::move(*script), now);
     else if (auto* ask = std::get_if<Ask>(&next))
@@ -497,7 +497,7 @@ Engine::Turn Engine::take(Task& task, TimePoint now) {
 
 Engine::Turn Engine::repeat(bool atOnce, TimePoint now) {
     if (!m_again || m_again->ask.repeatAtOnce != atOnce)
-        return Turn::Nobody;
+        return Turn::Free;
     if (!m_line.idle())
         return Turn::Waits;
     if (atOnce)
@@ -624,7 +624,7 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
                     m_chain.owe(info.index, StopCause::ConnectionEnded, stop.manner);
     for (const Chain::Module& module : m_chain.modules())
         if (module.owed)
-            found.toldToStop.push_back(module.belief.info().index);
+            found.commandedToStop.push_back(module.belief.info().index);
     m_events.emplace_back(found);
     for (const ModuleIndex module : found.absent)
         if (rejoined->restarted == module)
@@ -681,8 +681,8 @@ void Engine::onForeignTraffic() {
     ForeignTraffic event;
     for (const Chain::Module& module : m_chain.modules())
         if (module.ownMotion.commanded() && (module.belief.moving() || !module.belief.fresh()))
-            event.toldToStop.push_back(module.belief.info().index);
-    for (const ModuleIndex module : event.toldToStop)
+            event.commandedToStop.push_back(module.belief.info().index);
+    for (const ModuleIndex module : event.commandedToStop)
         halt(module, StopCause::ForeignTraffic, StopManner::Abruptly);
     cancelAll(Change::Kind::Cancelled);
     m_events.emplace_back(std::move(event));

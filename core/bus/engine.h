@@ -222,8 +222,8 @@ private:
     void proceed(TimePoint now);
     [[nodiscard]] bool dispatch(TimePoint now);
     enum class Turn : std::uint8_t {
-        Nobody,  ///< no task has needed the line so far
-        Waits,   ///< a task needs it, once it is completely free
+        Free,   ///< no task has needed the line so far
+        Waits,  ///< a task needs it, once it is completely free
         Taken
     };
     [[nodiscard]] Turn take(Task& task, TimePoint now);

@@ -192,7 +192,8 @@ std::optional<MemberOutcome> GroupRun::cleared(const StatusReport& report) {
 
 std::optional<MemberOutcome> GroupRun::started(const Member& member, const StatusReport& report,
                                                TimePoint latched) const {
-    // From one velocity to another: a command that was not received cannot be told from a slow change.
+    // From one velocity to another: a command that was not received cannot be distinguished from a slow
+    // change.
     if (!member.stood)
         return member.looks >= kVotes ? std::optional(MemberOutcome::Unknown) : std::nullopt;
     const auto& from = member.before.position();

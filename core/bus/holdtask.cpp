@@ -38,8 +38,8 @@ void HoldTask::hold(const HoldToMove& hold, TimePoint now) {
 
 void HoldTask::end(StopCause cause) {
     m_refusals = 0;
-    if (const auto told = m_lane.release(); told && m_chain.has(told->module))
-        m_chain.owe(told->module, cause, mannerFor(*told));
+    if (const auto released = m_lane.release(); released && m_chain.has(released->module))
+        m_chain.owe(released->module, cause, mannerFor(*released));
 }
 
 void HoldTask::expire(TimePoint now) {

@@ -58,7 +58,7 @@ public:
     [[nodiscard]] std::optional<Passed> takePassed(TimePoint by);
 
     /// The program has sent this packet, which is latched at `latched`: the exchange to expect; empty if
-    /// nobody answers.
+    /// no module answers it.
     [[nodiscard]] std::optional<Ask> follow(const PacketBytes& packet, TimePoint latched);
     /// The modules are others than before the last call.
     [[nodiscard]] bool takeChanged() { return std::exchange(m_changed, false); }

@@ -53,10 +53,10 @@ PathBuffer::Range PathBuffer::left(std::size_t sent, TimePoint from, TimePoint b
     return {sent - std::min(most, sent), sent - std::min(fewest, sent)};
 }
 
-std::optional<bool> PathBuffer::carriedOut(std::size_t doubtful, std::size_t told, TimePoint from,
+std::optional<bool> PathBuffer::carriedOut(std::size_t doubtful, std::size_t reported, TimePoint from,
                                            TimePoint by) const {
-    const bool without = left(m_sent, from, by).has(told);
-    const bool with = left(m_sent + doubtful, from, by).has(told);
+    const bool without = left(m_sent, from, by).has(reported);
+    const bool with = left(m_sent + doubtful, from, by).has(reported);
     return without == with ? std::nullopt : std::optional(with);
 }
 

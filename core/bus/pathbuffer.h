@@ -34,7 +34,7 @@ public:
 
     /// The chip reported that `left` points are left, latched between `from` and `by`.
     void onReported(std::size_t left, TimePoint from, TimePoint by);
-    [[nodiscard]] TimePoint toldAt() const { return m_by; }
+    [[nodiscard]] TimePoint reportedAt() const { return m_by; }
     /// Number of points that have left the buffer for certain.
     [[nodiscard]] std::size_t taken(TimePoint now) const;
     /// The chip reported that `left` points are left: determines whether a frame of `doubtful` points without

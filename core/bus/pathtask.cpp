@@ -157,7 +157,7 @@ std::optional<TimePoint> PathTask::due() const {
     for (const Axis& axis : m_axes) {
         if (axis.done)
             continue;
-        first = std::min({first, axis.buffer.toldAt() + kInSight, axis.buffer.dryAt()});
+        first = std::min({first, axis.buffer.reportedAt() + kInSight, axis.buffer.dryAt()});
         if (axis.buffer.frame() > 0)
             first = std::min(first, axis.buffer.roomAt());
     }
@@ -170,7 +170,7 @@ bool PathTask::halts(const Axis& axis) const {
 }
 
 bool PathTask::stale(const Axis& axis, TimePoint now) const {
-    return now >= std::min(axis.buffer.toldAt() + kInSight, axis.buffer.dryAt()) && !axis.done;
+    return now >= std::min(axis.buffer.reportedAt() + kInSight, axis.buffer.dryAt()) && !axis.done;
 }
 
 Next PathTask::next(TimePoint now) {

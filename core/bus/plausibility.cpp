@@ -284,9 +284,9 @@ bool Plausibility::repeatsZeros(const StatusReport& report) const {
 bool Plausibility::onWithoutPower(const ReplyEnd& end) const {
     if (m_identity.type != ModuleType::Servo || !end.report.aux || end.report.servoStatus().powerOn())
         return false;
-    const bool told = m_mayEnable && end.latched < *m_mayEnable + kTakesEffect;
+    const bool commanded = m_mayEnable && end.latched < *m_mayEnable + kTakesEffect;
     const bool homed = m_known.status && (*m_known.status & ~end.report.status & kHomingBit) != 0;
-    return servo::AuxByte{*end.report.aux}.servoOn() && !told && !homed;
+    return servo::AuxByte{*end.report.aux}.servoOn() && !commanded && !homed;
 }
 
 bool Plausibility::stickyCleared(const Known& known, const StatusReport& report) const {
@@ -359,8 +359,8 @@ double Plausibility::unexplained(const Known& known, const ReplyEnd& end) const 
     if (!known.position || !known.velocity || !end.report.position || !end.report.velocity)
         return 0;
     const double time = std::max(ticks(end.latched - known.from), 1.0);
-    const double told = (*known.velocity + *end.report.velocity) / 2.0;
-    return std::min(std::abs(distance(*known.position, *end.report.position) / time - told), fastest());
+    const double reported = (*known.velocity + *end.report.velocity) / 2.0;
+    return std::min(std::abs(distance(*known.position, *end.report.position) / time - reported), fastest());
 }
 
 void Plausibility::take(Known& known, const ReplyEnd& end) const {

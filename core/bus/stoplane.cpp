@@ -15,9 +15,9 @@ namespace {
 constexpr Duration kSilentFor = std::chrono::milliseconds(500);
 constexpr unsigned kSilences = 3;
 
-/// For a module that answers, stops are repeated at once this often; after that, and while nobody answers, in
-/// this interval. Commands may get through even if no answer does (faults.md F-11, F-19). But the line also
-/// needs its way back, which may find that the module has restarted, and takes 0.3 s at 19 200 Bd.
+/// For a module that answers, stops are repeated at once this often; after that, and while no module answers,
+/// in this interval. Commands may get through even if no answer does (faults.md F-11, F-19). But the line
+/// also needs its way back, which may find that the module has restarted, and takes 0.3 s at 19 200 Bd.
 constexpr unsigned kAtOnce = 3;
 constexpr Duration kAfterSilence = std::chrono::milliseconds(500);
 /// Time between two queries of a motor that is decelerating; kBetweenLateLooks applies later, to one that
@@ -26,8 +26,8 @@ constexpr Duration kBetweenLooks = std::chrono::milliseconds(20);
 constexpr Duration kBetweenLateLooks = std::chrono::milliseconds(250);
 constexpr unsigned kEarlyLooks = 100;
 /// After such a query, the others wait for at least this long, so that something else is sent in between:
-/// three motors that slow down would otherwise occupy a slow line, and nobody would be polled that is about
-/// to leave its travel limits.
+/// three motors that slow down would otherwise occupy a slow line, and a module that is about to leave its
+/// travel limits would not be polled.
 constexpr Duration kGiveWay = std::chrono::milliseconds(5);
 
 }  // namespace

@@ -112,11 +112,11 @@ void StopTarget::onLook(const StatusReport& report, const Belief& belief, TimePo
     m_position = report.position;
     m_unknown = !belief.statusTime();
     m_confirmed = still ? m_confirmed + 1 : 0;
-    const bool neverTold = !m_lastStop;
+    const bool neverSent = !m_lastStop;
     const Duration patience = m_manner == StopManner::Smoothly ? kSmoothPatience : kPatience;
     const bool movesOn = !still && (!m_lastStop || now - *m_lastStop >= patience);
     // After blind stops, and if the motor continues to move, the stop is repeated if the motor is still on.
-    if (stop(belief) && (neverTold || movesOn)) {
+    if (stop(belief) && (neverSent || movesOn)) {
         m_needsStop = true;
         m_confirmed = 0;
     }

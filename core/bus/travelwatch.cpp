@@ -36,9 +36,9 @@ constexpr Duration kCommand = std::chrono::milliseconds(30);
 /// second.
 [[nodiscard]] double rampOf(const Belief& belief, double ticks) {
     if (belief.info().identity.type == ModuleType::Stepper) {
-        const StepperRegisters& told = belief.stepperRegisters();
-        return told.accelerationTime && told.parameters
-                   ? StepperSpeed(told.parameters->speedMode).acceleration(*told.accelerationTime)
+        const StepperRegisters& registers = belief.stepperRegisters();
+        return registers.accelerationTime && registers.parameters
+                   ? StepperSpeed(registers.parameters->speedMode).acceleration(*registers.accelerationTime)
                    : 0.0;
     }
     const auto& acceleration = belief.servoRegisters().runningAcceleration;
@@ -76,10 +76,11 @@ std::optional<StopManner> TravelWatch::onReport(const StatusReport& report, Time
         return std::nullopt;
     // While SR is unknown, the shortest tick is assumed: a ramp takes the same number of counts at any tick
     // length, and the motor covers the most distance before the stop arrives.
-    const ServoRegisters& told = belief.servoRegisters();
-    const double ticks = ticksPerSecond(told.servoRate.value_or(1));
-    const double wanted =
-        belief.velocityGoal() && told.runningVelocity ? toCounts(*told.runningVelocity) * ticks : 0.0;
+    const ServoRegisters& registers = belief.servoRegisters();
+    const double ticks = ticksPerSecond(registers.servoRate.value_or(1));
+    const double wanted = belief.velocityGoal() && registers.runningVelocity
+                              ? toCounts(*registers.runningVelocity) * ticks
+                              : 0.0;
     const double fast = std::max(std::abs(m_speed), wanted);
     const double ramp = rampOf(belief, ticks);
     const double needs = fast * toSeconds(latency()) + wayToStop(fast, ramp);

@@ -164,7 +164,7 @@ Line::Script TrialTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now
 /// Reports the end, once.
 void TrialTask::report(ModuleIndex module, Outcome outcome) {
     Trial& trial = *m_chain.at(module).trial;
-    if (std::exchange(trial.told, true))
+    if (std::exchange(trial.reported, true))
         return;
     OperationFinished finished{trial.id, outcome, module, payloadOf(ServoCommand(trial.tried)).commandByte()};
     if (outcome == Outcome::Done)

@@ -234,7 +234,7 @@ struct ChainFound {
     /// ModuleUnresponsive follows for each, or ModuleRestarted.
     std::vector<ModuleIndex> absent{};
     /// Those of `modules` that are sent a stop again (EngineConfig::unconfirmed).
-    std::vector<ModuleIndex> toldToStop{};
+    std::vector<ModuleIndex> commandedToStop{};
     /// As EngineConfig::readOnly.
     bool readOnly = false;
     /// The longest pause within a reply seen on the line, which is allowed for; 0: none.
@@ -455,7 +455,7 @@ struct StoppedBeforeLimit {
 /// Modules answer another host, which is on the line (strayframes.h). Requests from here are cancelled, and a
 /// hold has ended. Emitted once, until nothing has been heard of that host for ten seconds.
 struct ForeignTraffic {
-    std::vector<ModuleIndex> toldToStop;  ///< motors that were set in motion from here
+    std::vector<ModuleIndex> commandedToStop;  ///< motors that were set in motion from here
 };
 
 /// A module moves, but not because of this connection (ownmotion.h); nothing is done about it. Emitted once

@@ -11,7 +11,7 @@ namespace nmc::bus {
 namespace {
 
 /// A reset can be verified only if the previous position differs from 0 by at least this much.
-constexpr std::int64_t kTellsApart = 10 * kStillCounts;
+constexpr std::int64_t kDistinguishable = 10 * kStillCounts;
 
 [[nodiscard]] Carried verifyMotion(const Belief& belief, const Verification& verification) {
     const bool moved =
@@ -26,7 +26,7 @@ constexpr std::int64_t kTellsApart = 10 * kStillCounts;
 [[nodiscard]] Carried verifyPosition(const Belief& belief, const Verification& verification) {
     if (belief.mayMove() || !belief.position() || !verification.position)
         return Carried::Unknown;
-    if (std::abs(std::int64_t{*verification.position}) < kTellsApart)
+    if (std::abs(std::int64_t{*verification.position}) < kDistinguishable)
         return Carried::NotOut;  // close to 0 either way: repeating it is harmless
     if (samePlace(*belief.position(), 0))
         return Carried::Out;

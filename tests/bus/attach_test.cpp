@@ -195,7 +195,7 @@ TEST(Attach, SendsAStopAgainThatWasNotConfirmedWhenTheLastConnectionEnded) {
     bus.onCommand = nullptr;
     bus.newHost(next);
     ASSERT_TRUE(bus.connect());
-    EXPECT_EQ(bus.last<ChainFound>()->toldToStop.size(), 3U);
+    EXPECT_EQ(bus.last<ChainFound>()->commandedToStop.size(), 3U);
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() == 3; }, 5s));
     EXPECT_DOUBLE_EQ(left.commandVelocity(), 0);
     EXPECT_TRUE(bus.servo(0).servoOn) << "it holds";

@@ -146,7 +146,7 @@ TEST_F(F45_ForeignTraffic, IsToldOnceAndEndsWhatWasUnderWayHere) {
     bus.runFor(300ms);
     bus.fault("bus foreign on=nop t=10ms..40ms for=8s");
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<ForeignTraffic>() == 1; }, 5s));
-    EXPECT_EQ(bus.last<ForeignTraffic>()->toldToStop, std::vector{ModuleIndex(0)});
+    EXPECT_EQ(bus.last<ForeignTraffic>()->commandedToStop, std::vector{ModuleIndex(0)});
     ASSERT_TRUE(bus.runUntil([&] { return bus.stands(0); }, 2s));
     bus.runFor(7s);
     EXPECT_EQ(bus.count<ForeignTraffic>(), 1U);
@@ -184,7 +184,7 @@ TEST_F(F45_ForeignTraffic, LeavesMotorsAloneThatWereNotSetInMotionHere) {
     sends(loadVelocity(1, 65'536, true));
     bus.fault("bus foreign on=nop t=10ms..40ms for=4s");
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<ForeignTraffic>() == 1; }, 5s));
-    EXPECT_TRUE(bus.last<ForeignTraffic>()->toldToStop.empty());
+    EXPECT_TRUE(bus.last<ForeignTraffic>()->commandedToStop.empty());
     EXPECT_FALSE(bus.stands(1));
 }
 

@@ -27,7 +27,7 @@ READ_ONLY = (
     )),
     Mutant("read-only-owes-stops-nobody-asked-for", "link.md 2.8: a lost link is no reason to stop its motors", (
         Edit("core/bus/chain.cpp",
-             "    if (m_readOnly && cause != StopCause::StopAll)\n        return;  // nobody asked\n", ""),
+             "    if (m_readOnly && cause != StopCause::StopAll)\n        return;  // the user did not request it\n", ""),
         LETS_EVERYTHING_LEAVE,
     )),
     Mutant("read-only-stops-when-it-gives-up", "link.md 2.8: nor is a link that is given up", (

@@ -62,8 +62,8 @@ ALWAYS = (
              "    if (!m_chain.empty()) {\n        if (m_search.active()",
              "    if (!m_chain.empty() && (m_connected || m_search.active())) {\n        if (m_search.active()"),
         Edit("core/bus/engine.cpp",
-             "        m_stops.stopAll(now);  // nobody",
-             "        m_events.emplace_back(StopFinished{});  // nobody"),
+             "        m_stops.stopAll(now);  // no module",
+             "        m_events.emplace_back(StopFinished{});  // no module"),
     )),
     Mutant("no-nulls-after-a-search", "link.md 2.6: the search may have left half a command in a module", (
         Edit("core/bus/engine.cpp",
@@ -209,7 +209,8 @@ OWING = (
     )),
     Mutant("hold-that-owes-nothing", "link.md 2.6: held motion ends with a stop", (
         Edit("core/bus/holdtask.cpp",
-             "told && m_chain.has(told->module))", "told && false && m_chain.has(told->module))"),
+             "released && m_chain.has(released->module))",
+             "released && false && m_chain.has(released->module))"),
     )),
     Mutant("press-that-is-over-moves-again", "holdlane.h: late evidence of a press that has ended moves nothing", (
         Edit("core/bus/holdlane.h", "press <= *m_over;", "press < *m_over;"),

@@ -57,9 +57,10 @@ bus::GroupFinished command(GroupAction action, bus::Outcome outcome, std::vector
 TEST(ChainTexts, GroupThatIsToldToStop) {
     const std::vector<bus::GroupMember> both{{ModuleIndex(0), MemberOutcome::Done},
                                              {ModuleIndex(2), MemberOutcome::Done}};
-    EXPECT_EQ(texts::groupToldToStop(command(GroupAction::StopSmoothly, bus::Outcome::Done, both)).headline,
-              u"Group 81 was commanded to stop: module 1 and 3."_s);
-    EXPECT_EQ(texts::groupToldToStop(command(GroupAction::MotorOff, bus::Outcome::Done, both)).headline,
+    EXPECT_EQ(
+        texts::groupCommandedToStop(command(GroupAction::StopSmoothly, bus::Outcome::Done, both)).headline,
+        u"Group 81 was commanded to stop: module 1 and 3."_s);
+    EXPECT_EQ(texts::groupCommandedToStop(command(GroupAction::MotorOff, bus::Outcome::Done, both)).headline,
               u"Group 81 was commanded to switch its motors off: module 1 and 3."_s);
     EXPECT_EQ(texts::stopConfirmed({ModuleIndex(2), bus::StopCause::GroupStop}), u"Module 3 has stopped."_s);
 }

@@ -26,7 +26,7 @@ namespace nmc::texts {
 
 /// Why a call is not possible.
 [[nodiscard]] QString apiProblem(const api::Problem& problem);
-/// What a program without the right to move motors is told.
+/// The refusal that a program without the right to move motors gets.
 [[nodiscard]] QString noControl();
 [[nodiscard]] QString helloFirst();
 [[nodiscard]] QString otherProtocol(const QString& theirs, const QString& ours);

@@ -133,7 +133,7 @@ Message groupFailed(const bus::GroupFinished& finished) {
             .body = membersSentence(finished) + u' ' + Texts::tr("No motor was moved.")};
 }
 
-Message groupToldToStop(const bus::GroupFinished& finished) {
+Message groupCommandedToStop(const bus::GroupFinished& finished) {
     const auto& command = std::get<bus::GroupCommand>(finished.what);
     const bool off = command.action == bus::GroupCommand::Action::MotorOff;
     const QString text = off ? Texts::tr("Group %1 was commanded to switch its motors off: module %2.")

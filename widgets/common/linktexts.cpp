@@ -129,7 +129,7 @@ Message connected(const bus::ChainFound& found, const QString& port) {
             "The modules carry on, even after you disconnect. Only status requests are sent. STOP ALL still works.");
         return m;
     }
-    if (found.attached && found.toldToStop.size() < found.modules.size()) {
+    if (found.attached && found.commandedToStop.size() < found.modules.size()) {
         m.headline = Texts::tr("Connected to %1: %2 at %3 Bd, left running.")
                          .arg(portName(port), countOfModules(modules), rate(found.baud));
         m.body = Texts::tr(
@@ -139,8 +139,8 @@ Message connected(const bus::ChainFound& found, const QString& port) {
                          .arg(portName(port), countOfModules(modules), rate(found.baud));
         m.body = Texts::tr("Nothing moves until you command it. Gains are unknown until you apply them.");
     }
-    if (!found.toldToStop.empty()) {
-        m.headline += u' ' + commandedToStop(found.toldToStop);
+    if (!found.commandedToStop.empty()) {
+        m.headline += u' ' + commandedToStop(found.commandedToStop);
         m.body.prepend(Texts::tr("An earlier stop was not confirmed, so it was sent now.") + u' ');
     }
     return m;

@@ -19,7 +19,7 @@ namespace {
 struct Needs {
     bool ownChain = false;              ///< the chain that the message is about
     bool noOtherChain = false;          ///< nothing was connected to since
-    bool telling = false;               ///< a connection that is not read-only
+    bool sending = false;               ///< a connection that is not read-only
     bool machine = false;               ///< it changes the machine or the chain, which an operator may not do
     std::optional<IntentKind> right{};  ///< the right that an operator needs, as for the same control
 };
@@ -28,15 +28,15 @@ Needs needsOf(MessageAction action) {
     switch (action) {
         case MessageAction::Readdress:
         case MessageAction::RestartNetwork:
-            return {.ownChain = true, .telling = true, .machine = true};
+            return {.ownChain = true, .sending = true, .machine = true};
         case MessageAction::ClearAndStayOff:
-            return {.ownChain = true, .telling = true, .right = IntentKind::ClearStickyBits};
+            return {.ownChain = true, .sending = true, .right = IntentKind::ClearStickyBits};
         case MessageAction::SwitchOff:
-            return {.ownChain = true, .telling = true};
+            return {.ownChain = true, .sending = true};
         case MessageAction::GainsBefore:
-            return {.ownChain = true, .telling = true, .right = IntentKind::ApplyGains};
+            return {.ownChain = true, .sending = true, .right = IntentKind::ApplyGains};
         case MessageAction::TakePosition:
-            return {.ownChain = true, .telling = true, .right = IntentKind::SaveAsHome};
+            return {.ownChain = true, .sending = true, .right = IntentKind::SaveAsHome};
         case MessageAction::ForgetPosition:
             return {.ownChain = true, .right = IntentKind::SaveAsHome};
         case MessageAction::WorkWith:
@@ -77,7 +77,7 @@ bool mayAct(const Message& message, MessageAction action, const LinkState& link)
     const Needs needs = needsOf(action);
     const bool last = message.connection == link.connection;
     return (!needs.ownChain || (last && link.isOpen())) && (!needs.noOtherChain || last) &&
-           (!needs.telling || (!link.readOnly && !link.lent));
+           (!needs.sending || (!link.readOnly && !link.lent));
 }
 
 Message withoutImpossible(Message message, const LinkState& link) {

@@ -71,7 +71,7 @@ Words homingFailed(const ProcedureReport& report, const QString& who, const Axis
 
 Words directionFailed(ProcedureFailure failure, const QString& who) {
     const QString off = Texts::tr("Direction check of %1 inconclusive; its motor is off.").arg(who);
-    const QString told =
+    const QString headline =
         Texts::tr("Direction check of %1 inconclusive; its motor was commanded to switch off.").arg(who);
     if (failure == ProcedureFailure::TravelLimit)
         return {
@@ -84,15 +84,16 @@ Words directionFailed(ProcedureFailure failure, const QString& who) {
             Texts::tr(
                 "It does not come to rest although nothing drives it. Find what turns it, then check again.")};
     if (failure == ProcedureFailure::LinkSuspect)
-        return {told, Texts::tr("The link was unreliable. Check the link, then repeat the direction check.")};
+        return {headline,
+                Texts::tr("The link was unreliable. Check the link, then repeat the direction check.")};
     if (failure == ProcedureFailure::ModuleUnresponsive)
         return {Texts::tr("Direction check of %1 inconclusive: it does not answer. Motor state unknown.")
                     .arg(who),
                 Texts::tr("It was commanded to switch off. Use the hardware stop if it moves."),
                 Severity::Fault};
     if (failure == ProcedureFailure::Refused)
-        return {told, Texts::tr("A command failed, or its answer was lost. Repeat the direction check.")};
-    return {told, procedureFailure(failure)};
+        return {headline, Texts::tr("A command failed, or its answer was lost. Repeat the direction check.")};
+    return {headline, procedureFailure(failure)};
 }
 
 /// `who`: "Module 1".

@@ -67,7 +67,7 @@ void QuantityField::setScale(const AxisScale& scale) {
         return;
     m_scale = scale;
     refresh();
-    if (!tellable())
+    if (!convertible())
         return NumberField::showNothing();
     // Shown again, because the old number may not have been in the range of the new unit.
     if (m_native)
@@ -96,7 +96,7 @@ void QuantityField::setZero(const std::optional<WorkZero>& zero, bool keepsNumbe
 
 void QuantityField::showNative(double native) {
     m_native = native;
-    if (tellable())
+    if (convertible())
         showValue(toUser(native));
     refresh();
 }
@@ -125,10 +125,10 @@ void QuantityField::takeText() {
 void QuantityField::refresh() {
     setWords(m_quantity, m_zero ? unitText() + u' ' + texts::from(*m_zero) : unitText());
     look::setText(m_unit, unitText());
-    setUnavailable(tellable()       ? QString()
+    setUnavailable(convertible()    ? QString()
                    : countsOfZero() ? texts::refusal(Refusal::ServoRateUnknown)
                                     : texts::zeroInUse(m_zero));
-    if (tellable()) {
+    if (convertible()) {
         setDecimals(decimalsWanted());
         const auto [lowest, highest] = std::minmax({toUser(m_min), toUser(m_max)});
         setRange(lowest, highest);
@@ -138,7 +138,7 @@ void QuantityField::refresh() {
         if (const std::optional<double> user = value(); user && !m_native)
             m_native = std::clamp(toNative(*user), m_min, m_max);
     }
-    const std::optional<double> now = tellable() ? native() : m_native;
+    const std::optional<double> now = convertible() ? native() : m_native;
     // In counts it would be the place by the counter, which is another number.
     look::setText(m_other, m_zero ? texts::from(*m_zero) : now ? otherText(*now) : u"–"_s);
 }

@@ -60,11 +60,11 @@ signals:
 private:
     void takeText();
     void refresh();
-    [[nodiscard]] bool tellable() const {
+    [[nodiscard]] bool convertible() const {
         return m_kind <= Kind::Distance ? countsOfZero().has_value() : m_scale.timed();
     }
     [[nodiscard]] std::optional<double> countsOfZero() const { return m_zero ? m_zero->counts : 0.0; }
-    /// toUser() and toNative() require tellable().
+    /// toUser() and toNative() require convertible().
     [[nodiscard]] double toUser(double native) const;
     [[nodiscard]] double toNative(double user) const;
     [[nodiscard]] int decimalsWanted() const;

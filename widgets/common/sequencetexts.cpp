@@ -212,7 +212,7 @@ QString sequenceState(const SequenceReport& report) {
 }
 
 std::optional<Message> sequenceOver(const SequenceReport& report) {
-    // Somebody has ended it, or the message about the connection says what became of the motors.
+    // The user has ended it, or the message about the connection says what became of the motors.
     if (!report.over() || report.end == SequenceEnd::ByUser || report.end == SequenceEnd::StopOfAll ||
         report.end == SequenceEnd::Closed)
         return std::nullopt;

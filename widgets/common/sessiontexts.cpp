@@ -49,7 +49,7 @@ Message machineSlept(double seconds, bool stopped) {
 
 namespace {
 
-QString guardianTold(const std::vector<ModuleIndex>& modules) {
+QString commandedByGuardian(const std::vector<ModuleIndex>& modules) {
     return Texts::tr(
                "The panel ended without stopping its motors; its guardian commanded modules %1 to stop.",
                nullptr, howMany(modules))
@@ -64,15 +64,15 @@ QString guardianCannotSee() {
 }  // namespace
 
 Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port, const QString& file,
-                         const std::optional<std::vector<ModuleIndex>>& toldByGuardian) {
+                         const std::optional<std::vector<ModuleIndex>>& stoppedByGuardian) {
     Message m{
         .key = key::endedWhileMoving(file),
         .severity = Severity::Attention,
         .actions = {lookFirst(), {MessageAction::LookedAt, Texts::tr("I have checked: it is at rest")}}};
     const QString moving = listOfModules(modules);
-    if (toldByGuardian) {
+    if (stoppedByGuardian) {
         const QString were = Texts::tr("Motors %1 were moving, at %2.", nullptr, howMany(modules));
-        m.headline = guardianTold(*toldByGuardian);
+        m.headline = commandedByGuardian(*stoppedByGuardian);
         m.body = were.arg(moving, portName(port)) + u' ' + guardianCannotSee() + u' ' +
                  Texts::tr("This message stays until the motor is seen at rest.");
         return m;
@@ -89,7 +89,7 @@ Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString&
 Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules) {
     return {.key = u"guardianStoppedBefore"_s,
             .severity = Severity::Attention,
-            .headline = guardianTold(modules),
+            .headline = commandedByGuardian(modules),
             .body = guardianCannotSee(),
             .actions = {lookFirst()}};
 }

@@ -108,12 +108,12 @@ bool estopHolds(const ModuleState& module) {
 }
 
 /// One text for one cause: if the limit switched the motor off, the message about that reports it.
-bool tellsOfLimit(const ModuleState& module, int limit) {
+bool reportsLimit(const ModuleState& module, int limit) {
     const bool switchedOff =
         module.isStepper() && module.switchedItselfOff && module.stepper.ended() == Activity::StoppedByLimit;
-    const bool told = module.switchedItselfOff && (module.tripCause == TripCause::OffAtLimit1 ||
-                                                   module.tripCause == TripCause::OffAtLimit2);
-    return module.limits.ranInto(static_cast<std::size_t>(limit - 1)) && !switchedOff && !told;
+    const bool reported = module.switchedItselfOff && (module.tripCause == TripCause::OffAtLimit1 ||
+                                                       module.tripCause == TripCause::OffAtLimit2);
+    return module.limits.ranInto(static_cast<std::size_t>(limit - 1)) && !switchedOff && !reported;
 }
 
 /// The message about a module that does not answer; it comes before those about its last reported state.
@@ -152,7 +152,7 @@ std::vector<Message> standing(const LinkState& link, TimePoint now,
         if (hasWrapped(module))
             all.push_back(withRecord(wrapped(module)));
         for (const int limit : {1, 2})
-            if (tellsOfLimit(module, limit))
+            if (reportsLimit(module, limit))
                 all.push_back(withRecord(limitClosed(module, limit)));
         if (estopHolds(module))
             all.push_back(withRecord(estopActive(index)));

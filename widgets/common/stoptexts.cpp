@@ -154,8 +154,8 @@ Message motionSuspect(const bus::MotionSuspect& suspect) {
 
 Message foreignTraffic(const bus::ForeignTraffic& traffic) {
     QString headline = Texts::tr("Another host is sending on this line.");
-    if (!traffic.toldToStop.empty())
-        headline += u' ' + commandedToStop(traffic.toldToStop);
+    if (!traffic.commandedToStop.empty())
+        headline += u' ' + commandedToStop(traffic.commandedToStop);
     return {
         .key = u"foreign"_s,
         .severity = Severity::Fault,

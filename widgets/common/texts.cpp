@@ -257,7 +257,7 @@ QString simulatorRefused(const QString& line) {
     return Texts::tr("Failed: %1").arg(line);
 }
 
-QString simulatorTold(const QString& line) {
+QString simulatorAnswered(const QString& line) {
     return Texts::tr("Answer to: %1").arg(line);
 }
 

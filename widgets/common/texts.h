@@ -61,7 +61,7 @@ namespace texts {
 
 // ---- the chain as a whole ----
 [[nodiscard]] Message groupFailed(const bus::GroupFinished& finished);
-[[nodiscard]] Message groupToldToStop(const bus::GroupFinished& finished);
+[[nodiscard]] Message groupCommandedToStop(const bus::GroupFinished& finished);
 [[nodiscard]] Message rateChanged(const bus::RateChanged& changed);
 [[nodiscard]] Message rateNotChanged(const bus::RateChangeFailed& failed);
 
@@ -134,11 +134,11 @@ namespace texts {
 /// `stopped`: motors were moving, and were stopped while the panel was frozen.
 [[nodiscard]] Message panelFroze(double seconds, bool stopped);
 [[nodiscard]] Message machineSlept(double seconds, bool stopped);
-/// An earlier session ended without stopping its motors; `file` is the mark that it left. `toldByGuardian`:
-/// the modules that its guardian sent a stop, if it had to.
+/// An earlier session ended without stopping its motors; `file` is the mark that it left.
+/// `stoppedByGuardian`: the modules that its guardian sent a stop, if it had to.
 [[nodiscard]] Message endedWhileMoving(const std::vector<ModuleIndex>& modules, const QString& port,
                                        const QString& file,
-                                       const std::optional<std::vector<ModuleIndex>>& toldByGuardian = {});
+                                       const std::optional<std::vector<ModuleIndex>>& stoppedByGuardian = {});
 /// An earlier session ended without stopping its motors, and its guardian sent these modules a stop.
 [[nodiscard]] Message guardianStoppedBefore(const std::vector<ModuleIndex>& modules);
 /// This session stalled and goes on; meanwhile, its guardian sent the motors a stop.
@@ -171,7 +171,7 @@ namespace texts {
 /// The result of a control line, shown above its answer.
 [[nodiscard]] QString simulatorDid(const QString& line);
 [[nodiscard]] QString simulatorRefused(const QString& line);
-[[nodiscard]] QString simulatorTold(const QString& line);
+[[nodiscard]] QString simulatorAnswered(const QString& line);
 
 // ---- the packet monitor ----
 /// The result of an exchange, with the reason if it was rejected.

@@ -54,7 +54,7 @@ struct BodePlot::Pane {
     double bottom, top;
     double grain;  ///< between two lines
     double level;  ///< value of the emphasised line
-    bool tellsFrequencies;
+    bool labelsFrequencies;
     std::vector<Line> lines;
 
     [[nodiscard]] double x(double hertz) const {
@@ -157,7 +157,7 @@ void BodePlot::paintPane(QPainter& painter, const Pane& pane) const {
             if (const double hertz = decade * i; hertz >= pane.from && hertz <= pane.to) {
                 painter.setPen(QPen(look::faintLine(palette()), 1));
                 painter.drawLine(QLineF(pane.x(hertz), pane.area.top(), pane.x(hertz), pane.area.bottom()));
-                if (!pane.tellsFrequencies || (i != 1 && i != 2 && i != 5))
+                if (!pane.labelsFrequencies || (i != 1 && i != 2 && i != 5))
                     continue;
                 painter.setPen(muted);
                 painter.drawText(QRectF(pane.x(hertz) - 40, pane.area.bottom(), 80, metrics.height() * 1.2),
@@ -172,7 +172,7 @@ void BodePlot::paintPane(QPainter& painter, const Pane& pane) const {
                          Qt::AlignRight | Qt::AlignVCenter, texts::readout(value, 3));
     }
     painter.drawText(QPointF(pane.area.left(), pane.area.top() - metrics.descent()), pane.title);
-    if (pane.tellsFrequencies)
+    if (pane.labelsFrequencies)
         painter.drawText(QRectF(pane.area.left(), pane.area.bottom() + metrics.height() * 1.2,
                                 pane.area.width(), metrics.height() * 1.2),
                          Qt::AlignCenter, tr("Frequency, Hz"));

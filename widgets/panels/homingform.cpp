@@ -56,7 +56,7 @@ QAbstractButton* HomingForm::addBox(const QString& name, const QString& text, Fl
     m_boxes.append({box, flag, meaning});
     connect(box, &QCheckBox::toggled, this, [this, flag](bool on) {
         m_recipe.*flag = on;
-        tell();
+        applyEdit();
     });
     return box;
 }
@@ -106,7 +106,7 @@ void HomingForm::buildMotion(FormGrid* grid) {
     directions->addButton(m_forward);
     connect(m_reverse, &QAbstractButton::toggled, this, [this](bool on) {
         m_recipe.reverse = on != m_reversed;
-        tell();
+        applyEdit();
     });
     grid->addTitled(tr("Direction"), row({m_reverse, m_forward}));
 
@@ -135,7 +135,7 @@ void HomingForm::buildMotion(FormGrid* grid) {
     grid->addRow(Common::tr("Time limit"), m_timeLimit, {new QLabel(u"s"_s, this)});
     connect(m_timeLimit, &NumberField::edited, this, [this] {
         m_recipe.timeLimit = m_timeLimit->value().value_or(m_recipe.timeLimit);
-        tell();
+        applyEdit();
     });
 }
 
@@ -151,7 +151,7 @@ void HomingForm::addQuantity(FormGrid* grid, QuantityField::Kind kind, const QSt
     m_quantities.append({field, value, grid->addRow(text, field), meaning});
     connect(field, &QuantityField::nativeEdited, this, [this, field, value] {
         m_recipe.*value = field->native().value_or(m_recipe.*value);
-        tell();
+        applyEdit();
     });
 }
 
@@ -170,7 +170,7 @@ void HomingForm::buildEnd(FormGrid* grid) {
             if (!on)
                 return;
             m_recipe.stop = kStops[i];
-            tell();
+            applyEdit();
         });
     }
     grid->addTitled(tr("Stop there"), row(stops));
@@ -240,7 +240,7 @@ QString HomingForm::problemText() const {
     return m_timeLimit->problem() != NumberField::Problem::None ? m_timeLimit->problemText() : QString();
 }
 
-void HomingForm::tell() {
+void HomingForm::applyEdit() {
     refresh();
     emit edited();
 }

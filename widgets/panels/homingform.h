@@ -62,7 +62,7 @@ private:
     [[nodiscard]] QString named(const QString& name) const;
     void refresh();
     void refreshStops();
-    void tell();
+    void applyEdit();
     [[nodiscard]] bool uses(Number value) const;
 
     ModuleType m_type;

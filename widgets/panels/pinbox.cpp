@@ -188,8 +188,8 @@ void PinBox::refreshPin(unsigned number) {
     const auto level = module.latest.value_or(StatusReport{}).pins;
     const bool output = inputs && !bitOf(*inputs, number);
     const bool high = bitOf(level.value_or(0), number);
-    const bool toldHigh = bitOf(module.pins.outputs.value_or(level.value_or(0)), number);
-    const bool differs = output && level && toldHigh != high;
+    const bool outputHigh = bitOf(module.pins.outputs.value_or(level.value_or(0)), number);
+    const bool differs = output && level && outputHigh != high;
 
     const QSignalBlocker direction(pin.direction);
     pin.direction->setCurrentIndex(!inputs ? Unknown : output ? Output : Input);
@@ -205,7 +205,7 @@ void PinBox::refreshPin(unsigned number) {
                              : high ? Common::tr("high")
                                        : Common::tr("low"));
     const QSignalBlocker box(pin.high);
-    pin.high->setChecked(output && toldHigh);
+    pin.high->setChecked(output && outputHigh);
     QString why = m_context.reasonNow(IntentKind::SetOutputs);
     if (why.isEmpty() && !output)
         why = inputs ? tr("This pin is an input.") : tr("Pin directions unknown.");

@@ -33,20 +33,21 @@ ScopeRecord recordOf(const QString& title, const RecordingHeader& header, Histor
     record.title = title;
     for (std::size_t i = 0; i < history.modules(); ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));
-        const auto told = std::find_if(header.modules.begin(), header.modules.end(),
-                                       [&](const RecordingModule& module) { return module.index == index; });
-        if (told == header.modules.end() && history.module(index)->empty())
+        const auto described =
+            std::find_if(header.modules.begin(), header.modules.end(),
+                         [&](const RecordingModule& module) { return module.index == index; });
+        if (described == header.modules.end() && history.module(index)->empty())
             continue;
         record.modules.resize(i + 1);
         ScopeModule& module = record.modules.back();
-        if (told == header.modules.end())
+        if (described == header.modules.end())
             continue;
-        module.name = QString::fromStdString(told->name);
-        module.identity = told->identity;
-        module.scale = told->identity.type == ModuleType::Stepper ? AxisScale::step(told->unit)
-                                                                  : AxisScale::servo(told->unit, 1);
-        module.analog = told->analog;
-        module.pins = told->pins;
+        module.name = QString::fromStdString(described->name);
+        module.identity = described->identity;
+        module.scale = described->identity.type == ModuleType::Stepper ? AxisScale::step(described->unit)
+                                                                       : AxisScale::servo(described->unit, 1);
+        module.analog = described->analog;
+        module.pins = described->pins;
     }
     for (std::size_t i = 0; i < record.modules.size(); ++i)
         if (record.modules[i].name.isEmpty())

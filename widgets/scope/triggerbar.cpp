@@ -198,7 +198,7 @@ void TriggerBar::takeSource() {
     showPossible();
 }
 
-/// Nobody has chosen the source anew, so the level remains the same in another unit. Of another module's
+/// The user has not chosen another source, so the level remains the same in another unit. Of another module's
 /// signal, nothing is known in that unit.
 void TriggerBar::takeSourceAgain() {
     const std::optional<LevelOf> before = m_levelOf;

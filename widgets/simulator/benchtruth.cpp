@@ -17,7 +17,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 /// Maximum number of violations in the tool tip, the latest last.
-constexpr qsizetype kToldViolations = 8;
+constexpr qsizetype kListedViolations = 8;
 }  // namespace
 
 BenchTruth::BenchTruth(QWidget* parent)
@@ -89,15 +89,15 @@ void BenchTruth::showStatistics(const QJsonObject& statistics) {
     m_violationsSign->showSeverity(count > 0 ? Severity::Attention : Severity::Normal);
     m_violationsSign->setVisible(count > 0);
     const QJsonArray entries = statistics["violations"_L1].toArray();
-    QStringList told{tr("Protocol violations that would upset a real module.")};
-    for (qsizetype i = std::max<qsizetype>(0, entries.size() - kToldViolations); i < entries.size(); ++i) {
+    QStringList lines{tr("Protocol violations that would upset a real module.")};
+    for (qsizetype i = std::max<qsizetype>(0, entries.size() - kListedViolations); i < entries.size(); ++i) {
         const QJsonObject entry = entries[i].toObject();
-        told << tr("%1 s, module %2: %3, %4")
-                    .arg(texts::readout(entry["time"_L1].toDouble(), 6))
-                    .arg(entry["module"_L1].toInt())
-                    .arg(entry["kind"_L1].toString(), entry["bytes"_L1].toString());
+        lines << tr("%1 s, module %2: %3, %4")
+                     .arg(texts::readout(entry["time"_L1].toDouble(), 6))
+                     .arg(entry["module"_L1].toInt())
+                     .arg(entry["kind"_L1].toString(), entry["bytes"_L1].toString());
     }
-    m_violations->setToolTip(told.join(u'\n'));
+    m_violations->setToolTip(lines.join(u'\n'));
     m_violations->setAccessibleDescription(m_violations->toolTip());
 }
 

@@ -77,7 +77,7 @@ void ControlLineBox::showAnswer(const QString& line, const QByteArray& json) {
     m_head->setFont(font);
     look::setText(m_head, refused ? texts::simulatorRefused(line)
                           : done  ? texts::simulatorDid(line)
-                                  : texts::simulatorTold(line));
+                                  : texts::simulatorAnswered(line));
     m_answer->setPlainText(error.isString() ? error.toString()
                                             : QString::fromUtf8(json).replace(u",\""_s, u",\n\""_s));
 }

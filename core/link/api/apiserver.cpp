@@ -117,7 +117,7 @@ void ApiServer::send(Client client, const QByteArray& line) {
     if (found == m_clients.end())
         return;
     if (found->second->bytesToWrite() + line.size() > kMostWaiting) {
-        // Queued: whoever sends may be looking at all clients.
+        // Queued: the caller may be looping over all clients.
         QMetaObject::invokeMethod(
             this, [this, client] { drop(client); }, Qt::QueuedConnection);
         return;

@@ -153,7 +153,7 @@ void ProcedureController::report(Run& run, const ProcedureReport& report) {
     m_reports.push_back(report);
 }
 
-/// Only when what has ended is gone: whoever hears of its end may begin the next one.
+/// Only when what has ended is gone: a receiver of the report may begin the next one.
 void ProcedureController::emitReports() {
     while (!m_reports.empty()) {
         const ProcedureReport report = m_reports.front();

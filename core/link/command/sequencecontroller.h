@@ -36,19 +36,19 @@ public:
 
     /// Does nothing while another sequence runs. refused() reports what prevents it from running.
     void begin(SequenceRun run);
-    void pause() { tell(&SequenceRun::pause); }
-    void resume() { tell(&SequenceRun::resume); }
-    void step() { tell(&SequenceRun::step); }
-    void stop() { tell(&SequenceRun::stop); }
+    void pause() { apply(&SequenceRun::pause); }
+    void resume() { apply(&SequenceRun::resume); }
+    void step() { apply(&SequenceRun::step); }
+    void stop() { apply(&SequenceRun::stop); }
 
     /// Starts a dry run of the sequence; foreseen() follows unless another one is requested.
     void foresee(const Machine& machine, const std::string& sequence, std::size_t row);
     void endForesight() { m_foresight.cancel(); }
 
     /// The user requests something of this module; `stops`: a stop of its motor.
-    void takeOver(ModuleIndex module, bool stops) { tell(&SequenceRun::onTakenOver, module, stops); }
+    void takeOver(ModuleIndex module, bool stops) { apply(&SequenceRun::onTakenOver, module, stops); }
     /// A stop of all motors begins.
-    void stopAll() { tell(&SequenceRun::onStopOfAll); }
+    void stopAll() { apply(&SequenceRun::onStopOfAll); }
     /// Returns false for the end of an operation that is not ours, or whose failure must be reported.
     bool take(const StoreEvent& event);
 
@@ -60,7 +60,7 @@ signals:
 private:
     [[nodiscard]] const std::string& name() const { return m_run->report().places.front().sequence; }
     template <typename... Of>
-    void tell(void (SequenceRun::*what)(Of...), Of... of) {
+    void apply(void (SequenceRun::*what)(Of...), Of... of) {
         if (running())
             (*m_run.*what)(of...);
         advance();

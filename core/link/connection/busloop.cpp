@@ -73,8 +73,8 @@ void BusLoop::beat() {
 std::vector<WorkerEvent> BusLoop::takeEvents() {
     std::vector<WorkerEvent> events = m_channel.events.takeAll();
     for (const WorkerEvent& event : events) {
-        const auto* told = std::get_if<bus::Event>(&event);
-        if (told != nullptr && std::holds_alternative<bus::ChainFound>(*told))
+        const auto* busEvent = std::get_if<bus::Event>(&event);
+        if (busEvent != nullptr && std::holds_alternative<bus::ChainFound>(*busEvent))
             m_channel.heartbeat.found();
         if (std::holds_alternative<PortClosed>(event))
             join();

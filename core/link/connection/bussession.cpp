@@ -290,7 +290,7 @@ tl::expected<void, PortError> BusSession::perform(const std::vector<bus::Output>
 }
 
 /// The bytes that the program wrote before have the old rate. A rate that the port cannot make is not a
-/// reason to disconnect: the program finds that nobody answers.
+/// reason to disconnect: the program finds that no module answers.
 void BusSession::followRate(std::uint32_t baud, tl::expected<void, PortError>& done) {
     if (m_transport.fd() >= 0)
         ::tcdrain(m_transport.fd());

@@ -62,7 +62,7 @@ private:
     [[nodiscard]] bool servesProgram() const {
         return m_lent && (!m_engine.passes() || m_engine.hearsForProgram());
     }
-    /// Stops the motors when nobody else can, as far as the engine allows it (Engine::stopUnasked).
+    /// Stops the motors when the user cannot, as far as the engine allows it (Engine::stopUnasked).
     void watchOver(TimePoint now);
     /// Handles news from the guards.
     tl::expected<void, PortError> hearGuards(TimePoint now);

@@ -106,7 +106,7 @@ void BusStore::drain() {
 
 void BusStore::take(const WorkerEvent& event) {
     std::visit(Overloaded{
-                   [this](const bus::Event& told) { take(told); },
+                   [this](const bus::Event& busEvent) { take(busEvent); },
                    [this](const PortOpened& opened) {
                        m_link.latency = opened.latency;
                        m_link.unplugged = false;

@@ -19,7 +19,7 @@ void BusWorker::open(TransportFactory factory, bus::EngineConfig config) {
 }
 
 void BusWorker::connectAgain() {
-    qCDebug(requestLog) << "find the chain anew";
+    qCDebug(requestLog) << "find the chain again";
     change([](auto& pending) { pending.search = RequestBox::Search::Again; });
 }
 

@@ -11,7 +11,7 @@ namespace nmc {
 tl::expected<LentTerminal, LendingProblem> LentTerminal::create(const std::string& path, std::uint32_t baud,
                                                                 int wakeFd) {
     struct stat info {};
-    // PtyServer replaces a link, but only one that leads nowhere is certainly nobody's.
+    // PtyServer replaces a link, but only one that leads nowhere is certainly unused.
     const bool taken =
         ::stat(path.c_str(), &info) == 0 || (::lstat(path.c_str(), &info) == 0 && !S_ISLNK(info.st_mode));
     if (taken)

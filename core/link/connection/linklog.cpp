@@ -88,10 +88,11 @@ struct EventLine {
         return name(refused.module) + " refused, attempt " + std::to_string(refused.attempt);
     }
     std::string operator()(const bus::ForeignTraffic& traffic) const {
-        return "somebody else sends, told to stop " + list(traffic.toldToStop);
+        return "another host sends, commanded to stop " + list(traffic.commandedToStop);
     }
     std::string operator()(const bus::ForeignMotion& motion) const {
-        return name(motion.module) + " moves by somebody else, position " + std::to_string(motion.position);
+        return name(motion.module) + " was moved by another host, position " +
+               std::to_string(motion.position);
     }
     std::string operator()(const bus::EchoNoticed&) const { return "the adapter echoes"; }
     std::string operator()(const bus::LinkLost&) const { return "every module is silent"; }
@@ -153,7 +154,8 @@ struct EventLine {
         return "simulator: " + answer.line + " -> " + answer.json;
     }
     std::string operator()(const PanelFroze& froze) const {
-        return "panel froze for " + ms(froze.length) + (froze.stopped ? ", motors were told to stop" : "");
+        return "panel froze for " + ms(froze.length) +
+               (froze.stopped ? ", motors were commanded to stop" : "");
     }
     std::string operator()(const ComputerSlept& slept) const {
         return "machine slept for " + ms(slept.length);

@@ -55,9 +55,9 @@ using WorkerEvent = std::variant<bus::Event, PortOpened, PortClosed, SimulatorAn
 /// True for events that report a current state and are superseded by the next one, so that losing one does no
 /// harm.
 [[nodiscard]] inline bool isSample(const WorkerEvent& event) {
-    const auto* told = std::get_if<bus::Event>(&event);
-    return told != nullptr && (std::holds_alternative<bus::Sample>(*told) ||
-                               std::holds_alternative<bus::ConnectProgress>(*told));
+    const auto* busEvent = std::get_if<bus::Event>(&event);
+    return busEvent != nullptr && (std::holds_alternative<bus::Sample>(*busEvent) ||
+                                   std::holds_alternative<bus::ConnectProgress>(*busEvent));
 }
 
 }  // namespace nmc

@@ -152,17 +152,17 @@ private:
         setPins(real);
         setDirections(real);
         if (real.gains)
-            tell(index, intent::ApplyGains{*real.gains});
+            submit(index, intent::ApplyGains{*real.gains});
         if (real.io)
-            tell(index, intent::ControlIo{*real.io});
+            submit(index, intent::ControlIo{*real.io});
         if (real.scIo)
-            tell(index, intent::ControlSc{*real.scIo});
+            submit(index, intent::ControlSc{*real.scIo});
         if (real.stepper.parameters)
-            tell(index, stepperintent::SetParameters{*real.stepper.parameters});
+            submit(index, stepperintent::SetParameters{*real.stepper.parameters});
         if (real.isStepper() && real.stepper.outputs)
-            tell(index, stepperintent::SetOutputs{*real.stepper.outputs});
+            submit(index, stepperintent::SetOutputs{*real.stepper.outputs});
         if (real.driveOn())
-            tell(index, intent::Enable{});
+            submit(index, intent::Enable{});
         if (real.home.place())
             m_modules[index.value()].home.found(countsBetween(origin(index), real.home.place()->counts),
                                                 m_modules[index.value()].latestTime);
@@ -196,15 +196,15 @@ private:
         if (!real.isIo() || !real.pins.inputs || !real.latest)
             return;
         const ModuleIndex index = real.info.index;
-        tell(index, iointent::SetDirection{*real.pins.inputs});
+        submit(index, iointent::SetDirection{*real.pins.inputs});
         const unsigned outputs = io::kAllPins & ~unsigned{*real.pins.inputs};
         const unsigned levels = real.pins.levels(*real.latest).value_or(0);
         for (unsigned pin = 0; pin < io::kPins; ++pin)
             if ((outputs & levels) >> pin & 1U)
-                tell(index, iointent::SetOutput{pin, true});
+                submit(index, iointent::SetOutput{pin, true});
     }
     /// A move goes straight to its goal, as a home search does.
-    void tell(ModuleIndex index, const Intent& intent) {
+    void submit(ModuleIndex index, const Intent& intent) {
         if (auto orders = plan(intent, withoutBacklash(m_modules[index.value()]))) {
             m_bus.submit(std::move(*orders));
             take(m_bus.runFor(kSettling));
@@ -252,7 +252,7 @@ private:
         if (home->recipe.goToHome) {
             const PointAxis atHome{ask.module, 0, true};
             if (const auto move = moveIntent(atHome, 100, module, m_start.machine.axis(ask.module)))
-                tell(ask.module, *move);
+                submit(ask.module, *move);
             for (const TimePoint end = m_bus.now() + kPatience;
                  module.moving() && m_bus.now() < end && !m_cancelled;)
                 take(m_bus.runFor(kSettling));
@@ -264,16 +264,16 @@ private:
 
     void take(const std::vector<bus::Event>& events) {
         for (const bus::Event& event : events) {
-            std::visit([this](const auto& news) { told(news); }, event);
+            std::visit([this](const auto& news) { take(news); }, event);
             if (m_run)
                 std::visit(SequenceNews{*m_run}, event);
         }
     }
-    void told(const bus::ChainFound& found) {
+    void take(const bus::ChainFound& found) {
         for (const bus::ModuleInfo& info : found.modules)
             m_modules.emplace_back().info = info;
     }
-    void told(const bus::Sample& sample) {
+    void take(const bus::Sample& sample) {
         ModuleState& module = m_modules.at(sample.module.value());
         const auto before = module.position();
         module.apply(sample);
@@ -285,20 +285,20 @@ private:
         axis.lowest = std::min(axis.lowest, place);
         axis.highest = std::max(axis.highest, place);
     }
-    void told(const bus::CommandExecuted& executed) {
+    void take(const bus::CommandExecuted& executed) {
         m_modules.at(executed.module.value()).apply(executed);
         if (m_run && is<StartMotion>(executed.command))
             ++m_result.axes[executed.module.value()].moves;
     }
-    void told(const bus::ModuleUnresponsive& silence) {
+    void take(const bus::ModuleUnresponsive& silence) {
         m_modules.at(silence.module.value()).silent = silence.silent;
     }
-    void told(const bus::OperationFinished& finished) {
+    void take(const bus::OperationFinished& finished) {
         if (m_run && std::erase(m_own, finished.id) > 0)
             m_run->onFinished(finished.module, finished.outcome);
     }
     template <typename Other>
-    void told(const Other&) {}
+    void take(const Other&) {}
 
     const DryRunStart& m_start;
     const std::atomic<bool>& m_cancelled;

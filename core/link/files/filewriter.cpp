@@ -15,7 +15,7 @@ namespace nmc {
 struct FileWriter::Files : std::enable_shared_from_this<Files> {
     struct Wanted {
         Content content;  ///< empty: the file is removed
-        Told told;
+        Done done;
     };
 
     Files(Disk toDisk, QObject& writer) : disk(std::move(toDisk)), owner(&writer) {}
@@ -47,9 +47,9 @@ struct FileWriter::Files : std::enable_shared_from_this<Files> {
             else
                 QFile::remove(path);
             lock.lock();
-            if (owner != nullptr && wanted->told)
+            if (owner != nullptr && wanted->done)
                 QMetaObject::invokeMethod(
-                    owner, [told = std::move(wanted->told), result] { told(result); }, Qt::QueuedConnection);
+                    owner, [done = std::move(wanted->done), result] { done(result); }, Qt::QueuedConnection);
         }
         next.erase(path);
         changed.notify_all();
@@ -64,8 +64,8 @@ FileWriter::~FileWriter() {
     m_files->owner = nullptr;
 }
 
-void FileWriter::write(const QString& path, Content content, Told told) {
-    m_files->put(path, {std::move(content), std::move(told)});
+void FileWriter::write(const QString& path, Content content, Done done) {
+    m_files->put(path, {std::move(content), std::move(done)});
 }
 
 void FileWriter::remove(const QString& path) {

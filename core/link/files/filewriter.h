@@ -24,14 +24,14 @@ public:
     /// Writes all of the content or nothing.
     using Disk = std::function<Result(const QString& path, std::string_view content)>;
     /// Never called from within a call, nor for a request that was replaced by a later one.
-    using Told = std::function<void(const Result& result)>;
+    using Done = std::function<void(const Result& result)>;
 
     /// `disk`: a disk with different behaviour, for tests.
     explicit FileWriter(Disk disk = writeFile);
     /// Waits like finish(); what has not been written by then is left behind. No callbacks follow.
     ~FileWriter() override;
 
-    void write(const QString& path, Content content, Told told = {});
+    void write(const QString& path, Content content, Done done = {});
     void remove(const QString& path);
     /// Waits until everything has been written. Returns false when the time is up before.
     bool finish(std::chrono::milliseconds patience = kPatience);

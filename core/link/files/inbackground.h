@@ -5,7 +5,7 @@
 
 namespace nmc {
 
-/// Runs work that a disk may delay in its own thread, which nobody waits for. Any thread.
+/// Runs work that a disk may delay in a thread of its own, without waiting for it. Any thread.
 void inBackground(std::function<void()> work);
 
 /// For tests: runs all work in `background` instead. Where time is virtual, the work must run at once in the

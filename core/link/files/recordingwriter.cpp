@@ -35,7 +35,7 @@ DiskProblem problemOf(int number) {
         case ENOTDIR:
             return {RecordingProblemKind::NoFolder, number};
         case EISDIR:
-        case ENXIO:  // a FIFO that nobody reads
+        case ENXIO:  // a FIFO without a reader
             return {RecordingProblemKind::NotAFile, number};
         case EACCES:
         case EPERM:
@@ -164,8 +164,8 @@ private:
     }
     /// Removes a row that the disk has accepted only in part: part of a number would be a different number.
     void dropPartOfLine() {
-        // The lock is not held here: only this thread writes m_wholeLines, and nobody should wait for a slow
-        // disk.
+        // The lock is not held here: only this thread writes m_wholeLines, and no other thread should wait
+        // for a slow disk.
         if (ftruncate(m_file.get(), m_wholeLines) != 0)
             return;
         const std::scoped_lock lock(m_mutex);

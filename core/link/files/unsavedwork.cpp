@@ -53,7 +53,7 @@ void UnsavedWork::dropLeft() {
     m_left.reset();
 }
 
-void UnsavedWork::keep(const QString& file, const std::string& content, FileWriter::Told told) {
+void UnsavedWork::keep(const QString& file, const std::string& content, FileWriter::Done done) {
     // Without a slot, the write fails and reports the reason.
     const QString path = m_own ? m_own->path : m_folder;
     m_files.write(
@@ -61,7 +61,7 @@ void UnsavedWork::keep(const QString& file, const std::string& content, FileWrit
         [name = QUrl::fromLocalFile(file).toEncoded().toStdString(), content] {
             return name + '\n' + content;
         },
-        std::move(told));
+        std::move(done));
 }
 
 void UnsavedWork::forget() {

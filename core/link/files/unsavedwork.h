@@ -31,8 +31,8 @@ public:
     [[nodiscard]] const std::optional<Left>& left() const { return m_left; }
     void dropLeft();
 
-    /// Replaces what this session kept before. `told`: as in FileWriter.
-    void keep(const QString& file, const std::string& content, FileWriter::Told told);
+    /// Replaces what this session kept before. `done`: as in FileWriter.
+    void keep(const QString& file, const std::string& content, FileWriter::Done done);
     /// Called when everything is saved, or no longer wanted.
     void forget();
 

@@ -14,12 +14,12 @@ bool BeatMonitor::expired(const Beat& beat, TimePoint now) {
     if (!by || now < *by)
         return false;
     const bool seenBefore = m_stale == beat.at;
-    const bool saidBefore = seenBefore && m_said;
-    const bool tooLateToTell = !seenBefore && now - *by > kLate;
+    const bool expiredBefore = seenBefore && m_expired;
+    const bool tooLateToJudge = !seenBefore && now - *by > kLate;
     m_stale = beat.at;
-    m_said = !tooLateToTell;
+    m_expired = !tooLateToJudge;
     m_lookAgain = now + kLongest;
-    return m_said && !saidBefore;
+    return m_expired && !expiredBefore;
 }
 
 }  // namespace nmc

@@ -35,7 +35,7 @@ public:
 
 private:
     std::optional<TimePoint> m_stale;  ///< the beat last found too old
-    bool m_said = false;               ///< expired() has returned true for it
+    bool m_expired = false;            ///< expired() has returned true for it
     TimePoint m_lookAgain;             ///< time of the next check of that beat
 };
 

@@ -79,7 +79,7 @@ public:
             std::array<pollfd, 3> fds{{{Fds::kPort, 0, 0}, {m_channelFd, POLLIN, 0}, {m_panelFd, POLLIN, 0}}};
             pollUntil(fds, m_monitor.lookBy(m_memory.beat()));
             if (m_memory.ended())
-                return GuardEnd::Told;
+                return GuardEnd::PanelEnded;
             if (fds[0].revents != 0)
                 return GuardEnd::PortVanished;
             const bool closed = fds[1].revents != 0 && !takeWakes();
@@ -104,7 +104,7 @@ private:
         return got < 0;
     }
 
-    /// The panel no longer exists. While our copy of its lock remains, nobody else can use this port.
+    /// The panel no longer exists. While our copy of its lock remains, no other program can use this port.
     void outlive() {
         stopMotors(std::nullopt);
         // Leaves the port as a close by the panel would.

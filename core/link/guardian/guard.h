@@ -7,7 +7,7 @@ namespace nmc {
 
 /// How a guardian ends; also the exit code of its process.
 enum class GuardEnd : int {
-    Told = 0,         ///< the panel ended normally
+    PanelEnded = 0,   ///< the panel ended normally
     Outlived = 1,     ///< the panel died; the stop was sent if any motors were left to stop
     NotStarted = 2,   ///< the starting program is not a panel of this version
     PortVanished = 3  ///< hung up: there is no line left on which to stop anything

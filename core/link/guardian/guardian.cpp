@@ -155,7 +155,7 @@ bool Guardian::beat(TimePoint now) {
     while (m_memory.guardianSpeaks() && alive() && monotonicNow() < limit)
         pollUntil({}, monotonicNow() + kLookEvery);
     const std::uint32_t stops = m_memory.stops();
-    if (std::exchange(m_stopsTold, stops) == stops)
+    if (std::exchange(m_stopsReported, stops) == stops)
         return false;
     ::unlink(m_reportFile.c_str());
     return true;

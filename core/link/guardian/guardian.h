@@ -82,7 +82,7 @@ private:
     pid_t m_process;
     std::string m_reportFile;
     Beat m_beat;
-    std::uint32_t m_stopsTold = 0;
+    std::uint32_t m_stopsReported = 0;
 };
 
 }  // namespace nmc

@@ -34,7 +34,7 @@ struct PortError {
     std::string group;   ///< NoPermission: the group that may use the port, if known
     std::string user;    ///< NoPermission: the current user; StaleLock: the owner of the lock file
     std::string detail;  ///< the system's message
-    std::vector<ModuleIndex> moving{};  ///< Gone: modules that were moving when last heard
+    std::vector<ModuleIndex> moving{};  ///< Gone: modules that were moving when they last answered
     std::string program{};              ///< InUse: the program that uses the port, if known
     std::int64_t pid = 0;               ///< InUse: its process number; 0 if unknown
     std::string lockFile{};  ///< StaleLock: the file to remove; NoLockFolder: the folder it should be in

@@ -52,7 +52,8 @@ private:
     std::uint8_t m_verb = 0;
     std::vector<std::uint8_t> m_subnegotiation;
     std::vector<std::uint8_t> m_output;
-    /// Verbs and options that were answered: each is answered once, so that nobody can be made to go on.
+    /// Verbs and options that were answered: each is answered once, so that the two ends cannot go on
+    /// forever.
     std::set<std::pair<std::uint8_t, std::uint8_t>> m_answered;
     std::optional<bool> m_agreed;
     std::optional<std::uint32_t> m_baud;

@@ -59,7 +59,7 @@ tl::expected<PtyServer, std::string> PtyServer::create(const std::string& link, 
         return tl::unexpected(systemError("the pseudo-terminal " + server.m_path + " has no packet mode"));
     server.m_firstAct = FirstActWatch(master, server.m_path);
     if (!link.empty()) {
-        // A link left by an earlier run may be replaced; anything else is somebody's file.
+        // A link left by an earlier run may be replaced; anything else may be a file of the user.
         struct stat info {};
         if (::lstat(link.c_str(), &info) == 0 && S_ISLNK(info.st_mode))
             ::unlink(link.c_str());

@@ -21,7 +21,7 @@ public:
     /// What the file begins with.
     [[nodiscard]] std::string head() const { return recordingHead(m_header); }
     /// Whether the parameters of a "samples" notification are of the chain that `state` was of: the times of
-    /// another one begin anew.
+    /// another one start again from 0.
     [[nodiscard]] bool isOfThisChain(const Json& samples) const;
     /// The rows for them.
     [[nodiscard]] std::string rowsOf(const Json& samples);

@@ -69,11 +69,11 @@ constexpr double kReadingTime = secondsPerTick(1);
 /// The position once per tick as well, interpolated linearly between samples. Without interpolation, the
 /// samples would always fall on the same places of the command's steps, which would shift the phase of the
 /// motor by their position. Gaps of more than half a period are left out.
-[[nodiscard]] std::vector<SineReading> positionsOf(const std::vector<SineReading>& told, double since) {
+[[nodiscard]] std::vector<SineReading> positionsOf(const std::vector<SineReading>& samples, double since) {
     std::vector<SineReading> readings;
-    for (std::size_t i = 0; i + 1 < told.size(); ++i) {
-        const SineReading& from = told[i];
-        const SineReading& to = told[i + 1];
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+        const SineReading& from = samples[i];
+        const SineReading& to = samples[i + 1];
         if (to.seconds - from.seconds > since / 2)
             continue;
         const double slope = (to.value - from.value) / (to.seconds - from.seconds);
@@ -85,16 +85,16 @@ constexpr double kReadingTime = secondsPerTick(1);
 }
 
 /// The samples in order of time, without duplicate times.
-[[nodiscard]] std::vector<SineReading> told(const bus::SineRecord& record) {
-    std::vector<SineReading> told;
+[[nodiscard]] std::vector<SineReading> samplesOf(const bus::SineRecord& record) {
+    std::vector<SineReading> samples;
     for (const auto* points : {&record.answers, &record.polls})
         for (const bus::SinePoint& point : *points)
-            told.push_back(
+            samples.push_back(
                 {toSeconds(point.time - record.commands.front().time), static_cast<double>(point.counts)});
-    std::ranges::sort(told, {}, &SineReading::seconds);
+    std::ranges::sort(samples, {}, &SineReading::seconds);
     const auto sameTime = [](const SineReading& a, const SineReading& b) { return a.seconds == b.seconds; };
-    told.erase(std::unique(told.begin(), told.end(), sameTime), told.end());
-    return told;
+    samples.erase(std::unique(samples.begin(), samples.end(), sameTime), samples.end());
+    return samples;
 }
 
 /// Interpolates linearly between two values, at `part` of the way.
@@ -108,7 +108,7 @@ std::optional<FrequencyPoint> measureFrequency(const bus::SineRecord& record, do
     const double since = 1 / hertz;
     if (record.commands.empty())
         return std::nullopt;
-    const std::vector<SineReading> samples = told(record);
+    const std::vector<SineReading> samples = samplesOf(record);
     if (samples.size() < kFewestPoints)
         return std::nullopt;
     for (std::size_t i = 1; i < samples.size(); ++i)

@@ -141,7 +141,7 @@ const ItemKey kItemKeys[] = {{"points", "point ", "name"},
                              {"pwm", "PWM"},
                              {"analog", "AD"}};
 
-/// A pin that nobody has set has no name, and its flags are off.
+/// A pin that the user has not set has no name, and its flags are off.
 bool saysNothing(const Json& item) {
     return item.is_object() && std::ranges::all_of(item, [](const Json& member) {
                return member == false || inOneText(member).empty();
@@ -233,14 +233,14 @@ AxisSettings asTaken(AxisSettings axis, const ModuleState* module) {
 }
 
 /// What the module was sent in this connection; missing values are unknown.
-AxisSettings toldTo(const ModuleState& module) {
-    AxisSettings told;
-    told.gains = module.gains;
-    told.io = module.io;
+AxisSettings sentTo(const ModuleState& module) {
+    AxisSettings sent;
+    sent.gains = module.gains;
+    sent.io = module.io;
     if (module.scIo)
-        told.fastPath = module.scIo->fastPath;
-    told.parameters = module.stepper.parameters;
-    return told;
+        sent.fastPath = module.scIo->fastPath;
+    sent.parameters = module.stepper.parameters;
+    return sent;
 }
 
 bool isSent(MachinePart part) {
@@ -313,7 +313,7 @@ void compareAxis(std::vector<Difference>& rows, ModuleIndex index, const AxisSet
                  const AxisSettings& now, const ModuleState* module) {
     const Json fileJson = writtenAxis(file);
     const Json nowJson = writtenAxis(now);
-    const Json toldJson = writtenAxis(module != nullptr ? toldTo(*module) : AxisSettings{});
+    const Json sentJson = writtenAxis(module != nullptr ? sentTo(*module) : AxisSettings{});
     for (const PartMembers<AxisSettings>& members : kAxisParts) {
         const Fields inFile = fieldsOf(members, fileJson);
         Difference row{{index, members.part}, differing(inFile, fieldsOf(members, nowJson))};
@@ -323,7 +323,7 @@ void compareAxis(std::vector<Difference>& rows, ModuleIndex index, const AxisSet
         else if (isSent(members.part) && inFile.empty())
             continue;  // the file has no value for it, and what was sent is never revoked
         else if (isSent(members.part))
-            if (Fields toSend = differing(inFile, fieldsOf(members, toldJson)); !toSend.empty()) {
+            if (Fields toSend = differing(inFile, fieldsOf(members, sentJson)); !toSend.empty()) {
                 row.fields = std::move(toSend);
                 row.refusal = whyNotSent(members.part, *module);
                 row.applying = !row.refusal && intentOf(file, members.part, *module) ? Applying::Sends

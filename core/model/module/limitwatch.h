@@ -7,7 +7,7 @@
 namespace nmc {
 
 /// Tracks which limit switches closed while the motor moved, or were closed and ended a motion, until they
-/// open again. A switch that the chip was told to watch for (HomeWatch) was meant to be found and does not
+/// open again. A switch that the chip was set to watch for (HomeWatch) was meant to be found and does not
 /// count. Part of ModuleState. Pure.
 class LimitWatch {
 public:

@@ -205,8 +205,8 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         amplifierEnabled = stepper.amplifierOn();
         loadWaiting = stepper.waiting.has_value();
     }
-    if (const auto* told = std::get_if<IoCommand>(&executed.command))
-        pins.apply(*told);
+    if (const auto* ioCommand = std::get_if<IoCommand>(&executed.command))
+        pins.apply(*ioCommand);
     const auto* command = std::get_if<ServoCommand>(&executed.command);
     if (command == nullptr)
         return;

@@ -13,18 +13,18 @@ namespace {
 using Stop = HomingRecipe::Stop;
 
 /// The maximum delay from the servo being reported off until home is reported found (bus/trust.h).
-constexpr Duration kToldLater = std::chrono::milliseconds(500);
+constexpr Duration kReportedLater = std::chrono::milliseconds(500);
 /// The time within which a servo is on after the command, and a position is 0 after its reset.
 constexpr Duration kTakesEffect = std::chrono::seconds(2);
 /// The time for a servo to settle on its last count, whatever its Ki.
 constexpr Duration kLastCount = std::chrono::seconds(5);
 
 /// How far a search may go beyond the limits, or beyond the former home, in counts: home is reported after
-/// kToldLater, and then the motor slows down. A search for the index is preceded by one for its
+/// kReportedLater, and then the motor slows down. A search for the index is preceded by one for its
 /// neighbourhood, which may lie beyond the index by as much as the recipe allows.
 [[nodiscard]] double slackOf(const HomingRecipe& recipe, double perSecond) {
     const double slowingDown = recipe.velocity * recipe.velocity / (2.0 * recipe.acceleration);
-    return recipe.velocity * perSecond * toSeconds(kToldLater) + slowingDown + kStillCounts +
+    return recipe.velocity * perSecond * toSeconds(kReportedLater) + slowingDown + kStillCounts +
            (recipe.thenIndex ? recipe.travelLimit : 0.0);
 }
 
@@ -103,7 +103,7 @@ HomingRun::Next HomingRun::prepare(const HomingLook& seen, TimePoint now) {
         return fail(ProcedureFailure::WentOff);
     const HomeConditions wanted = conditions();
     if (!std::exchange(m_prepared, true) && (wanted.positionError || wanted.currentLimit))
-        return tell(m_chip.clearStickyBits());
+        return sendOrders(m_chip.clearStickyBits());
     return beginSearch(seen, now);
 }
 
@@ -128,7 +128,7 @@ HomingRun::Next HomingRun::beginSearch(const HomingLook& seen, TimePoint now) {
                  m_watching ? m_chip.search(conditions(), m_recipe.stop, ahead) : m_chip.run(ahead));
 }
 
-/// Starting takes current too, and that is not home, so the chip is told to watch the current only at full
+/// Starting takes current too, and that is not home, so the chip is set to watch the current only at full
 /// speed. A switch could change before that and would then be missed, so switches are watched from the start.
 bool HomingRun::startsUnwatched() const {
     return conditions() == HomeConditions{.currentLimit = true};
@@ -146,7 +146,7 @@ HomingRun::Next HomingRun::getUpToSpeed(const HomingLook& seen, TimePoint now) {
     if (seen.moving)
         return Wait{};
     m_watching = true;
-    return tell(m_chip.watch(conditions(), m_recipe.stop));
+    return sendOrders(m_chip.watch(conditions(), m_recipe.stop));
 }
 
 HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
@@ -161,7 +161,7 @@ HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
         return fail(ProcedureFailure::SoftLimit);
     if (!anyActive(seen)) {
         m_stepSent = true;
-        return tell(m_chip.stop(Stop::Smoothly));
+        return sendOrders(m_chip.stop(Stop::Smoothly));
     }
     // The chip has stopped the motion, for example at the opposite limit, or it has gone far enough: the
     // switch stays active.
@@ -183,7 +183,7 @@ HomingRun::Next HomingRun::search(const HomingLook& seen, TimePoint now) {
     if (!seen.on) {
         if (!m_offSince)
             m_offSince = now;
-        if (!m_goesOff || now - *m_offSince > kToldLater)
+        if (!m_goesOff || now - *m_offSince > kReportedLater)
             return fail(ProcedureFailure::WentOff);
         return Wait{};
     }
@@ -216,9 +216,9 @@ HomingRun::Next HomingRun::settle(const HomingLook& seen, TimePoint now) {
 
 HomingRun::Next HomingRun::read(const HomingLook& seen, TimePoint now) {
     if (m_sent == Sent::Nothing)
-        return tell(m_chip.read(false), Sent::FirstRead);
+        return sendOrders(m_chip.read(false), Sent::FirstRead);
     if (m_sent == Sent::FirstRead)
-        return tell(m_chip.read(true), Sent::SecondRead);
+        return sendOrders(m_chip.read(true), Sent::SecondRead);
     m_sent = Sent::Nothing;
     if (!m_report.home || m_report.home != m_firstReading) {
         m_report.home.reset();
@@ -242,7 +242,7 @@ HomingRun::Next HomingRun::goHome(const HomingLook& seen, TimePoint now) {
         if (seen.position != home) {
             HomingChip::Motion slowly = motion();
             slowly.velocity = m_recipe.velocity;
-            return tell(m_chip.run(slowly, home));
+            return sendOrders(m_chip.run(slowly, home));
         }
     }
     if (!stands(seen))
@@ -270,7 +270,7 @@ HomingRun::Next HomingRun::makeZero(const HomingLook& seen, TimePoint now) {
 
 /// Afterwards, a safety stop or a hand on the switch must not look like home.
 HomingRun::Next HomingRun::disarm() {
-    return tell(m_chip.disarm(), Sent::LastWord);
+    return sendOrders(m_chip.disarm(), Sent::LastWord);
 }
 
 /// Stops a motion that this run may have started, and disarms the chip's search.
@@ -285,7 +285,7 @@ std::vector<bus::Order> HomingRun::lastWord(const ModuleState& module) const {
     return orders;
 }
 
-HomingRun::Next HomingRun::tell(HomingChip::Orders orders, Sent what) {
+HomingRun::Next HomingRun::sendOrders(HomingChip::Orders orders, Sent what) {
     m_sent = what;
     return send(std::move(orders));
 }
@@ -296,7 +296,7 @@ HomingRun::Next HomingRun::enter(ProcedureStage stage, TimePoint now, HomingChip
     m_began = m_endedAt = now;
     m_standstill.reset();
     m_offSince.reset();
-    return orders.empty() ? Next(Wait{}) : tell(std::move(orders));
+    return orders.empty() ? Next(Wait{}) : sendOrders(std::move(orders));
 }
 
 HomeConditions HomingRun::conditions() const {

@@ -60,7 +60,7 @@ private:
     [[nodiscard]] Next read(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next goHome(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next makeZero(const HomingLook& seen, TimePoint now);
-    [[nodiscard]] Next tell(HomingChip::Orders orders, Sent what = Sent::Commands);
+    [[nodiscard]] Next sendOrders(HomingChip::Orders orders, Sent what = Sent::Commands);
     [[nodiscard]] Next enter(ProcedureStage stage, TimePoint now, HomingChip::Orders orders);
 
     [[nodiscard]] bool inIndexSearch() const { return m_round == 2; }
@@ -82,7 +82,7 @@ private:
     bool m_prepared = false;
     bool m_stepSent = false;  ///< within the current stage, the stop, the move or the reset has been sent
     bool m_backedOff = false;
-    bool m_watching = false;  ///< the chip has been told what to search for
+    bool m_watching = false;  ///< the chip has been sent what to search for
     TimePoint m_endedAt;      ///< end of the last operation; older statuses do not reflect it
     TimePoint m_began;        ///< start of the stage, for its time limit
     std::int32_t m_from = 0;  ///< start of the search, for its travel limit

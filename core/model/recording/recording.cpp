@@ -22,7 +22,7 @@ constexpr std::string_view kMeaning =
     "# time_s = seconds since the start when the module latched the reply\n"
     "# position = counts of a PIC-SERVO or steps of a PIC-STEP, 32 bits that wrap\n"
     "# velocity_per_s = counts or steps per second from the positions of the last 20 ms\n"
-    "# command = where the module was told to be by that time (calculated) in counts or steps\n"
+    "# command = where the module was commanded to be by that time (calculated) in counts or steps\n"
     "# error = command minus position (calculated) and the true error is from error_low to error_high\n"
     "# analog = the A/D byte, which stands for analog at zero + byte x analog per count\n"
     "# PIC-I/O: position = its counter or timer and analog2 and analog3 = its other A/D bytes\n"

@@ -62,7 +62,7 @@ const std::optional<RecordingProblem>& RecordingReader::finish() {
         takeLine(rest);
         refuse({.kind = Kind::Truncated});
     } else if (!rest.empty()) {
-        // It is impossible to tell whether digits are missing at the end of the last line.
+        // It is impossible to know whether digits are missing at the end of the last line.
         ++m_line;
         refuse({.kind = Kind::Truncated});
     } else if (m_columns == 0) {

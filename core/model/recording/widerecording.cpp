@@ -239,8 +239,9 @@ std::string wideRecordingOf(const RecordingHeader& header, const History& histor
         const ModuleIndex index(static_cast<std::uint8_t>(i));
         if (seen.module(index)->empty())
             continue;
-        const auto told = std::ranges::find(header.modules, index, &RecordingModule::index);
-        shown.push_back(told != header.modules.end() ? *told : RecordingModule{index, {}, {}, {}, {}});
+        const auto described = std::ranges::find(header.modules, index, &RecordingModule::index);
+        shown.push_back(described != header.modules.end() ? *described
+                                                          : RecordingModule{index, {}, {}, {}, {}});
     }
     const DerivedSignals derived = derivedOf(shown, history);
     std::vector<WideModule> modules;

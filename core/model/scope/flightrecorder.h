@@ -26,7 +26,7 @@ public:
     };
 
     /// Notes an incident; `at` is a sample time. Returns its number, from 1 on. Takes what has led to it at
-    /// once: within two seconds, a search may find another chain, whose history begins anew.
+    /// once: within two seconds, a search may find another chain, whose history starts from the beginning.
     unsigned note(std::optional<ModuleIndex> module, TimePoint at, const History& history);
     /// Takes the samples of each incident whose time is over. Cheap when there is none; call at least once a
     /// second.

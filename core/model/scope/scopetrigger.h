@@ -22,7 +22,7 @@ struct TriggerSettings {
     };
     enum class Mode : std::uint8_t {
         Single,  ///< one picture
-        Normal,  ///< picture after picture: whoever shows them arms it again
+        Normal,  ///< picture after picture: the caller that shows them arms it again
     };
 
     ModuleIndex module;

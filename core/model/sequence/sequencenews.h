@@ -7,7 +7,7 @@
 namespace nmc {
 
 /// Visitor for std::visit that informs a run of the bus events that concern it. The ends of the run's own
-/// operations and procedures are reported to it by whoever carried them out.
+/// operations and procedures are reported to it by the caller that carried them out.
 struct SequenceNews {
     SequenceRun& run;
 

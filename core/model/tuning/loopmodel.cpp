@@ -115,7 +115,7 @@ MotorMotion Loop::at(double seconds) {
             m_driven = driven(m_state.shaft.position);
         }
         std::move_backward(m_sent.begin(), m_sent.end() - 1, m_sent.end());
-        m_sent.front() = m_filter.output(m_goal - told());
+        m_sent.front() = m_filter.output(m_goal - noisyReading());
         m_lastTick = m_nextTick;
         m_nextTick += m_tick;
     }
@@ -124,7 +124,7 @@ MotorMotion Loop::at(double seconds) {
 }
 
 /// The encoder reading that the filter receives.
-double Loop::told() {
+double Loop::noisyReading() {
     const double reading = this->reading(m_driven);
     return m_motor.noise > 0 && m_rounding == Rounding::Chip
                ? reading + std::round(m_motor.noise * m_noise(m_random))

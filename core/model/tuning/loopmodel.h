@@ -123,7 +123,7 @@ private:
     [[nodiscard]] State after(double seconds) const;
     void go(State& state, double pwm, double seconds) const;
     [[nodiscard]] double driven(double shaft) const;
-    [[nodiscard]] double told();
+    [[nodiscard]] double noisyReading();
 
     MotorConstants m_motor;
     Rounding m_rounding;
