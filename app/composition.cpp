@@ -97,7 +97,6 @@ void Composition::quit() {
     QCoreApplication::quit();
 }
 
-/// First, so that a program loses control before the user's command is carried out.
 void Composition::wirePrograms() {
     connect(&m_api, &ApiController::changed, &m_window, &MainWindow::showPrograms);
     connect(&m_api, &ApiController::controlAsked, this,
@@ -118,19 +117,6 @@ void Composition::wirePrograms() {
             [this] { m_api.endControl(texts::ControlLost::TakenBack); });
     connect(&m_window, &MainWindow::stopAllRequested, &m_api,
             [this] { m_api.endControl(texts::ControlLost::Stopped); });
-    connect(requests, &Requests::intent, &m_api,
-            [this](ModuleIndex module, const Intent&) { m_api.noteCommand(module); });
-    connect(requests, &Requests::hold, &m_api,
-            [this](const bus::HoldToMove& hold) { m_api.noteCommand(hold.module); });
-    const auto several = [this] { m_api.noteCommand({}); };
-    connect(requests, &Requests::groupCommand, &m_api, several);
-    connect(requests, &Requests::homeAll, &m_api, several);
-    connect(requests, &Requests::goToPoint, &m_api, several);
-    connect(requests, &Requests::goToPlace, &m_api, several);
-    connect(requests, &Requests::startSequence, &m_api, several);
-    connect(requests, &Requests::resumeSequence, &m_api, several);
-    connect(requests, &Requests::stepSequence, &m_api, several);
-    connect(requests, &Requests::stopSequence, &m_api, several);
 }
 
 void Composition::wireWindow() {
@@ -153,6 +139,7 @@ void Composition::wireWindow() {
     const Requests* requests = &m_window.requests();
     connect(requests, &Requests::intent, this, &Composition::carryOut);
     connect(requests, &Requests::hold, this, [this](const bus::HoldToMove& hold) {
+        noteCommand(hold.module);
         if (!m_commander.hold(hold))
             m_window.endHold();  // the button shows why
     });
@@ -161,12 +148,16 @@ void Composition::wireWindow() {
     connect(requests, &Requests::workOffset, &m_store, &BusStore::useWorkOffset);
     connect(requests, &Requests::copyAxis, &m_machine, &MachineController::copy);
     connect(requests, &Requests::scan, &m_connection, &Connection::searchAgain);
-    connect(requests, &Requests::hold, &m_connection, &Connection::dropSearch);
-    connect(requests, &Requests::groupCommand, &m_connection, &Connection::dropSearch);
-    connect(requests, &Requests::homeAll, &m_connection, &Connection::dropSearch);
-    connect(requests, &Requests::goToPoint, &m_connection, &Connection::dropSearch);
-    connect(requests, &Requests::goToPlace, &m_connection, &Connection::dropSearch);
-    connect(requests, &Requests::startSequence, &m_connection, &Connection::dropSearch);
+    const auto several = [this] { noteCommand({}); };
+    connect(requests, &Requests::groupCommand, this, several);
+    connect(requests, &Requests::homeAll, this, several);
+    connect(requests, &Requests::goToPoint, this, several);
+    connect(requests, &Requests::goToPlace, this, several);
+    connect(requests, &Requests::startSequence, this, several);
+    connect(requests, &Requests::resumeSequence, this, several);
+    connect(requests, &Requests::stepSequence, this, several);
+    // A search may be waiting for just that.
+    connect(requests, &Requests::stopSequence, &m_api, [this] { m_api.noteCommand({}); });
     connect(requests, &Requests::lend, &m_connection, &Connection::lend);
     connect(requests, &Requests::letProgramThrough, &m_worker, &BusWorker::letThrough);
     connect(requests, &Requests::endLending, &m_worker, &BusWorker::endLending);
@@ -220,9 +211,6 @@ void Composition::wireMachine() {
     connect(&m_commander, &Commander::sent, &m_machine, &MachineController::noteSent);
     connect(&m_actions, &MessageActions::intentRequested, this, &Composition::carryOut);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);
-    const auto commanded = [this](ModuleIndex module, const Intent&) { m_api.noteCommand(module); };
-    connect(&m_actions, &MessageActions::intentRequested, &m_api, commanded);
-    connect(&m_machine, &MachineController::intentRequested, &m_api, commanded);
     connect(&m_machine, &MachineController::groupChangeRequested, this, &Composition::change);
     connect(&m_machine, &MachineController::machineChanged, this, [this] {
         m_positions.setMachine(machine().name);
@@ -233,8 +221,15 @@ void Composition::wireMachine() {
     connect(&m_machine, &MachineController::hasFile, &m_runs, &RunKeeper::follow);
 }
 
-void Composition::carryOut(ModuleIndex module, const Intent& intent) {
+/// The user has commanded this motor, or any number of them: a program loses control, and a search that waits
+/// for motors to stop is dropped.
+void Composition::noteCommand(std::optional<ModuleIndex> module) {
+    m_api.noteCommand(module);
     m_connection.dropSearch();
+}
+
+void Composition::carryOut(ModuleIndex module, const Intent& intent) {
+    noteCommand(module);
     m_commander.carryOut(module, intent);
 }
 

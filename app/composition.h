@@ -57,6 +57,7 @@ private:
     void wireWindow();
     void wireConnection();
     void wireMachine();
+    void noteCommand(std::optional<ModuleIndex> module);
     void carryOut(ModuleIndex module, const Intent& intent);
     void change(const bus::GroupChange& change);
     void open(const ConnectTarget& target, bool simulated);
