@@ -3,13 +3,13 @@
 """What other programs cost the panel, and how fast they are answered: without any, with one that calls, and with 100 that
 have subscribed to everything, ten of which do not read. The stop of a program is in scripts/bench stop."""
 import json
+import multiprocessing
 import os
 import selectors
 import socket
 import statistics
 import sys
 import tempfile
-import threading
 import time
 from pathlib import Path
 
@@ -42,6 +42,21 @@ def gui_seconds(panel):
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
+def subscribe(clients, ready, over):
+    """Subscribers, some of which do not read. A process of its own: as a thread, it would keep the one that calls waiting
+    for Python's lock."""
+    clients = [Client() for _ in range(clients)]
+    readers = selectors.DefaultSelector()
+    for i, client in enumerate(clients):
+        client.call("subscribe", state=True, samples=True, events=True)
+        if i >= STALLED:
+            readers.register(client.socket, selectors.EVENT_READ)
+    ready.set()
+    while not over.wait(0.02):
+        for key, _ in readers.select(0):
+            key.fileobj.recv(1 << 20)
+
+
 class Load:
     """What the programs do while the wire is measured; the figures are in `said`."""
 
@@ -50,21 +65,10 @@ class Load:
 
     def __call__(self, panel):
         time.sleep(SETTLING)
-        clients = [Client() for _ in range(self.clients)]
-        readers = selectors.DefaultSelector()
-        for i, client in enumerate(clients):
-            client.call("subscribe", state=True, samples=True, events=True)
-            if i >= STALLED:
-                readers.register(client.socket, selectors.EVENT_READ)
-        over = threading.Event()
-
-        def read():
-            while not over.wait(0.02):
-                for key, _ in readers.select(0):
-                    key.fileobj.recv(1 << 20)
-
-        reader = threading.Thread(target=read)
-        reader.start()
+        ready, over = multiprocessing.Event(), multiprocessing.Event()
+        subscribers = multiprocessing.Process(target=subscribe, args=(self.clients, ready, over))
+        subscribers.start()
+        ready.wait()
         began, cpu = time.monotonic(), gui_seconds(panel)
         times = []
         if self.calls:
@@ -77,7 +81,7 @@ class Load:
             time.sleep(bus.SECONDS)
         share = (gui_seconds(panel) - cpu) / (time.monotonic() - began)
         over.set()
-        reader.join()
+        subscribers.join()
         self.said = f"GUI {100 * share:.1f} % of a core"
         if times:
             self.said += f", a call p50 {statistics.median(times):.2f} p99 {statistics.quantiles(times, n=100)[98]:.2f} ms"
