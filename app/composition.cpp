@@ -124,7 +124,6 @@ void Composition::wireWindow() {
             [this](const QString& port, quint32 baud, bool readOnly) {
                 m_connection.open({port, baud, readOnly});
             });
-    connect(&m_window, &MainWindow::connectFullyRequested, &m_connection, &Connection::reopenFully);
     connect(&m_window, &MainWindow::disconnectRequested, &m_connection, &Connection::close);
     connect(&m_window, &MainWindow::closeConfirmed, &m_connection, &Connection::end);
     connect(&m_window, &MainWindow::restartNetworkRequested, &m_commander, &Commander::endRuns);
@@ -147,6 +146,7 @@ void Composition::wireWindow() {
     connect(requests, &Requests::axisEdited, &m_machine, &MachineController::edit);
     connect(requests, &Requests::workOffset, &m_store, &BusStore::useWorkOffset);
     connect(requests, &Requests::copyAxis, &m_machine, &MachineController::copy);
+    connect(requests, &Requests::connectFully, &m_connection, &Connection::reopenFully);
     connect(requests, &Requests::scan, &m_connection, &Connection::searchAgain);
     const auto several = [this] { noteCommand({}); };
     connect(requests, &Requests::groupCommand, this, several);

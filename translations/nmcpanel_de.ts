@@ -838,6 +838,10 @@
         <source>name</source>
         <translation>Name</translation>
     </message>
+    <message>
+        <source>Other programs</source>
+        <translation>Andere Programme</translation>
+    </message>
 </context>
 <context>
     <name>Gains</name>
@@ -8922,14 +8926,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Menüs</translation>
     </message>
     <message>
-        <source>SIMULATOR — no hardware connected; all values are simulated</source>
-        <translation>SIMULATOR — keine Hardware angeschlossen; alle Werte sind simuliert</translation>
-    </message>
-    <message>
-        <source>Simulated session</source>
-        <translation>Simulierte Sitzung</translation>
-    </message>
-    <message>
         <source>Modules</source>
         <translation>Module</translation>
     </message>
@@ -8962,88 +8958,16 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Netzwerk &amp;neu starten: Positionen und Reglerwerte gehen verloren</translation>
     </message>
     <message>
-        <source>Read-only session</source>
-        <translation>Sitzung nur zum Lesen</translation>
-    </message>
-    <message>
-        <source>READ-ONLY — only status requests are sent. STOP ALL still works.</source>
-        <translation>NUR LESEN — nur Statusabfragen werden gesendet. ALLES STOPP wirkt.</translation>
-    </message>
-    <message>
-        <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
-        <translation>Verbindet neu mit demselben Port; Befehle sind dann erlaubt. Nichts bewegt sich.</translation>
-    </message>
-    <message>
         <source>%1 (read-only)</source>
         <translation>%1 (nur lesend)</translation>
-    </message>
-    <message>
-        <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
-        <translation>BEDIENERMODUS — nur erlaubte Aktionen sind möglich. ALLES STOPP wirkt immer.</translation>
-    </message>
-    <message>
-        <source>Leave…</source>
-        <translation>Verlassen…</translation>
-    </message>
-    <message>
-        <source>End pendant mode</source>
-        <translation>Handgerät beenden</translation>
     </message>
     <message>
         <source>No module can be moved. Connect a motor module first.</source>
         <translation>Kein Modul lässt sich bewegen. Zuerst ein Motormodul verbinden.</translation>
     </message>
     <message>
-        <source>Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.</source>
-        <translation>Zum Bewegen Umschalt mit ◂ oder ▸ gedrückt halten. Esc beendet das Handgerät.</translation>
-    </message>
-    <message>
-        <source>Not moved: %1</source>
-        <translation>Nicht bewegt: %1</translation>
-    </message>
-    <message>
-        <source>PENDANT — %1. %2</source>
-        <translation>HANDGERÄT — %1. %2</translation>
-    </message>
-    <message>
-        <source>Pendant</source>
-        <translation>Handgerät</translation>
-    </message>
-    <message>
-        <source>Ends pendant mode: arrow keys and gamepad no longer move anything.</source>
-        <translation>Beendet das Handgerät: Pfeiltasten und Gamepad bewegen nichts mehr.</translation>
-    </message>
-    <message>
-        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
-        <translation>Zum Bewegen Umschalt mit ◂ oder ▸ gedrückt halten oder eine Schultertaste des Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) ist ALLES STOPP. Esc beendet das Handgerät.</translation>
-    </message>
-    <message>
         <source>Step</source>
         <translation>Sprung</translation>
-    </message>
-    <message>
-        <source>Other programs</source>
-        <translation>Andere Programme</translation>
-    </message>
-    <message>
-        <source>End control</source>
-        <translation>Kontrolle beenden</translation>
-    </message>
-    <message>
-        <source>The program may no longer move motors.</source>
-        <translation>Das Programm darf keine Motoren mehr bewegen.</translation>
-    </message>
-    <message>
-        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
-        <translation>PROGRAMM — „%1“ darf Motoren bewegen. Esc oder ein eigener Befehl beendet das.</translation>
-    </message>
-    <message>
-        <source>PROGRAMS — may connect once a port is open.</source>
-        <translation>PROGRAMME — dürfen sich verbinden, sobald ein Port offen ist.</translation>
-    </message>
-    <message>
-        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
-        <translation>PROGRAMME — dürfen sich unter %1 verbinden. Verbunden: %2.</translation>
     </message>
     <message>
         <source>Let the program &quot;%1&quot; move motors? Esc, STOP ALL or any command of yours ends that.</source>
@@ -9056,34 +8980,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Let it move motors</source>
         <translation>Motoren bewegen lassen</translation>
-    </message>
-    <message>
-        <source>Line lent to a program</source>
-        <translation>Leitung an ein Programm verliehen</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>Freigeben</translation>
-    </message>
-    <message>
-        <source>The program has the line again. It may move motors at once.</source>
-        <translation>Das Programm hat die Leitung wieder. Es kann sofort Motoren bewegen.</translation>
-    </message>
-    <message>
-        <source>End lending</source>
-        <translation>Verleihen beenden</translation>
-    </message>
-    <message>
-        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
-        <translation>Das Programm verliert die Leitung, und die Module werden neu gesucht. Nichts wird zurückgesetzt oder gestoppt.</translation>
-    </message>
-    <message>
-        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
-        <translation>Ein Handrad ist angeschlossen, darf aber nicht gelesen werden. Abziehen und wieder einstecken; hilft das nicht, im Handbuch nachsehen. Esc beendet das Handgerät.</translation>
-    </message>
-    <message>
-        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
-        <translation>Zum Bewegen eine Taste des Handrads gedrückt halten und den Ring oder die Kappe für eine Geschwindigkeit auslenken oder das Rad für Schritte drehen. Die mittlere Taste, bei einer 3-Achs-Maus die rechte, ist ALLES STOPP. Esc beendet das Handgerät.</translation>
     </message>
 </context>
 <context>
@@ -11405,6 +11301,113 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>step</source>
         <translation>Sprung</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::Ribbons</name>
+    <message>
+        <source>SIMULATOR — no hardware connected; all values are simulated</source>
+        <translation>SIMULATOR — keine Hardware angeschlossen; alle Werte sind simuliert</translation>
+    </message>
+    <message>
+        <source>Simulated session</source>
+        <translation>Simulierte Sitzung</translation>
+    </message>
+    <message>
+        <source>Read-only session</source>
+        <translation>Sitzung nur zum Lesen</translation>
+    </message>
+    <message>
+        <source>READ-ONLY — only status requests are sent. STOP ALL still works.</source>
+        <translation>NUR LESEN — nur Statusabfragen werden gesendet. ALLES STOPP wirkt.</translation>
+    </message>
+    <message>
+        <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
+        <translation>Verbindet neu mit demselben Port; Befehle sind dann erlaubt. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
+        <translation>BEDIENERMODUS — nur erlaubte Aktionen sind möglich. ALLES STOPP wirkt immer.</translation>
+    </message>
+    <message>
+        <source>Leave…</source>
+        <translation>Verlassen…</translation>
+    </message>
+    <message>
+        <source>End pendant mode</source>
+        <translation>Handgerät beenden</translation>
+    </message>
+    <message>
+        <source>Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.</source>
+        <translation>Zum Bewegen Umschalt mit ◂ oder ▸ gedrückt halten. Esc beendet das Handgerät.</translation>
+    </message>
+    <message>
+        <source>Not moved: %1</source>
+        <translation>Nicht bewegt: %1</translation>
+    </message>
+    <message>
+        <source>PENDANT — %1. %2</source>
+        <translation>HANDGERÄT — %1. %2</translation>
+    </message>
+    <message>
+        <source>Pendant</source>
+        <translation>Handgerät</translation>
+    </message>
+    <message>
+        <source>Ends pendant mode: arrow keys and gamepad no longer move anything.</source>
+        <translation>Beendet das Handgerät: Pfeiltasten und Gamepad bewegen nichts mehr.</translation>
+    </message>
+    <message>
+        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
+        <translation>Zum Bewegen Umschalt mit ◂ oder ▸ gedrückt halten oder eine Schultertaste des Gamepads mit seinem linken Stick oder Steuerkreuz. B (○) ist ALLES STOPP. Esc beendet das Handgerät.</translation>
+    </message>
+    <message>
+        <source>End control</source>
+        <translation>Kontrolle beenden</translation>
+    </message>
+    <message>
+        <source>The program may no longer move motors.</source>
+        <translation>Das Programm darf keine Motoren mehr bewegen.</translation>
+    </message>
+    <message>
+        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
+        <translation>PROGRAMM — „%1“ darf Motoren bewegen. Esc oder ein eigener Befehl beendet das.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect once a port is open.</source>
+        <translation>PROGRAMME — dürfen sich verbinden, sobald ein Port offen ist.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
+        <translation>PROGRAMME — dürfen sich unter %1 verbinden. Verbunden: %2.</translation>
+    </message>
+    <message>
+        <source>Line lent to a program</source>
+        <translation>Leitung an ein Programm verliehen</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>The program has the line again. It may move motors at once.</source>
+        <translation>Das Programm hat die Leitung wieder. Es kann sofort Motoren bewegen.</translation>
+    </message>
+    <message>
+        <source>End lending</source>
+        <translation>Verleihen beenden</translation>
+    </message>
+    <message>
+        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
+        <translation>Das Programm verliert die Leitung, und die Module werden neu gesucht. Nichts wird zurückgesetzt oder gestoppt.</translation>
+    </message>
+    <message>
+        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
+        <translation>Ein Handrad ist angeschlossen, darf aber nicht gelesen werden. Abziehen und wieder einstecken; hilft das nicht, im Handbuch nachsehen. Esc beendet das Handgerät.</translation>
+    </message>
+    <message>
+        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
+        <translation>Zum Bewegen eine Taste des Handrads gedrückt halten und den Ring oder die Kappe für eine Geschwindigkeit auslenken oder das Rad für Schritte drehen. Die mittlere Taste, bei einer 3-Achs-Maus die rechte, ist ALLES STOPP. Esc beendet das Handgerät.</translation>
     </message>
 </context>
 <context>

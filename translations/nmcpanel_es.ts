@@ -838,6 +838,10 @@
         <source>name</source>
         <translation>nombre</translation>
     </message>
+    <message>
+        <source>Other programs</source>
+        <translation>Otros programas</translation>
+    </message>
 </context>
 <context>
     <name>Gains</name>
@@ -8922,14 +8926,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Menús</translation>
     </message>
     <message>
-        <source>SIMULATOR — no hardware connected; all values are simulated</source>
-        <translation>SIMULADOR — no hay hardware conectado; todos los valores son simulados</translation>
-    </message>
-    <message>
-        <source>Simulated session</source>
-        <translation>Sesión simulada</translation>
-    </message>
-    <message>
         <source>Modules</source>
         <translation>Módulos</translation>
     </message>
@@ -8962,88 +8958,16 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>&amp;Reiniciar la red: se pierden posiciones y ganancias</translation>
     </message>
     <message>
-        <source>Read-only session</source>
-        <translation>Sesión de solo lectura</translation>
-    </message>
-    <message>
-        <source>READ-ONLY — only status requests are sent. STOP ALL still works.</source>
-        <translation>SOLO LECTURA — solo se envían consultas de estado. PARAR TODO sigue funcionando.</translation>
-    </message>
-    <message>
-        <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
-        <translation>Vuelve a conectar al mismo puerto con los comandos permitidos. Nada se mueve.</translation>
-    </message>
-    <message>
         <source>%1 (read-only)</source>
         <translation>%1 (solo lectura)</translation>
-    </message>
-    <message>
-        <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
-        <translation>MODO OPERADOR — solo están disponibles las acciones permitidas. PARAR TODO siempre funciona.</translation>
-    </message>
-    <message>
-        <source>Leave…</source>
-        <translation>Salir…</translation>
-    </message>
-    <message>
-        <source>End pendant mode</source>
-        <translation>Terminar modo de mando portátil</translation>
     </message>
     <message>
         <source>No module can be moved. Connect a motor module first.</source>
         <translation>No se puede mover ningún módulo. Conecte primero un módulo de motor.</translation>
     </message>
     <message>
-        <source>Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.</source>
-        <translation>Mantenga pulsada Mayús con ◂ o ▸ para moverlo. Esc termina el modo de mando portátil.</translation>
-    </message>
-    <message>
-        <source>Not moved: %1</source>
-        <translation>No se movió: %1</translation>
-    </message>
-    <message>
-        <source>PENDANT — %1. %2</source>
-        <translation>MANDO PORTÁTIL — %1. %2</translation>
-    </message>
-    <message>
-        <source>Pendant</source>
-        <translation>Mando portátil</translation>
-    </message>
-    <message>
-        <source>Ends pendant mode: arrow keys and gamepad no longer move anything.</source>
-        <translation>Termina el modo de mando portátil: las flechas y el gamepad ya no mueven nada.</translation>
-    </message>
-    <message>
-        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
-        <translation>Para moverlo, mantenga pulsada Mayús con ◂ o ▸, o un botón superior del gamepad con su palanca izquierda o su cruceta. B (○) es PARAR TODO. Esc termina el modo de mando portátil.</translation>
-    </message>
-    <message>
         <source>Step</source>
         <translation>Escalón</translation>
-    </message>
-    <message>
-        <source>Other programs</source>
-        <translation>Otros programas</translation>
-    </message>
-    <message>
-        <source>End control</source>
-        <translation>Terminar control</translation>
-    </message>
-    <message>
-        <source>The program may no longer move motors.</source>
-        <translation>El programa ya no puede mover motores.</translation>
-    </message>
-    <message>
-        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
-        <translation>PROGRAMA — «%1» puede mover motores. Esc o cualquier comando suyo lo termina.</translation>
-    </message>
-    <message>
-        <source>PROGRAMS — may connect once a port is open.</source>
-        <translation>PROGRAMAS — podrán conectarse cuando haya un puerto abierto.</translation>
-    </message>
-    <message>
-        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
-        <translation>PROGRAMAS — pueden conectarse por %1. Conectados: %2.</translation>
     </message>
     <message>
         <source>Let the program &quot;%1&quot; move motors? Esc, STOP ALL or any command of yours ends that.</source>
@@ -9056,34 +8980,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Let it move motors</source>
         <translation>Dejar mover motores</translation>
-    </message>
-    <message>
-        <source>Line lent to a program</source>
-        <translation>Línea prestada a un programa</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>Dejar continuar</translation>
-    </message>
-    <message>
-        <source>The program has the line again. It may move motors at once.</source>
-        <translation>El programa tiene de nuevo la línea. Puede mover motores de inmediato.</translation>
-    </message>
-    <message>
-        <source>End lending</source>
-        <translation>Terminar el préstamo</translation>
-    </message>
-    <message>
-        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
-        <translation>El programa pierde la línea, y los módulos se buscan de nuevo. Nada se reinicia ni se para.</translation>
-    </message>
-    <message>
-        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
-        <translation>Hay un volante conectado, pero no tiene permiso para leerlo. Desenchúfelo y vuelva a enchufarlo; si no sirve, consulte el manual. Esc termina el modo de mando portátil.</translation>
-    </message>
-    <message>
-        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
-        <translation>Para moverlo, mantenga pulsado un botón del volante y desvíe el anillo o la tapa para una velocidad, o gire el volante para dar pasos. El botón central, o el derecho de un ratón de 3 ejes, es PARAR TODO. Esc termina el modo de mando portátil.</translation>
     </message>
 </context>
 <context>
@@ -11405,6 +11301,113 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>step</source>
         <translation>escalón</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::Ribbons</name>
+    <message>
+        <source>SIMULATOR — no hardware connected; all values are simulated</source>
+        <translation>SIMULADOR — no hay hardware conectado; todos los valores son simulados</translation>
+    </message>
+    <message>
+        <source>Simulated session</source>
+        <translation>Sesión simulada</translation>
+    </message>
+    <message>
+        <source>Read-only session</source>
+        <translation>Sesión de solo lectura</translation>
+    </message>
+    <message>
+        <source>READ-ONLY — only status requests are sent. STOP ALL still works.</source>
+        <translation>SOLO LECTURA — solo se envían consultas de estado. PARAR TODO sigue funcionando.</translation>
+    </message>
+    <message>
+        <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
+        <translation>Vuelve a conectar al mismo puerto con los comandos permitidos. Nada se mueve.</translation>
+    </message>
+    <message>
+        <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
+        <translation>MODO OPERADOR — solo están disponibles las acciones permitidas. PARAR TODO siempre funciona.</translation>
+    </message>
+    <message>
+        <source>Leave…</source>
+        <translation>Salir…</translation>
+    </message>
+    <message>
+        <source>End pendant mode</source>
+        <translation>Terminar modo de mando portátil</translation>
+    </message>
+    <message>
+        <source>Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.</source>
+        <translation>Mantenga pulsada Mayús con ◂ o ▸ para moverlo. Esc termina el modo de mando portátil.</translation>
+    </message>
+    <message>
+        <source>Not moved: %1</source>
+        <translation>No se movió: %1</translation>
+    </message>
+    <message>
+        <source>PENDANT — %1. %2</source>
+        <translation>MANDO PORTÁTIL — %1. %2</translation>
+    </message>
+    <message>
+        <source>Pendant</source>
+        <translation>Mando portátil</translation>
+    </message>
+    <message>
+        <source>Ends pendant mode: arrow keys and gamepad no longer move anything.</source>
+        <translation>Termina el modo de mando portátil: las flechas y el gamepad ya no mueven nada.</translation>
+    </message>
+    <message>
+        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
+        <translation>Para moverlo, mantenga pulsada Mayús con ◂ o ▸, o un botón superior del gamepad con su palanca izquierda o su cruceta. B (○) es PARAR TODO. Esc termina el modo de mando portátil.</translation>
+    </message>
+    <message>
+        <source>End control</source>
+        <translation>Terminar control</translation>
+    </message>
+    <message>
+        <source>The program may no longer move motors.</source>
+        <translation>El programa ya no puede mover motores.</translation>
+    </message>
+    <message>
+        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
+        <translation>PROGRAMA — «%1» puede mover motores. Esc o cualquier comando suyo lo termina.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect once a port is open.</source>
+        <translation>PROGRAMAS — podrán conectarse cuando haya un puerto abierto.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
+        <translation>PROGRAMAS — pueden conectarse por %1. Conectados: %2.</translation>
+    </message>
+    <message>
+        <source>Line lent to a program</source>
+        <translation>Línea prestada a un programa</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Dejar continuar</translation>
+    </message>
+    <message>
+        <source>The program has the line again. It may move motors at once.</source>
+        <translation>El programa tiene de nuevo la línea. Puede mover motores de inmediato.</translation>
+    </message>
+    <message>
+        <source>End lending</source>
+        <translation>Terminar el préstamo</translation>
+    </message>
+    <message>
+        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
+        <translation>El programa pierde la línea, y los módulos se buscan de nuevo. Nada se reinicia ni se para.</translation>
+    </message>
+    <message>
+        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
+        <translation>Hay un volante conectado, pero no tiene permiso para leerlo. Desenchúfelo y vuelva a enchufarlo; si no sirve, consulte el manual. Esc termina el modo de mando portátil.</translation>
+    </message>
+    <message>
+        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
+        <translation>Para moverlo, mantenga pulsado un botón del volante y desvíe el anillo o la tapa para una velocidad, o gire el volante para dar pasos. El botón central, o el derecho de un ratón de 3 ejes, es PARAR TODO. Esc termina el modo de mando portátil.</translation>
     </message>
 </context>
 <context>

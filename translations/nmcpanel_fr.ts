@@ -838,6 +838,10 @@
         <source>name</source>
         <translation>nom</translation>
     </message>
+    <message>
+        <source>Other programs</source>
+        <translation>Autres programmes</translation>
+    </message>
 </context>
 <context>
     <name>Gains</name>
@@ -8922,14 +8926,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Menus</translation>
     </message>
     <message>
-        <source>SIMULATOR — no hardware connected; all values are simulated</source>
-        <translation>SIMULATEUR — aucun matériel connecté&#x202f;; toutes les valeurs sont simulées</translation>
-    </message>
-    <message>
-        <source>Simulated session</source>
-        <translation>Session simulée</translation>
-    </message>
-    <message>
         <source>Modules</source>
         <translation>Modules</translation>
     </message>
@@ -8962,88 +8958,16 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Redémarrer le &amp;réseau&#xa0;: positions et gains seront perdus</translation>
     </message>
     <message>
-        <source>Read-only session</source>
-        <translation>Session en lecture seule</translation>
-    </message>
-    <message>
-        <source>READ-ONLY — only status requests are sent. STOP ALL still works.</source>
-        <translation>LECTURE SEULE — seules des demandes d’état sont envoyées. TOUT ARRÊTER fonctionne toujours.</translation>
-    </message>
-    <message>
-        <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
-        <translation>Se reconnecte au même port en autorisant les commandes. Rien ne bouge.</translation>
-    </message>
-    <message>
         <source>%1 (read-only)</source>
         <translation>%1 (lecture seule)</translation>
-    </message>
-    <message>
-        <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
-        <translation>MODE OPÉRATEUR — seules les actions permises sont disponibles. TOUT ARRÊTER fonctionne toujours.</translation>
-    </message>
-    <message>
-        <source>Leave…</source>
-        <translation>Quitter…</translation>
-    </message>
-    <message>
-        <source>End pendant mode</source>
-        <translation>Terminer le mode pupitre</translation>
     </message>
     <message>
         <source>No module can be moved. Connect a motor module first.</source>
         <translation>Aucun module ne peut être déplacé. Connectez d’abord un module moteur.</translation>
     </message>
     <message>
-        <source>Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.</source>
-        <translation>Maintenez Maj avec ◂ ou ▸ pour le déplacer. Esc quitte le mode pupitre.</translation>
-    </message>
-    <message>
-        <source>Not moved: %1</source>
-        <translation>Non déplacé&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>PENDANT — %1. %2</source>
-        <translation>PUPITRE — %1. %2</translation>
-    </message>
-    <message>
-        <source>Pendant</source>
-        <translation>Pupitre</translation>
-    </message>
-    <message>
-        <source>Ends pendant mode: arrow keys and gamepad no longer move anything.</source>
-        <translation>Quitte le mode pupitre&#xa0;: les touches fléchées et la manette ne déplacent plus rien.</translation>
-    </message>
-    <message>
-        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
-        <translation>Pour le déplacer, maintenez Maj avec ◂ ou ▸, ou une gâchette supérieure de la manette avec son stick gauche ou sa croix. B (○) est TOUT ARRÊTER. Esc quitte le mode pupitre.</translation>
-    </message>
-    <message>
         <source>Step</source>
         <translation>Échelon</translation>
-    </message>
-    <message>
-        <source>Other programs</source>
-        <translation>Autres programmes</translation>
-    </message>
-    <message>
-        <source>End control</source>
-        <translation>Reprendre le contrôle</translation>
-    </message>
-    <message>
-        <source>The program may no longer move motors.</source>
-        <translation>Le programme ne peut plus déplacer les moteurs.</translation>
-    </message>
-    <message>
-        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
-        <translation>PROGRAMME — «&#xa0;%1&#xa0;» peut déplacer les moteurs. Échap ou toute commande de votre part y met fin.</translation>
-    </message>
-    <message>
-        <source>PROGRAMS — may connect once a port is open.</source>
-        <translation>PROGRAMMES — connexion possible dès qu’un port est ouvert.</translation>
-    </message>
-    <message>
-        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
-        <translation>PROGRAMMES — connexion possible par %1. Connectés&#xa0;: %2.</translation>
     </message>
     <message>
         <source>Let the program &quot;%1&quot; move motors? Esc, STOP ALL or any command of yours ends that.</source>
@@ -9056,34 +8980,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Let it move motors</source>
         <translation>Laisser déplacer</translation>
-    </message>
-    <message>
-        <source>Line lent to a program</source>
-        <translation>Ligne prêtée à un programme</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>Laisser continuer</translation>
-    </message>
-    <message>
-        <source>The program has the line again. It may move motors at once.</source>
-        <translation>Le programme a de nouveau la ligne. Il peut mouvoir des moteurs immédiatement.</translation>
-    </message>
-    <message>
-        <source>End lending</source>
-        <translation>Mettre fin au prêt</translation>
-    </message>
-    <message>
-        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
-        <translation>Le programme perd la ligne, et les modules sont recherchés de nouveau. Rien n’est réinitialisé ni arrêté.</translation>
-    </message>
-    <message>
-        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
-        <translation>Une molette est branchée, mais vous n’avez pas le droit de la lire. Débranchez-la et rebranchez-la&#xa0;; si cela ne suffit pas, consultez le manuel. Esc quitte le mode pupitre.</translation>
-    </message>
-    <message>
-        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
-        <translation>Pour le déplacer, maintenez un bouton de la molette et poussez la bague ou le capuchon pour une vitesse, ou tournez la molette pour des pas. Le bouton du milieu, ou le droit d’une souris à 3 axes, est TOUT ARRÊTER. Esc quitte le mode pupitre.</translation>
     </message>
 </context>
 <context>
@@ -11405,6 +11301,113 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>step</source>
         <translation>échelon</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::Ribbons</name>
+    <message>
+        <source>SIMULATOR — no hardware connected; all values are simulated</source>
+        <translation>SIMULATEUR — aucun matériel connecté&#x202f;; toutes les valeurs sont simulées</translation>
+    </message>
+    <message>
+        <source>Simulated session</source>
+        <translation>Session simulée</translation>
+    </message>
+    <message>
+        <source>Read-only session</source>
+        <translation>Session en lecture seule</translation>
+    </message>
+    <message>
+        <source>READ-ONLY — only status requests are sent. STOP ALL still works.</source>
+        <translation>LECTURE SEULE — seules des demandes d’état sont envoyées. TOUT ARRÊTER fonctionne toujours.</translation>
+    </message>
+    <message>
+        <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
+        <translation>Se reconnecte au même port en autorisant les commandes. Rien ne bouge.</translation>
+    </message>
+    <message>
+        <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
+        <translation>MODE OPÉRATEUR — seules les actions permises sont disponibles. TOUT ARRÊTER fonctionne toujours.</translation>
+    </message>
+    <message>
+        <source>Leave…</source>
+        <translation>Quitter…</translation>
+    </message>
+    <message>
+        <source>End pendant mode</source>
+        <translation>Terminer le mode pupitre</translation>
+    </message>
+    <message>
+        <source>Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.</source>
+        <translation>Maintenez Maj avec ◂ ou ▸ pour le déplacer. Esc quitte le mode pupitre.</translation>
+    </message>
+    <message>
+        <source>Not moved: %1</source>
+        <translation>Non déplacé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>PENDANT — %1. %2</source>
+        <translation>PUPITRE — %1. %2</translation>
+    </message>
+    <message>
+        <source>Pendant</source>
+        <translation>Pupitre</translation>
+    </message>
+    <message>
+        <source>Ends pendant mode: arrow keys and gamepad no longer move anything.</source>
+        <translation>Quitte le mode pupitre&#xa0;: les touches fléchées et la manette ne déplacent plus rien.</translation>
+    </message>
+    <message>
+        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
+        <translation>Pour le déplacer, maintenez Maj avec ◂ ou ▸, ou une gâchette supérieure de la manette avec son stick gauche ou sa croix. B (○) est TOUT ARRÊTER. Esc quitte le mode pupitre.</translation>
+    </message>
+    <message>
+        <source>End control</source>
+        <translation>Reprendre le contrôle</translation>
+    </message>
+    <message>
+        <source>The program may no longer move motors.</source>
+        <translation>Le programme ne peut plus déplacer les moteurs.</translation>
+    </message>
+    <message>
+        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
+        <translation>PROGRAMME — «&#xa0;%1&#xa0;» peut déplacer les moteurs. Échap ou toute commande de votre part y met fin.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect once a port is open.</source>
+        <translation>PROGRAMMES — connexion possible dès qu’un port est ouvert.</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
+        <translation>PROGRAMMES — connexion possible par %1. Connectés&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Line lent to a program</source>
+        <translation>Ligne prêtée à un programme</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Laisser continuer</translation>
+    </message>
+    <message>
+        <source>The program has the line again. It may move motors at once.</source>
+        <translation>Le programme a de nouveau la ligne. Il peut mouvoir des moteurs immédiatement.</translation>
+    </message>
+    <message>
+        <source>End lending</source>
+        <translation>Mettre fin au prêt</translation>
+    </message>
+    <message>
+        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
+        <translation>Le programme perd la ligne, et les modules sont recherchés de nouveau. Rien n’est réinitialisé ni arrêté.</translation>
+    </message>
+    <message>
+        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
+        <translation>Une molette est branchée, mais vous n’avez pas le droit de la lire. Débranchez-la et rebranchez-la&#xa0;; si cela ne suffit pas, consultez le manuel. Esc quitte le mode pupitre.</translation>
+    </message>
+    <message>
+        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
+        <translation>Pour le déplacer, maintenez un bouton de la molette et poussez la bague ou le capuchon pour une vitesse, ou tournez la molette pour des pas. Le bouton du milieu, ou le droit d’une souris à 3 axes, est TOUT ARRÊTER. Esc quitte le mode pupitre.</translation>
     </message>
 </context>
 <context>

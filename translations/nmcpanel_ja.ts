@@ -838,6 +838,10 @@
         <source>name</source>
         <translation>名前</translation>
     </message>
+    <message>
+        <source>Other programs</source>
+        <translation>他のプログラム</translation>
+    </message>
 </context>
 <context>
     <name>Gains</name>
@@ -8904,14 +8908,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>メニュー</translation>
     </message>
     <message>
-        <source>SIMULATOR — no hardware connected; all values are simulated</source>
-        <translation>シミュレーター — ハードウェアは未接続。すべてシミュレーション値です</translation>
-    </message>
-    <message>
-        <source>Simulated session</source>
-        <translation>シミュレーションセッション</translation>
-    </message>
-    <message>
         <source>Modules</source>
         <translation>モジュール一覧</translation>
     </message>
@@ -8944,88 +8940,16 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>ネットワークを再起動：位置とゲインは失われます(&amp;R)</translation>
     </message>
     <message>
-        <source>Read-only session</source>
-        <translation>読み取り専用セッション</translation>
-    </message>
-    <message>
-        <source>READ-ONLY — only status requests are sent. STOP ALL still works.</source>
-        <translation>読み取り専用 — ステータス要求だけを送信します。全停止は使用できます。</translation>
-    </message>
-    <message>
-        <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
-        <translation>コマンドを許可して、同じポートに再接続します。何も動きません。</translation>
-    </message>
-    <message>
         <source>%1 (read-only)</source>
         <translation>%1（読み取り専用）</translation>
-    </message>
-    <message>
-        <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
-        <translation>オペレーターモード — 許可された操作だけを使用できます。全停止は常に使用できます。</translation>
-    </message>
-    <message>
-        <source>Leave…</source>
-        <translation>モード終了…</translation>
-    </message>
-    <message>
-        <source>End pendant mode</source>
-        <translation>ペンダントモードを終了</translation>
     </message>
     <message>
         <source>No module can be moved. Connect a motor module first.</source>
         <translation>動かせるモジュールがありません。先にモーターモジュールを接続してください。</translation>
     </message>
     <message>
-        <source>Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.</source>
-        <translation>Shiftと◂または▸を押している間、動きます。Escでペンダントモードを終了します。</translation>
-    </message>
-    <message>
-        <source>Not moved: %1</source>
-        <translation>動かしていません：%1</translation>
-    </message>
-    <message>
-        <source>PENDANT — %1. %2</source>
-        <translation>ペンダント — %1。%2</translation>
-    </message>
-    <message>
-        <source>Pendant</source>
-        <translation>ペンダント</translation>
-    </message>
-    <message>
-        <source>Ends pendant mode: arrow keys and gamepad no longer move anything.</source>
-        <translation>ペンダントモードを終了します。矢印キーとゲームパッドでは何も動かなくなります。</translation>
-    </message>
-    <message>
-        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
-        <translation>Shiftと◂または▸、あるいはゲームパッドのショルダーボタンと左スティックまたは十字キーを押している間、動きます。B (○) は全停止です。Escでペンダントモードを終了します。</translation>
-    </message>
-    <message>
         <source>Step</source>
         <translation>ステップ</translation>
-    </message>
-    <message>
-        <source>Other programs</source>
-        <translation>他のプログラム</translation>
-    </message>
-    <message>
-        <source>End control</source>
-        <translation>操作権を終了</translation>
-    </message>
-    <message>
-        <source>The program may no longer move motors.</source>
-        <translation>このプログラムはモーターを動かせなくなります。</translation>
-    </message>
-    <message>
-        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
-        <translation>プログラム — 「%1」はモーターを動かせます。Escまたは操作者のコマンドで終了します。</translation>
-    </message>
-    <message>
-        <source>PROGRAMS — may connect once a port is open.</source>
-        <translation>プログラム — ポートを開くと接続できます。</translation>
-    </message>
-    <message>
-        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
-        <translation>プログラム — %1で接続できます。接続数：%2。</translation>
     </message>
     <message>
         <source>Let the program &quot;%1&quot; move motors? Esc, STOP ALL or any command of yours ends that.</source>
@@ -9038,34 +8962,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Let it move motors</source>
         <translation>モーターの操作を許可</translation>
-    </message>
-    <message>
-        <source>Line lent to a program</source>
-        <translation>プログラムに貸した回線</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>続行させる</translation>
-    </message>
-    <message>
-        <source>The program has the line again. It may move motors at once.</source>
-        <translation>プログラムが再び回線を使用します。すぐにモーターを動かすことがあります。</translation>
-    </message>
-    <message>
-        <source>End lending</source>
-        <translation>貸出を終了</translation>
-    </message>
-    <message>
-        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
-        <translation>プログラムは回線を失い、モジュールを改めて調べます。リセットも停止もしません。</translation>
-    </message>
-    <message>
-        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
-        <translation>ジョグホイールが接続されていますが、読み取る権限がありません。一度抜いて差し直してください。それでも使えない場合はマニュアルを参照してください。Escでペンダントモードを終了します。</translation>
-    </message>
-    <message>
-        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
-        <translation>ジョグホイールのボタンを押しながら、リングまたはキャップを倒すと速度で、ホイールを回すとステップで動きます。中央のボタン（3軸マウスでは右ボタン）は全停止です。Escでペンダントモードを終了します。</translation>
     </message>
 </context>
 <context>
@@ -11386,6 +11282,113 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>step</source>
         <translation>ステップ応答</translation>
+    </message>
+</context>
+<context>
+    <name>nmc::Ribbons</name>
+    <message>
+        <source>SIMULATOR — no hardware connected; all values are simulated</source>
+        <translation>シミュレーター — ハードウェアは未接続。すべてシミュレーション値です</translation>
+    </message>
+    <message>
+        <source>Simulated session</source>
+        <translation>シミュレーションセッション</translation>
+    </message>
+    <message>
+        <source>Read-only session</source>
+        <translation>読み取り専用セッション</translation>
+    </message>
+    <message>
+        <source>READ-ONLY — only status requests are sent. STOP ALL still works.</source>
+        <translation>読み取り専用 — ステータス要求だけを送信します。全停止は使用できます。</translation>
+    </message>
+    <message>
+        <source>Reconnects to the same port with commands allowed. Nothing moves.</source>
+        <translation>コマンドを許可して、同じポートに再接続します。何も動きません。</translation>
+    </message>
+    <message>
+        <source>OPERATOR MODE — only allowed actions are available. STOP ALL always works.</source>
+        <translation>オペレーターモード — 許可された操作だけを使用できます。全停止は常に使用できます。</translation>
+    </message>
+    <message>
+        <source>Leave…</source>
+        <translation>モード終了…</translation>
+    </message>
+    <message>
+        <source>End pendant mode</source>
+        <translation>ペンダントモードを終了</translation>
+    </message>
+    <message>
+        <source>Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.</source>
+        <translation>Shiftと◂または▸を押している間、動きます。Escでペンダントモードを終了します。</translation>
+    </message>
+    <message>
+        <source>Not moved: %1</source>
+        <translation>動かしていません：%1</translation>
+    </message>
+    <message>
+        <source>PENDANT — %1. %2</source>
+        <translation>ペンダント — %1。%2</translation>
+    </message>
+    <message>
+        <source>Pendant</source>
+        <translation>ペンダント</translation>
+    </message>
+    <message>
+        <source>Ends pendant mode: arrow keys and gamepad no longer move anything.</source>
+        <translation>ペンダントモードを終了します。矢印キーとゲームパッドでは何も動かなくなります。</translation>
+    </message>
+    <message>
+        <source>To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.</source>
+        <translation>Shiftと◂または▸、あるいはゲームパッドのショルダーボタンと左スティックまたは十字キーを押している間、動きます。B (○) は全停止です。Escでペンダントモードを終了します。</translation>
+    </message>
+    <message>
+        <source>End control</source>
+        <translation>操作権を終了</translation>
+    </message>
+    <message>
+        <source>The program may no longer move motors.</source>
+        <translation>このプログラムはモーターを動かせなくなります。</translation>
+    </message>
+    <message>
+        <source>PROGRAM — &quot;%1&quot; may move motors. Esc or any command of yours ends that.</source>
+        <translation>プログラム — 「%1」はモーターを動かせます。Escまたは操作者のコマンドで終了します。</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect once a port is open.</source>
+        <translation>プログラム — ポートを開くと接続できます。</translation>
+    </message>
+    <message>
+        <source>PROGRAMS — may connect at %1. Connected: %2.</source>
+        <translation>プログラム — %1で接続できます。接続数：%2。</translation>
+    </message>
+    <message>
+        <source>Line lent to a program</source>
+        <translation>プログラムに貸した回線</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>続行させる</translation>
+    </message>
+    <message>
+        <source>The program has the line again. It may move motors at once.</source>
+        <translation>プログラムが再び回線を使用します。すぐにモーターを動かすことがあります。</translation>
+    </message>
+    <message>
+        <source>End lending</source>
+        <translation>貸出を終了</translation>
+    </message>
+    <message>
+        <source>The program loses the line, and the chain is scanned again. Nothing is reset or stopped.</source>
+        <translation>プログラムは回線を失い、モジュールを改めて調べます。リセットも停止もしません。</translation>
+    </message>
+    <message>
+        <source>There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.</source>
+        <translation>ジョグホイールが接続されていますが、読み取る権限がありません。一度抜いて差し直してください。それでも使えない場合はマニュアルを参照してください。Escでペンダントモードを終了します。</translation>
+    </message>
+    <message>
+        <source>To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.</source>
+        <translation>ジョグホイールのボタンを押しながら、リングまたはキャップを倒すと速度で、ホイールを回すとステップで動きます。中央のボタン（3軸マウスでは右ボタン）は全停止です。Escでペンダントモードを終了します。</translation>
     </message>
 </context>
 <context>

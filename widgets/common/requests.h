@@ -48,6 +48,8 @@ signals:
 
     /// Another search for the chain; nothing is reset.
     void scan();
+    /// Connects again to the port that is open read-only, with commands allowed.
+    void connectFully();
     /// The window asks the user first.
     void restart();
     /// The modules found now are expected from now on.

@@ -32,7 +32,6 @@
 #include "widgets/common/scrolled.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
-#include "widgets/gamepad/jogwheel.h"
 #include "widgets/help/manualwindow.h"
 #include "widgets/help/problemreport.h"
 #include "widgets/help/reportdialog.h"
@@ -51,7 +50,7 @@
 #include "widgets/mainwindow/pressfilter.h"
 #include "widgets/mainwindow/promptfilter.h"
 #include "widgets/mainwindow/repeatfilter.h"
-#include "widgets/mainwindow/ribbon.h"
+#include "widgets/mainwindow/ribbons.h"
 #include "widgets/mainwindow/settingskeys.h"
 #include "widgets/mainwindow/startpage.h"
 #include "widgets/mainwindow/tuningfiles.h"
@@ -141,54 +140,12 @@ void MainWindow::buildTop() {
     m_bar = new ConnectionBar(top);
     m_start = new StartPage(*m_bar, m_panel);
     fillMenus(*menuBar, *this, m_settings);
-    buildRibbons(top);
+    m_ribbons = new Ribbons(*m_requests, *m_operator, *m_pendant, top);
     m_banner = new Banner(*m_model, top);
-    form::fill(top, form::newColumn(top,
-                                    {menuBar, m_bar, m_simulatorRibbon, m_readOnlyRibbon, m_operatorRibbon,
-                                     m_programsRibbon, m_lentRibbon, m_pendantRibbon, m_banner},
-                                    0));
+    form::fill(top, form::newColumn(top, {menuBar, m_bar, m_ribbons->column(), m_banner}, 0));
     setMenuWidget(top);
     setMinimumWidth(m_bar->minimumSizeHint().width());
     QWidget::setTabOrder(m_bar, m_chain);
-}
-
-void MainWindow::buildRibbons(QWidget* top) {
-    m_simulatorRibbon = new Ribbon(u"simulatorRibbon"_s, tr("Simulated session"),
-                                   tr("SIMULATOR — no hardware connected; all values are simulated"), top);
-    m_readOnlyRibbon =
-        new Ribbon(u"readOnlyRibbon"_s, tr("Read-only session"),
-                   tr("READ-ONLY — only status requests are sent. STOP ALL still works."), top);
-    QPushButton* fully =
-        m_readOnlyRibbon->addButton(u"connectFullyButton"_s, Common::tr("Connect fully"),
-                                    tr("Reconnects to the same port with commands allowed. Nothing moves."));
-    connect(fully, &QPushButton::clicked, this, &MainWindow::connectFullyRequested);
-    m_operatorRibbon =
-        new Ribbon(u"operatorRibbon"_s, Common::tr("Operator mode"),
-                   tr("OPERATOR MODE — only allowed actions are available. STOP ALL always works."), top);
-    QPushButton* leave =
-        m_operatorRibbon->addButton(u"leaveOperatorButton"_s, tr("Leave…"), Common::tr("Asks for the PIN."));
-    connect(leave, &QPushButton::clicked, m_operator, &OperatorLock::open);
-    m_programsRibbon = new Ribbon(u"programsRibbon"_s, tr("Other programs"), {}, top);
-    m_endControl = m_programsRibbon->addButton(u"endProgramControlButton"_s, tr("End control"),
-                                               tr("The program may no longer move motors."));
-    m_endControl->setFocusPolicy(Qt::NoFocus);
-    connect(m_endControl, &QPushButton::clicked, m_requests, &Requests::endProgramControl);
-    m_lentRibbon = new Ribbon(u"lentRibbon"_s, tr("Line lent to a program"), {}, top);
-    m_letThrough = m_lentRibbon->addButton(u"letProgramThroughButton"_s, tr("Release"),
-                                           tr("The program has the line again. It may move motors at once."));
-    QPushButton* endLending = m_lentRibbon->addButton(
-        u"endLendingButton"_s, tr("End lending"),
-        tr("The program loses the line, and the chain is scanned again. Nothing is reset or stopped."));
-    for (QPushButton* button : {m_letThrough, endLending})
-        button->setFocusPolicy(Qt::NoFocus);
-    connect(m_letThrough, &QPushButton::clicked, m_requests, &Requests::letProgramThrough);
-    connect(endLending, &QPushButton::clicked, m_requests, &Requests::endLending);
-    m_pendantRibbon = new Ribbon(u"pendantRibbon"_s, tr("Pendant"), {}, top);
-    QPushButton* end =
-        m_pendantRibbon->addButton(u"endPendantButton"_s, tr("End pendant mode"),
-                                   tr("Ends pendant mode: arrow keys and gamepad no longer move anything."));
-    end->setFocusPolicy(Qt::NoFocus);
-    connect(end, &QPushButton::clicked, this, [this] { m_pendant->action()->setChecked(false); });
 }
 
 void MainWindow::connectParts() {
@@ -248,7 +205,6 @@ void MainWindow::connectParts() {
 
 /// Shows the pendant mode, and the axis that it moves.
 void MainWindow::showPendant() {
-    const ModuleState* module = m_session.selected();
     auto refusal = whyInaccessible(m_session.link());
     if (!refusal || refusal == Refusal::OperatorMode)
         refusal = whyNoChain(m_session.link());
@@ -256,39 +212,19 @@ void MainWindow::showPendant() {
                           : m_panel->page() == nullptr
                               ? tr("No module can be moved. Connect a motor module first.")
                               : QString());
-    m_pendantRibbon->setVisible(m_pendant->isOn());
-    if (module == nullptr)
-        return;
-    const QString what =
-        !m_pendant->problem().isEmpty() ? tr("Not moved: %1").arg(m_pendant->problem())
-        : m_pendant->wheel().isForbidden()
-            ? tr("There is a jog wheel, but you may not read it. Unplug it and plug it in again; if that does not help, see the manual. Esc ends pendant mode.")
-        : m_pendant->wheel().isThere()
-            ? tr("To move it, hold a button of the jog wheel, and push its ring or cap for a speed or turn the wheel for steps. The middle button, or the right one of a 3-axis mouse, is STOP ALL. Esc ends pendant mode.")
-        : m_pendant->hasGamepad()
-            ? tr("To move it, hold Shift with ◂ or ▸, or a shoulder button of the gamepad with its left stick or D-pad. B (○) is STOP ALL. Esc ends pendant mode.")
-            : tr("Hold Shift with ◂ or ▸ to move it. Esc ends pendant mode.");
-    m_pendantRibbon->setText(tr("PENDANT — %1. %2").arg(texts::moduleName(module->info.index), what));
+    m_ribbons->showPendant(m_session.selected());
 }
 
 void MainWindow::showPrograms(const ProgramsShown& programs) {
     m_chainMenu->showPrograms(programs.on);
-    m_programsRibbon->setVisible(programs.on);
-    m_endControl->setVisible(!programs.inControl.isEmpty());
-    m_programsRibbon->setText(
-        !programs.inControl.isEmpty()
-            ? tr("PROGRAM — \"%1\" may move motors. Esc or any command of yours ends that.")
-                  .arg(programs.inControl)
-        : programs.path.isEmpty() ? tr("PROGRAMS — may connect once a port is open.")
-                                  : tr("PROGRAMS — may connect at %1. Connected: %2.")
-                                        .arg(programs.path, QString::number(programs.connected)));
+    m_ribbons->showPrograms(programs);
 }
 
 void MainWindow::askForControl(const QString& program, const std::function<bool()>& stands,
                                const std::function<void(bool may)>& decided) {
     AskDialog& dialog = AskDialog::ask(
         {.name = u"programControlQuestion"_s,
-         .title = tr("Other programs"),
+         .title = Common::tr("Other programs"),
          .text =
              [program, stands] {
                  return stands()
@@ -305,7 +241,6 @@ void MainWindow::askForControl(const QString& program, const std::function<bool(
 }
 
 void MainWindow::showOperator() {
-    m_operatorRibbon->setVisible(m_operator->isLocked());
     m_machineMenu->setLocked(m_operator->isLocked());
 }
 
@@ -378,13 +313,7 @@ void MainWindow::showSession() {
     setWindowModified(false);
     setWindowTitle(machine.isEmpty() ? title : title + u" - "_s + machine);
     setWindowModified(m_machineMenu->file().modified);
-    m_simulatorRibbon->setVisible(simulated);
-    m_readOnlyRibbon->setVisible(readOnly);
-    m_lentRibbon->setVisible(link.lent.has_value());
-    if (!link.lent)
-        return;
-    m_lentRibbon->setText(texts::lentTo(*link.lent));
-    m_letThrough->setVisible(link.lent->heldOff);
+    m_ribbons->showSession(m_session);
 }
 
 QString MainWindow::nothingText() const {

@@ -18,7 +18,6 @@
 
 class QDockWidget;
 class QMenu;
-class QPushButton;
 class QSettings;
 
 namespace nmc {
@@ -43,7 +42,7 @@ class PathsDock;
 class OperatorLock;
 class Pendant;
 class Requests;
-class Ribbon;
+class Ribbons;
 class ScopeFiles;
 class ScopePanel;
 class LoopTestsDock;
@@ -154,8 +153,6 @@ public:
 signals:
     /// `readOnly`: requested each time, never remembered.
     void connectRequested(const QString& port, quint32 baud, bool readOnly = false);
-    /// The user wants to reconnect to the port that is open read-only, with commands allowed.
-    void connectFullyRequested();
     void disconnectRequested();
     /// The user has confirmed that positions and gains are lost.
     void restartNetworkRequested();
@@ -178,7 +175,6 @@ protected:
 
 private:
     void buildTop();
-    void buildRibbons(QWidget* top);
     void buildDocks();
     void showLayout(Layouts::Kind kind);
     void stepNow();
@@ -213,14 +209,7 @@ private:
     MachineMenu* m_machineMenu;
     ChainMenu* m_chainMenu;
     ConnectionBar* m_bar = nullptr;
-    Ribbon* m_simulatorRibbon = nullptr;
-    Ribbon* m_readOnlyRibbon = nullptr;
-    Ribbon* m_pendantRibbon = nullptr;
-    Ribbon* m_operatorRibbon = nullptr;
-    Ribbon* m_programsRibbon = nullptr;
-    Ribbon* m_lentRibbon = nullptr;
-    QPushButton* m_letThrough = nullptr;
-    QPushButton* m_endControl = nullptr;
+    Ribbons* m_ribbons = nullptr;
     Pendant* m_pendant = nullptr;
     OperatorLock* m_operator = nullptr;
     QString m_waiting;                            ///< title of the waiting question that the banner shows
