@@ -5,6 +5,14 @@
 
 namespace nmc::bus {
 
+namespace {
+
+[[nodiscard]] bool isLoad(const Order& order) {
+    return is<servo::LoadTrajectory>(order.command) || is<stepper::LoadTrajectory>(order.command);
+}
+
+}  // namespace
+
 OperationFinished rejected(const Operation& operation, Outcome outcome) {
     OperationFinished event{operation.id, outcome, {}, 0};
     if (!operation.orders.empty()) {
@@ -49,7 +57,7 @@ std::vector<ModuleIndex> CommandLane::loaded() const {
     std::vector<ModuleIndex> modules;
     for (std::size_t i = 0; i < m_order; ++i) {  // carried out
         const Order& order = m_waiting.front().orders[i];
-        if (is<servo::LoadTrajectory>(order.command) || is<stepper::LoadTrajectory>(order.command))
+        if (isLoad(order))
             modules.push_back(order.module);
         else if (is<StartMotion>(order.command))
             std::erase(modules, order.module);
@@ -120,6 +128,10 @@ Event CommandLane::finish(Outcome outcome) {
     const Order& last = order();
     OperationFinished event{m_waiting.front().id, outcome, last.module,
                             payloadOf(last.command).commandByte()};
+    if (outcome != Outcome::Done)
+        event.unloaded = loaded();
+    if (isLoad(last) && (outcome == Outcome::Refused || outcome == Outcome::NoAnswer))
+        event.unloaded.push_back(last.module);
     if (m_sine)
         event.sine = m_sine->takeRecord();
     next();

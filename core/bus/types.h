@@ -262,10 +262,11 @@ struct ConnectFailed {
 struct OperationFinished {
     OperationId id;
     Outcome outcome;
-    ModuleIndex module;               ///< of the order that ended it
-    std::uint8_t commandByte = 0;     ///< of that order
-    SineRecord sine{};                ///< for Operation::sine
-    std::optional<TrialEnd> trial{};  ///< for Operation::trial, with Done
+    ModuleIndex module;                   ///< of the order that ended it
+    std::uint8_t commandByte = 0;         ///< of that order
+    std::vector<ModuleIndex> unloaded{};  ///< their loads are forgotten: a start would run none of them
+    SineRecord sine{};                    ///< for Operation::sine
+    std::optional<TrialEnd> trial{};      ///< for Operation::trial, with Done
 };
 
 enum class MemberOutcome : std::uint8_t {

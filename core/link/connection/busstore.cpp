@@ -182,6 +182,9 @@ void BusStore::note(const bus::OperationFinished& finished) {
         m_records[finished.module.value()].open = true;
     if (finished.outcome == bus::Outcome::NoAnswer)
         doubtCommand(finished.module, static_cast<CommandCode>(finished.commandByte & 0x0FU));
+    for (const ModuleIndex module : finished.unloaded)
+        if (known(module))
+            m_link.modules[module.value()].forgetLoad();
 }
 
 void BusStore::note(const bus::CommandUnanswered& command) {

@@ -98,6 +98,11 @@ struct ModuleState : ServoRegisters {
     void doubtMotion();
     /// Gains were sent, but whether the module accepted them is unknown.
     void doubtGains();
+    /// The bus has forgotten what was loaded: a start would run nothing.
+    void forgetLoad() {
+        loadWaiting = false;
+        stepper.waiting.reset();
+    }
     /// The bus has seen the module at rest, twice, after a stop.
     void confirmedAtRest();
 

@@ -76,6 +76,25 @@ TEST_F(CommanderTest, AnnouncesAMotionBeforeItBegins) {
     EXPECT_EQ(ofOthers, 0);
 }
 
+/// The bus forgets a load in both cases (faults.md M-26), so the window must not offer to start it.
+TEST_F(CommanderTest, NothingIsLoadedAfterALoadOrItsStartWasRefused) {
+    ASSERT_NO_FATAL_FAILURE(enable());
+    const std::vector<bus::Order> loadAndStart = move(0, 2'000);
+    const auto load = [&] { return connection.carryOut({loadAndStart.front()}); };
+    ASSERT_EQ(load(), bus::Outcome::Done);
+    EXPECT_TRUE(connection.module(0).loadWaiting);
+    sim.tell("fault bus cksum on=load_trajectory n=3");
+    ASSERT_EQ(load(), bus::Outcome::Refused);
+    EXPECT_FALSE(connection.module(0).loadWaiting);
+    EXPECT_EQ(connection.carryOut({loadAndStart.back()}), bus::Outcome::Forbidden);
+
+    sim.tell("fault bus cksum on=start_motion n=3");
+    ASSERT_EQ(connection.carryOut(loadAndStart), bus::Outcome::Refused);
+    EXPECT_FALSE(connection.module(0).loadWaiting);
+    EXPECT_EQ(connection.carryOut({loadAndStart.back()}), bus::Outcome::Forbidden);
+    EXPECT_EQ(position(), 0);
+}
+
 TEST_F(CommanderTest, AStopWaitsForNoProcedureAndEndsIt) {
     ASSERT_NO_FATAL_FAILURE(enable());
     commander.carryOut(kModule, by(2'000, 50));
