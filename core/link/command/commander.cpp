@@ -193,7 +193,7 @@ void Commander::look() {
     if (link.phase != LinkPhase::Connected || link.readOnly || link.lent)
         return;
     sendTravelLimits();
-    for (const ModuleState& module : std::vector(m_store.link().modules))
+    for (const ModuleState& module : link.modules)
         if (!module.silent && !m_procedures.running(module.info.index))  // a procedure arms its own
             keepArmed(module);
 }
