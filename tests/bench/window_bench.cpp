@@ -136,7 +136,6 @@ std::vector<double> keystrokes(QLineEdit* field) {
 std::vector<double> keystrokesInBareWindow() {
     QMainWindow window;
     auto* field = new QLineEdit(&window);
-    window.setCentralWidget(field);
     window.resize(1456, 952);
     window.show();
     turnFor(1);
