@@ -112,6 +112,7 @@ void ApiController::listen() {
 
 /// Everything that follows from a change of the chain.
 void ApiController::follow() {
+    m_stateText.clear();
     listen();
     if (whyNoChain(m_store.link())) {
         m_stopping = false;
@@ -123,6 +124,7 @@ void ApiController::follow() {
 }
 
 void ApiController::showPrograms() {
+    m_stateText.clear();  // it names the program in control
     ProgramsShown shown{.on = m_on, .path = socket()};
     for (const auto& [client, session] : m_sessions)
         shown.connected += session.program.isEmpty() ? 0 : 1;
@@ -205,7 +207,7 @@ void ApiController::call(Client client, const api::Method& method, const Json& p
         module = *axis;
     }
     if (name == "state")
-        return answer(client, id, stateOf(module));
+        return module ? answer(client, id, stateOf(module)) : answerText(client, id, stateText());
     if (session(client).waits.size() >= kMostWaits)
         return fail(client, id, kRefused, QStringLiteral("Too many calls of wait are pending."), "TooMany");
     session(client).waits.push_back({id, module, {}});
@@ -264,8 +266,9 @@ void ApiController::endControl(texts::ControlLost why) {
     if (!m_control)
         return;
     const Client client = *std::exchange(m_control, std::nullopt);
-    m_server.send(client,
-                  ApiFeed::notification("control_lost", {{"reason", texts::controlLost(why).toStdString()}}));
+    m_server.send(
+        client, ApiFeed::notification("control_lost",
+                                      ApiFeed::textOf({{"reason", texts::controlLost(why).toStdString()}})));
     showPrograms();
 }
 
@@ -560,13 +563,23 @@ std::optional<QString> ApiController::failureOf(const ProgramRequests& requests,
     return std::nullopt;
 }
 
+const QByteArray& ApiController::stateText() {
+    if (m_stateText.isEmpty())
+        m_stateText = ApiFeed::textOf(stateOf({}));
+    return m_stateText;
+}
+
 // ---- answers ----
 
 /// A request without an id is not answered (JSON-RPC 2.0, notifications).
-void ApiController::answer(Client client, const Json& id, Json result) {
+void ApiController::answerText(Client client, const Json& id, const QByteArray& result) {
     if (!id.is_null())
         m_server.send(client,
-                      ApiFeed::lineOf({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}}));
+                      R"({"jsonrpc":"2.0","id":)" + ApiFeed::textOf(id) + R"(,"result":)" + result + '}');
+}
+
+void ApiController::answer(Client client, const Json& id, const Json& result) {
+    answerText(client, id, ApiFeed::textOf(result));
 }
 
 void ApiController::refuse(Client client, const Json& id, const api::Problem& problem,
@@ -583,7 +596,7 @@ void ApiController::fail(Client client, const Json& id, int code, const QString&
         return;
     m_server.send(
         client,
-        ApiFeed::lineOf(
+        ApiFeed::textOf(
             {{"jsonrpc", "2.0"},
              {"id", id},
              {"error",

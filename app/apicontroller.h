@@ -110,7 +110,10 @@ private:
 
     /// What `state` returns for this module, or without one for the whole chain.
     [[nodiscard]] Json stateOf(std::optional<ModuleIndex> module) const;
-    void answer(Client client, const Json& id, Json result);
+    /// The text of the latter, which is made once for all programs that ask before something has changed.
+    [[nodiscard]] const QByteArray& stateText();
+    void answer(Client client, const Json& id, const Json& result);
+    void answerText(Client client, const Json& id, const QByteArray& result);
     void refuse(Client client, const Json& id, const api::Problem& problem, const QString& sentence = {});
     void fail(Client client, const Json& id, int code, const QString& sentence, std::string_view reason);
     [[nodiscard]] Session& session(Client client) { return m_sessions.at(client); }
@@ -121,7 +124,8 @@ private:
     Connection& m_connection;
     Commander& m_commander;
     ApiServer m_server;
-    ApiFeed m_feed{m_store, m_server, [this] { return stateOf({}); }};
+    QByteArray m_stateText;  ///< empty: to be made
+    ApiFeed m_feed{m_store, m_server, [this] { return stateText(); }};
     std::map<Client, Session> m_sessions;
     std::optional<Client> m_control;
     std::optional<Asked> m_asked;                       ///< the user is being asked

@@ -22,7 +22,7 @@ constexpr std::uint64_t kMostSamples = 500;  ///< of a module in one message
 
 }  // namespace
 
-ApiFeed::ApiFeed(const BusStore& store, ApiServer& server, std::function<Json()> state)
+ApiFeed::ApiFeed(const BusStore& store, ApiServer& server, std::function<QByteArray()> state)
     : m_store(store), m_server(server), m_state(std::move(state)) {
     m_pace.setInterval(kPublishInterval);
     m_pace.setSingleShot(true);
@@ -38,12 +38,12 @@ ApiFeed::ApiFeed(const BusStore& store, ApiServer& server, std::function<Json()>
     });
 }
 
-QByteArray ApiFeed::lineOf(const Json& json) {
+QByteArray ApiFeed::textOf(const Json& json) {
     return QByteArray::fromStdString(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-QByteArray ApiFeed::notification(const char* method, Json parameters) {
-    return lineOf({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(parameters)}});
+QByteArray ApiFeed::notification(const char* method, const QByteArray& parameters) {
+    return R"({"jsonrpc":"2.0","method":")" + QByteArray(method) + R"(","params":)" + parameters + '}';
 }
 
 void ApiFeed::subscribe(ApiServer::Client client, const Json& parameters) {
@@ -122,13 +122,13 @@ void ApiFeed::addSamples() {
     if (modules.empty())
         return;
     m_round.samples = {{"missed", 0}, {"modules", std::move(modules)}};
-    m_round.line = notification("samples", m_round.samples);
+    m_round.line = notification("samples", textOf(m_round.samples));
 }
 
 void ApiFeed::sendSamples(ApiServer::Client client, Subscription& subscription) {
     const auto withCount = [this](std::uint64_t missed) {
         m_round.samples["missed"] = missed;
-        return notification("samples", m_round.samples);
+        return notification("samples", textOf(m_round.samples));
     };
     // No line is written out for a program that is not reading.
     const bool sent =
@@ -143,11 +143,11 @@ void ApiFeed::publish(const Message& message) {
         if (!subscription.events)
             continue;
         if (!line)
-            line =
-                notification("event", {{"severity", enumName<Severity::Fault>(message.severity)},
-                                       {"axis", message.module ? Json(message.module->value() + 1) : Json()},
-                                       {"text", message.headline.toStdString()},
-                                       {"detail", message.body.toStdString()}});
+            line = notification("event",
+                                textOf({{"severity", enumName<Severity::Fault>(message.severity)},
+                                        {"axis", message.module ? Json(message.module->value() + 1) : Json()},
+                                        {"text", message.headline.toStdString()},
+                                        {"detail", message.body.toStdString()}}));
         m_server.send(client, *line);
     }
 }

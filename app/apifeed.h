@@ -22,17 +22,17 @@ class ApiFeed : public QObject {
     Q_OBJECT
 
 public:
-    /// `state`: returns what the method of that name does.
-    ApiFeed(const BusStore& store, ApiServer& server, std::function<api::Json()> state);
+    /// `state`: returns the text of what the method of that name does.
+    ApiFeed(const BusStore& store, ApiServer& server, std::function<QByteArray()> state);
 
     /// Replaces what the client subscribed to before. The parameters have been checked.
     void subscribe(ApiServer::Client client, const api::Json& parameters);
     void forget(ApiServer::Client client) { m_subscriptions.erase(client); }
     void publish(const Message& message);
 
+    [[nodiscard]] static QByteArray textOf(const api::Json& json);
     /// A line as it is sent.
-    [[nodiscard]] static QByteArray lineOf(const api::Json& json);
-    [[nodiscard]] static QByteArray notification(const char* method, api::Json parameters);
+    [[nodiscard]] static QByteArray notification(const char* method, const QByteArray& parameters);
 
 private:
     struct Subscription {
@@ -57,7 +57,7 @@ private:
 
     const BusStore& m_store;
     ApiServer& m_server;
-    std::function<api::Json()> m_state;
+    std::function<QByteArray()> m_state;
     std::map<ApiServer::Client, Subscription> m_subscriptions;
     QTimer m_pace;
     QTimer m_service;  ///< until all have got what is due
