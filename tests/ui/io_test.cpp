@@ -122,6 +122,8 @@ TEST_F(IoPage, MovesSayBeforehandHowLongTheyTake) {
     // 400 ticks are 0.2048 s; peak sqrt(800 x 0.02).
     EXPECT_EQ(text(u"forecastLabel"_s),
               u"Takes 0.2 s, peak 4 counts/tick: too short to reach its velocity"_s);
+    showServo({.moveDone = false, .position = 300, .millisecond = 10});
+    EXPECT_EQ(text(u"forecastLabel"_s), QString()) << "it is not known where the motor will be by then";
 }
 
 TEST_F(IoPage, ADistanceIsFromWhereTheMotorIs) {

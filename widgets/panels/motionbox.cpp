@@ -308,8 +308,10 @@ void MotionBox::refreshForecast() {
     QString text;
     const auto velocity = m_velocity->native();
     const auto acceleration = m_acceleration->native();
-    const auto& latest = m_context.state().latest;
-    if (const auto wanted = entered(); wanted && latest && latest->position) {
+    const ModuleState& module = m_context.state();
+    const auto& latest = module.latest;
+    // A moving motor has no place from which the move would start.
+    if (const auto wanted = entered(); wanted && latest && latest->position && !module.moving()) {
         const AxisScale& scale = m_velocity->scale();
         const double way = static_cast<double>(wanted->position.value()) - *latest->position;
         const auto perSecond = scale.perSecond();
