@@ -42,10 +42,10 @@ def gui_seconds(panel):
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def subscribe(clients, ready, over):
+def subscribe(count, ready, over):
     """Subscribers, some of which do not read. A process of its own: as a thread, it would keep the one that calls waiting
     for Python's lock."""
-    clients = [Client() for _ in range(clients)]
+    clients = [Client() for _ in range(count)]
     readers = selectors.DefaultSelector()
     for i, client in enumerate(clients):
         client.call("subscribe", state=True, samples=True, events=True)

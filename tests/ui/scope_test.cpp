@@ -222,7 +222,7 @@ TEST_F(Scope, ACurveOfFewSamplesIsWhereTheyAre) {
     }
 }
 
-/// With few samples as well as with more than there are pixels.
+/// Traces are drawn in another way where there are more samples than pixels.
 TEST_F(Scope, TheNumberAtTheEndOfATraceHasItsColour) {
     showServos({{}, {}});
     ScopeSetup setup;

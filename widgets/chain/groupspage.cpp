@@ -263,12 +263,12 @@ void GroupsPage::refreshCommands() {
     const QString none =
         noChain ? texts::refusal(*noChain) : tr("No groups yet. Add modules to a group first.");
     const auto refusal = whyInaccessible(m_link);
-    const QString notSent = refusal ? texts::refusal(*refusal) : QString();
+    const QString inaccessible = refusal ? texts::refusal(*refusal) : QString();
     look::setPossible(
         m_start, any ? whyNotAll(IntentKind::StartLoaded) : none,
         tr("Starts the loaded moves of all members in the same tick. Available once every member has confirmed its load."));
     look::setPossible(
-        m_saveHome, any ? notSent : none,
+        m_saveHome, any ? inaccessible : none,
         tr("Saves the present position of each member as home, in the same tick. Nothing moves."));
     look::setPossible(m_reset, any ? whyNotAll(IntentKind::ResetPosition) : none,
                       tr("Makes the present position of each member 0. Asks first."));
@@ -291,7 +291,7 @@ void GroupsPage::refreshCommands() {
     m_group->setEnabled(stoppable);
     look::setPossible(m_name,
                       m_group->count() == 0 ? none
-                      : m_link.rights       ? notSent
+                      : m_link.rights       ? inaccessible
                                             : QString(),
                       tr("The name of this group. Saved with the machine; nothing is sent."));
     if (!m_name->hasFocus())

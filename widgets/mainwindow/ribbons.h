@@ -14,7 +14,6 @@ class Pendant;
 class Requests;
 class Ribbon;
 class Session;
-struct LinkState;
 struct ModuleState;
 struct ProgramsShown;
 

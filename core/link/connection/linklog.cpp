@@ -91,7 +91,7 @@ struct EventLine {
         return "another host sends, commanded to stop " + list(traffic.commandedToStop);
     }
     std::string operator()(const bus::ForeignMotion& motion) const {
-        return name(motion.module) + " was moved by another host, position " +
+        return name(motion.module) + " moves by command of another host, position " +
                std::to_string(motion.position);
     }
     std::string operator()(const bus::EchoNoticed&) const { return "the adapter echoes"; }
