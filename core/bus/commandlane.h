@@ -36,9 +36,6 @@ public:
     void beginStep(TimePoint now);
     [[nodiscard]] TimePoint stepBegan() const { return m_began; }
 
-    /// The modules for which the current operation has loaded a motion that it has not started.
-    [[nodiscard]] std::vector<ModuleIndex> loaded() const;
-
     /// True if the current operation is a sine.
     [[nodiscard]] bool swings() const { return m_sine.has_value(); }
     /// A poll of this module was answered.
@@ -77,6 +74,8 @@ private:
     };
     [[nodiscard]] static bool concerns(const Waiting& waiting, const std::vector<ModuleIndex>& modules);
     [[nodiscard]] bool push(Waiting waiting);
+    /// The modules for which the current operation has loaded a motion that it has not started.
+    [[nodiscard]] std::vector<ModuleIndex> loaded() const;
     [[nodiscard]] std::vector<GroupMember> membersOfChange(Outcome outcome) const;
     void next();
     void beginFront();

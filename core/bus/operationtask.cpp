@@ -22,9 +22,8 @@ constexpr unsigned kRepeatsAfterLook = 2;
 bool OperationTask::onChange(const Change& change) {
     if (!change.cancelsAll())
         return change.kind == Change::Kind::Stopped && cancelFor(change.modules);
-    forgetLoads();
     for (Event& event : m_commands.cancelAll())
-        m_events.emplace_back(std::move(event));
+        report(std::move(event));
     m_verification.reset();
     const bool stopsAll = change.kind == Change::Kind::StopAll || change.kind == Change::Kind::GivenUp;
     stopsAll ? m_group.drop() : m_group.cancel({});
@@ -33,10 +32,8 @@ bool OperationTask::onChange(const Change& change) {
 
 bool OperationTask::cancelFor(const std::vector<ModuleIndex>& modules) {
     const bool underWay = m_commands.isFor(modules);
-    if (underWay)
-        forgetLoads();
     for (Event& event : m_commands.cancelFor(modules))
-        m_events.emplace_back(std::move(event));
+        report(std::move(event));
     if (underWay) {
         m_verification.reset();
         m_group.cancel(modules);
@@ -50,7 +47,7 @@ Next OperationTask::next(TimePoint now) {
         return verifyStep();
     if (m_commands.sineOver() || m_commands.endedByChip()) {
         const Outcome outcome = m_commands.sineOver() ? Outcome::Cancelled : Outcome::Forbidden;
-        m_events.emplace_back(m_commands.finish(outcome));
+        report(m_commands.finish(outcome));
         return Again{};
     }
     if (m_commands.group() != nullptr)
@@ -84,15 +81,16 @@ Next OperationTask::next(TimePoint now) {
 }
 
 Next OperationTask::forbid() {
-    forgetLoads();
-    m_events.emplace_back(m_commands.finish(Outcome::Forbidden));
+    report(m_commands.finish(Outcome::Forbidden));
     return Again{};
 }
 
 /// What was loaded for a start that does not follow must not be started by another one, such as its group's.
-void OperationTask::forgetLoads() {
-    for (const ModuleIndex module : m_commands.loaded())
-        m_chain.at(module).belief.forgetLoad();
+void OperationTask::report(Event event) {
+    if (const auto* finished = std::get_if<OperationFinished>(&event))
+        for (const ModuleIndex module : finished->unloaded)
+            m_chain.at(module).belief.forgetLoad();
+    m_events.emplace_back(std::move(event));
 }
 
 Next OperationTask::send() {
@@ -181,7 +179,7 @@ void OperationTask::onStepEnd(const Ask& ask, const ReplyEnd& end) {
 void OperationTask::accept(const ReplyEnd& end) {
     m_attempts = 0;
     if (auto finished = m_commands.accepted(end))
-        m_events.emplace_back(std::move(*finished));
+        report(std::move(*finished));
 }
 
 void OperationTask::fail(const ReplyEnd& end) {
@@ -191,8 +189,7 @@ void OperationTask::fail(const ReplyEnd& end) {
     if (m_commands.group() == nullptr)
         m_chain.takeUnanswered(m_commands.order().module, end.latched);
     m_group.reportUnknown();
-    forgetLoads();
-    m_events.emplace_back(m_commands.finish(refused ? Outcome::Refused : Outcome::NoAnswer));
+    report(m_commands.finish(refused ? Outcome::Refused : Outcome::NoAnswer));
 }
 
 }  // namespace nmc::bus

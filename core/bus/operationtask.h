@@ -55,7 +55,7 @@ public:
 private:
     [[nodiscard]] Next send();
     [[nodiscard]] Next forbid();
-    void forgetLoads();
+    void report(Event event);
     [[nodiscard]] Next look(ModuleIndex module) const { return m_chain.look(Purpose::Check, module); }
     [[nodiscard]] Next verifyStep();
     void onStepEnd(const Ask& ask, const ReplyEnd& end);
