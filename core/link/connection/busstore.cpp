@@ -236,8 +236,7 @@ void BusStore::note(const bus::ForeignTraffic& /*traffic*/) {
 }
 
 void BusStore::noteHome(ModuleIndex module, std::int32_t counts) {
-    if (known(module))
-        m_link.modules[module.value()].home.found(counts, m_link.modules[module.value()].latestTime);
+    change(module, [counts](ModuleState& state) { state.home.found(counts, state.latestTime); });
 }
 
 void BusStore::noteFocus(std::optional<ModuleIndex> module) {
