@@ -95,6 +95,8 @@ def main():
             os.environ[name] = os.path.join(folder, name)
             os.mkdir(os.environ[name], 0o700)
         for baud in (19200, 115200):
+            share = bus.simplest(programs, baud, MODULES)[1]
+            print(f"api: {baud} Bd, {MODULES} modules, the simplest host alone: {share:.3f} of the wire's limit", flush=True)
             for what, load in (("no program", Load(0, False)), ("one that calls", Load(0, True)),
                                (f"{CLIENTS} subscribed", Load(CLIENTS, False)),
                                (f"{CLIENTS} subscribed and one calls", Load(CLIENTS, True))):

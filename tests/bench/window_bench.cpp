@@ -317,12 +317,12 @@ int main(int argc, char** argv) {
     look::setUp(application);
     qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
     const std::string_view mode = argc > 1 ? argv[1] : "20";
+    if (mode == "paints" || mode == "events") {
+        Bench bench;
+        return mode == "paints" ? paints(bench) : events(application, bench);
+    }
     const std::vector<double> bare = keystrokesInBareWindow();
     Bench bench;
-    if (mode == "paints")
-        return paints(bench);
-    if (mode == "events")
-        return events(application, bench);
     const double seconds = std::strtod(mode.data(), nullptr);
     std::printf(
         "window: 32 modules at 115200 Bd, four strips, %.0f s: GUI thread %.1f %% of a core (aim 7)\n",
