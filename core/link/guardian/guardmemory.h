@@ -21,7 +21,7 @@ namespace nmc {
 class GuardMemory {
 public:
     /// Both sides must have this version; anything else is ignored.
-    static constexpr std::uint32_t kVersion = 1;
+    static constexpr std::uint32_t kVersion = 2;
 
     /// Creates a memory whose size can no longer be changed. Returns nothing when the system provides none.
     [[nodiscard]] static std::optional<GuardMemory> create();

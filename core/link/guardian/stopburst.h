@@ -16,8 +16,10 @@ namespace nmc {
 /// cannot query an engine: the signal handler of a crash, and the guardian of a dead panel. A plain block of
 /// memory with the same layout in every process of this build.
 struct StopBurst {
-    /// 32 modules with one stop packet and its padding each, preceded by the nulls.
-    static constexpr std::size_t kCapacity = 1'024;
+    /// At the highest rate, a servo tick is as long as 65 bytes. After 16 nulls, each of 32 modules may need
+    /// its gains back (19 bytes) and its stop (5 bytes), each followed by as many nulls as that: 4 944 bytes,
+    /// of which a network may double some.
+    static constexpr std::size_t kCapacity = 8'192;
 
     std::uint32_t baud = 0;  ///< the rate at which the chain listens; 0: the port's present rate
     std::uint32_t size = 0;  ///< 0: nothing is left to stop

@@ -12,6 +12,8 @@
 #include <thread>
 
 #include "link/guardian/guardmemory.h"
+#include "tests/bus/steps.h"
+#include "tests/support/virtualbus.h"
 
 namespace nmc {
 namespace {
@@ -146,6 +148,22 @@ TEST(ForgedMemory, OfAnotherMagicNumberVersionOrLayoutIsIgnored) {
         ++forged.word(word);
         EXPECT_FALSE(forged.isTaken()) << word;
     }
+}
+
+/// Its stop is the longest: the faster the line, the more nulls last as long as a servo tick.
+TEST(StopBurst, HoldsTheStopOfTheLongestChainAtTheHighestRate) {
+    bus::EngineConfig config;
+    config.baud = 1'250'000;
+    test::VirtualBus bus(test::servos(kMaxModules), config);
+    ASSERT_TRUE(bus.connect());
+    for (std::uint8_t i = 0; i < kMaxModules; ++i)
+        ASSERT_EQ(bus.perform({test::gains(i), test::enable(i)}), bus::Outcome::Done);
+    const std::vector<std::uint8_t> stop = bus.engine.stopBurst();
+    // 16 nulls; for each module 5 bytes, and nulls for 512 us at 8 us each and one more.
+    EXPECT_EQ(stop.size(), 16U + 32U * (5U + 65U));
+    EXPECT_TRUE(StopBurst::of(stop, bus.engine.stopBurstBaud()));
+    // Gains on trial are restored before: 19 bytes at most (Set Gain of CMC), and as many nulls.
+    EXPECT_LE(stop.size() + 32U * (19U + 65U), StopBurst::kCapacity);
 }
 
 TEST(ForgedMemory, ThatIsNoMemoryIsIgnored) {
