@@ -31,6 +31,7 @@ __all__ = ["Axis", "ControlLost", "NotCarriedOut", "Panel", "PanelError", "Refus
 PROTOCOL = "1.0"
 KEPT_NOTIFICATIONS = 10_000
 REFUSED = -32000  #: code of a call that was understood
+NO_PANEL = "the program that answers is not NMC Panel"
 
 
 class PanelError(Exception):
@@ -153,10 +154,13 @@ class Panel:
             elif line.get("id") in (self._last_id, None):  # None: the panel could not read the line
                 if "error" in line:
                     error = line["error"]
-                    reason = error["data"]["reason"]
-                    begun = method == "wait" and error["code"] == REFUSED
+                    try:
+                        message, code, reason = error["message"], error["code"], error["data"]["reason"]
+                    except (KeyError, TypeError) as lacking:
+                        raise PanelError(NO_PANEL) from lacking
+                    begun = method == "wait" and code == REFUSED
                     kind = ControlLost if reason == "NoControl" else NotCarriedOut if begun else Refused
-                    raise kind(error["message"], error["code"], reason)
+                    raise kind(message, code, reason)
                 return line["result"]
 
     def _send(self, text: str) -> None:
@@ -172,7 +176,13 @@ class Panel:
             raise PanelError("the panel has gone away") from error
         if not line.endswith("\n"):
             raise PanelError("the panel has gone away")
-        return json.loads(line)
+        try:
+            answer = json.loads(line)
+        except ValueError as error:
+            raise PanelError(NO_PANEL) from error
+        if not isinstance(answer, dict):
+            raise PanelError(NO_PANEL)
+        return answer
 
     # ---- the chain ----
 

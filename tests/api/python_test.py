@@ -108,6 +108,13 @@ class WithoutAPanel(unittest.TestCase):
             with self.subTest(part), self.assertRaises(PanelError):
                 Panel(PanelAsWritten(self, lambda _, part=part: [part, None]).path)
 
+    def test_says_that_another_service_is_no_panel(self):
+        for answer in ({"id": 1, "error": {"code": -32601, "message": "Method not found"}}, {"id": 1, "error": "no"},
+                       "[]\n", "220 mail.example.org ESMTP\n"):
+            with self.subTest(answer), self.assertRaises(PanelError) as caught:
+                Panel(PanelAsWritten(self, lambda _, answer=answer: [answer]).path)
+            self.assertEqual(str(caught.exception), "the program that answers is not NMC Panel")
+
     def test_is_told_why_a_panel_cuts_it_off(self):
         def answers(request):
             if request["method"] == "hello":

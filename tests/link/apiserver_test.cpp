@@ -75,7 +75,7 @@ TEST(ApiClient, CallsNothingOnceItIsInterrupted) {
     QObject::connect(&server, &ApiServer::received, &server,
                      [&](ApiServer::Client client, const QByteArray& /*line*/) {
                          ++lines;
-                         server.send(client, R"({"jsonrpc":"2.0","id":1,"result":{}})");
+                         server.send(client, R"({"jsonrpc":"2.0","id":1,"result":{"protocol":"1.1"}})");
                      });
     ApiClient client;
     ASSERT_TRUE(client.connectTo(path, u"test"_s));
@@ -88,6 +88,29 @@ TEST(ApiClient, CallsNothingOnceItIsInterrupted) {
     ApiClient next;
     ASSERT_TRUE(next.connectTo(path, u"next"_s));
     EXPECT_EQ(lines, 2) << "another hello";
+}
+
+/// At a path that the user names, any program may listen.
+TEST(ApiClient, SaysThatAnotherServiceIsNoPanel) {
+    const RuntimeFolder runtime;
+    const QString path = ApiServer::pathFor(u"/dev/ttyUSB0"_s);
+    ApiServer server;
+    ASSERT_TRUE(server.listen(path));
+    QByteArray answer;
+    QObject::connect(
+        &server, &ApiServer::received, &server,
+        [&](ApiServer::Client client, const QByteArray& /*line*/) { server.send(client, answer); });
+    for (const char* other :
+         {R"({"jsonrpc":"2.0","id":1,"error":{"code":-32601,"message":"Method not found"}})",
+          R"({"jsonrpc":"2.0","id":1,"error":"no"})", R"({"jsonrpc":"2.0","id":1})",
+          R"({"jsonrpc":"2.0","id":1,"result":{}})", R"({"jsonrpc":"2.0","id":1,"result":7})", "[]",
+          "220 mail.example.org ESMTP"}) {
+        answer = other;
+        ApiClient client;
+        const auto connected = client.connectTo(path, u"test"_s);
+        ASSERT_FALSE(connected) << other;
+        EXPECT_EQ(connected.error().sentence, u"The program that answers is not NMC Panel."_s) << other;
+    }
 }
 
 }  // namespace

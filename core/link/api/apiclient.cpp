@@ -12,10 +12,17 @@
 
 namespace nmc {
 
+using namespace nlohmann::literals;
+
 namespace {
 
 [[nodiscard]] auto unexpected(ApiClient::Error::Kind kind, const QString& sentence) {
     return tl::unexpected(ApiClient::Error{kind, sentence});
+}
+
+[[nodiscard]] auto noPanel() {
+    return unexpected(ApiClient::Error::Kind::Gone,
+                      QStringLiteral("The program that answers is not NMC Panel."));
 }
 
 }  // namespace
@@ -36,6 +43,8 @@ ApiClient::Or<void> ApiClient::connectTo(const QString& path, const QString& pro
     auto hello = call("hello", {{"protocol", api::kProtocol}, {"program", program.toStdString()}});
     if (!hello)
         return tl::unexpected(hello.error());
+    if (!hello->is_object() || !hello->contains("protocol"))
+        return noPanel();
     m_about = std::move(*hello);
     return {};
 }
@@ -57,9 +66,11 @@ ApiClient::Or<ApiClient::Json> ApiClient::call(const std::string& method, const 
         } else if (id == m_lastId || unread) {
             if (answer.contains("result"))
                 return answer["result"];
-            const Json& error = answer.at("error");
-            return tl::unexpected(Error{Error::Kind::Refused, QString::fromStdString(error.at("message")),
-                                        error.at("data").at("reason")});
+            const Json message = answer.value("/error/message"_json_pointer, Json());
+            const Json reason = answer.value("/error/data/reason"_json_pointer, Json());
+            if (!message.is_string() || !reason.is_string())
+                return noPanel();
+            return tl::unexpected(Error{Error::Kind::Refused, QString::fromStdString(message), reason});
         }
     }
 }
@@ -91,7 +102,7 @@ ApiClient::Or<std::optional<ApiClient::Json>> ApiClient::line(const QDeadlineTim
     }
     Json json = Json::parse(m_socket.readLine().toStdString(), nullptr, false);
     if (!json.is_object())
-        return unexpected(Error::Kind::Gone, QStringLiteral("The other program does not speak JSON-RPC."));
+        return noPanel();
     return json;
 }
 
