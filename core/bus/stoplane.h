@@ -55,7 +55,10 @@ public:
 
     /// The chain is being searched for: queries would interfere, so the stops of single modules are sent
     /// blindly.
-    void onSearchBegun() { m_searching = true; }
+    void onSearchBegun() {
+        m_searching = true;
+        m_together.clear();  // the modules that it finds may have other numbers
+    }
     /// The chain is what the search has found, or what it was.
     void onSearchOver(TimePoint now);
 
