@@ -8463,6 +8463,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Der Wert einer A/D-Stufe.</translation>
     </message>
     <message>
+        <source>The unit of the value.</source>
+        <translation>Die Einheit des Werts.</translation>
+    </message>
+    <message>
         <source>%1 at 0</source>
         <translation>%1 bei 0</translation>
     </message>

@@ -8463,6 +8463,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>El valor de una unidad A/D.</translation>
     </message>
     <message>
+        <source>The unit of the value.</source>
+        <translation>La unidad del valor.</translation>
+    </message>
+    <message>
         <source>%1 at 0</source>
         <translation>%1 en 0</translation>
     </message>

@@ -8463,6 +8463,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Valeur d’une unité A/D.</translation>
     </message>
     <message>
+        <source>The unit of the value.</source>
+        <translation>Unité de la valeur.</translation>
+    </message>
+    <message>
         <source>%1 at 0</source>
         <translation>%1 à 0</translation>
     </message>

@@ -8446,6 +8446,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>A/D 1カウントの値です。</translation>
     </message>
     <message>
+        <source>The unit of the value.</source>
+        <translation>値の単位。</translation>
+    </message>
+    <message>
         <source>%1 at 0</source>
         <translation>%1、0のとき</translation>
     </message>

@@ -107,6 +107,17 @@ TEST_F(Motion, ZeroAccelerationAndVelocitySayWhatTheyWouldDo) {
     expectRefused(u"runForwardButton"_s, Refusal::NoAcceleration);
 }
 
+TEST_F(Motion, OneThatIsFasterThanTheAxisMayGoIsNotCalledZero) {
+    machine.axes.resize(1);
+    machine.axes[0].travel.fastest = 0.4;
+    window->showMachine(machine);
+    showServo();
+    type(u"velocityField"_s, u"0.5"_s);
+    EXPECT_FALSE(button(u"goButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"goButton"_s)->toolTip().startsWith(u"Velocity must be "_s))
+        << button(u"goButton"_s)->toolTip().toStdString();
+}
+
 TEST_F(Motion, ShowsEveryValueInSecondsAsWell) {
     showServo();
     type(u"velocityField"_s, u"1"_s);

@@ -123,6 +123,20 @@ TEST_F(Pins, TheQuestionIsAboutTheOutputThatWasStruckLast) {
     EXPECT_FALSE(set.high);
 }
 
+TEST_F(Pins, TheQuestionStandsWhileOtherPinsChange) {
+    settings(1, {"Pump", true, false});
+    strike(u"pin2Box"_s);
+    const QPointer<QDialog> question = window->findChild<QDialog*>(u"outputDialog"_s);
+    ASSERT_NE(question, nullptr);
+    latch(0x0C01, 20);  // an input went high
+    ASSERT_NE(question, nullptr);
+    EXPECT_TRUE(question->isVisible());
+    told(io::SetOutput{0x0003});
+    latch(0x0C03, 30);
+    EXPECT_TRUE(question == nullptr || !question->isVisible()) << "it has been switched on otherwise";
+    EXPECT_EQ(intents.size(), 0);
+}
+
 TEST_F(Pins, WhatIsTypedBesideThemIsKeptAndSendsNothing) {
     find<QLineEdit>(u"pin4Name"_s)->setFocus();
     QTest::keyClicks(find<QLineEdit>(u"pin4Name"_s), u"Lamp"_s);
@@ -138,6 +152,7 @@ TEST_F(Pins, AnalogInputsHaveScalesOfTheirOwn) {
     type(u"analog2PerCount"_s, u"0.5"_s);
     ASSERT_TRUE(edited.pins.has_value());
     EXPECT_EQ(PinSettings::of(edited.pins->analog, 1).scale.perCount, 0.5);
+    EXPECT_EQ(find<QLineEdit>(u"analog2Unit"_s)->toolTip(), u"The unit of the value."_s);
 }
 
 TEST_F(Pins, APwmOutputIsSentByEnter) {

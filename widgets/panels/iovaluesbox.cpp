@@ -74,9 +74,12 @@ void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
                                    tr("The value of one A/D count."));
         input.atZero = newNumber(u"analog%1AtZero"_s.arg(number), tr("%1 at 0").arg(label),
                                  Common::tr("The value at an A/D reading of 0."));
-        input.unit = newText(u"analog%1Unit"_s.arg(number), tr("Unit of %1").arg(label));
-        input.unit->setPlaceholderText(u"V"_s);
-        input.unit->setMaxLength(kLongestAnalogUnit);
+        input.unit = form::newText({.name = u"analog%1Unit"_s.arg(number),
+                                    .accessible = tr("Unit of %1").arg(label),
+                                    .maxLength = kLongestAnalogUnit,
+                                    .meaning = tr("The unit of the value."),
+                                    .example = u"V"_s},
+                                   this);
         input.unit->setMaximumWidth(look::gridUnit(this) * 5);
         const int line = row + 1 + static_cast<int>(i);
         int column = 0;

@@ -233,8 +233,8 @@ QString MotionBox::reasonNow(IntentKind kind, std::initializer_list<const Quanti
     for (const QuantityField* field : fields) {
         if (field->problem() == NumberField::Problem::None)
             continue;
-        if (field->problem() == NumberField::Problem::OutOfRange &&
-            field->text().trimmed().startsWith(u'0') && field != m_goal)
+        NumberField::Problem ignored = NumberField::Problem::None;
+        if (field != m_goal && NumberField::parse(field->text(), false, &ignored) == 0.0)
             return texts::refusal(field == m_acceleration ? Refusal::NoAcceleration : Refusal::NoVelocity);
         return field->problemText();
     }

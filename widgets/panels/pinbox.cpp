@@ -134,9 +134,9 @@ QString PinBox::nameOf(unsigned pin) const {
 }
 
 void PinBox::askBefore(unsigned pin, bool high) {
-    const auto text = [self = QPointer(this), pin, high, before = m_context.state().latest->pins] {
+    const auto text = [self = QPointer(this), pin, high] {
         const bool stands = self && self->isVisible() && !self->m_context.whyNot(IntentKind::SetOutputs) &&
-                            self->m_context.state().latest->pins == before;
+                            self->output(pin) == !high;
         if (!stands)
             return QString();
         return high ? tr("Switch %1 on?").arg(self->nameOf(pin))
@@ -181,15 +181,23 @@ void PinBox::refresh() {
             : tr("Another program set up this module, so its pin directions are unknown. Make all pins inputs to start over."));
 }
 
+std::optional<bool> PinBox::output(unsigned number) const {
+    const ModuleState& module = m_context.state();
+    const auto inputs = module.pins.inputs;
+    if (!inputs || bitOf(*inputs, number))
+        return std::nullopt;
+    const auto level = module.latest.value_or(StatusReport{}).pins;
+    return bitOf(module.pins.outputs.value_or(level.value_or(0)), number);
+}
+
 void PinBox::refreshPin(unsigned number) {
     const ModuleState& module = m_context.state();
     const Pin& pin = m_pins.at(number);
     const auto inputs = module.pins.inputs;
     const auto level = module.latest.value_or(StatusReport{}).pins;
-    const bool output = inputs && !bitOf(*inputs, number);
+    const auto output = this->output(number);
     const bool high = bitOf(level.value_or(0), number);
-    const bool outputHigh = bitOf(module.pins.outputs.value_or(level.value_or(0)), number);
-    const bool differs = output && level && outputHigh != high;
+    const bool differs = output && level && *output != high;
 
     const QSignalBlocker direction(pin.direction);
     pin.direction->setCurrentIndex(!inputs ? Unknown : output ? Output : Input);
@@ -205,7 +213,7 @@ void PinBox::refreshPin(unsigned number) {
                              : high ? Common::tr("high")
                                        : Common::tr("low"));
     const QSignalBlocker box(pin.high);
-    pin.high->setChecked(output && outputHigh);
+    pin.high->setChecked(output.value_or(false));
     QString why = m_context.reasonNow(IntentKind::SetOutputs);
     if (why.isEmpty() && !output)
         why = inputs ? tr("This pin is an input.") : tr("Pin directions unknown.");

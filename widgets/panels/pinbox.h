@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <array>
+#include <optional>
 
 #include "widgets/panels/modulecontext.h"
 
@@ -45,6 +46,8 @@ private:
     void setOutput(unsigned pin, bool high);
     void askBefore(unsigned pin, bool high);
     [[nodiscard]] QString nameOf(unsigned pin) const;
+    /// The level that the output was set to, or that it has if that is unknown; empty for an input.
+    [[nodiscard]] std::optional<bool> output(unsigned number) const;
     void showModule();
     void showSettings();
     void refresh();
