@@ -204,6 +204,15 @@ TEST_F(Paths, AWrongFileIsRefusedByItsLinesAndNothingMoves) {
     EXPECT_EQ(commanded(1), 0);
 }
 
+TEST_F(Paths, WhatWasWrongWithAFileIsForgottenWithItsChain) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(open(u"Module 1,Y\n0,0\n"_s));
+    ASSERT_TRUE(summary().contains(u"is not a path for this chain"_s)) << summary().toStdString();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return module(0).latest.has_value(); }));
+    EXPECT_TRUE(summary().contains(u"Axes here: Module 1."_s)) << summary().toStdString();
+}
+
 TEST_F(Paths, OneIsDrawnFromTheMovesOfASequence) {
     ASSERT_NO_FATAL_FAILURE(begin());
     QTest::keyClick(panel.window().windowHandle(), Qt::Key_F3);

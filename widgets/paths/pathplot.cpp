@@ -109,7 +109,7 @@ void PathPlot::drawPicture() {
 }
 
 void PathPlot::paintEvent(QPaintEvent* /*event*/) {
-    if (m_picture.deviceIndependentSize() != size())
+    if (m_picture.size() != size() * devicePixelRatioF())
         drawPicture();
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_picture);

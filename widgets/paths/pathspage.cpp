@@ -220,10 +220,10 @@ void PathsPage::showSession(const LinkState& link, const Machine& machine,
     m_link = link;
     m_machine = machine;
     m_procedures = procedures;
-    if (m_path && link.connection != m_connection) {
-        m_path.reset();
+    if (link.connection != m_connection) {
         m_problems.clear();
-        m_plot->showNothing();
+        if (std::exchange(m_path, nullptr))
+            m_plot->showNothing();
     }
     if (others)
         refreshSequences();
