@@ -71,6 +71,19 @@ TEST_F(StepperHoming, FindsTheHomeSwitchGoesThereAndMakesItZero) {
     }
 }
 
+TEST_F(StepperHoming, ASearchEndsWhereHomeAndLimitsAreBehindIt) {
+    ASSERT_TRUE(enable());
+    bench.module().home.declare(bench.module().latestTime);
+    bench.module().travel.highest = 200;
+    // There is no switch. At 490 steps/s it goes 245 steps in half a second, and 60 while it slows down at
+    // 2 000 steps/s²: so far a search may go beyond the limit, and then it stops.
+    const ProcedureReport report = bench.run(intent::Home{recipe()});
+    EXPECT_EQ(report.stage, ProcedureStage::Failed);
+    EXPECT_EQ(report.failure, ProcedureFailure::SoftLimit);
+    EXPECT_NEAR(bench.stepperTruth().position, 200 + 245 + 60 + 60, 60);
+    EXPECT_FALSE(bench.stepperTruth().moving);
+}
+
 TEST_F(StepperHoming, BacksOffFromTheClosedSwitch) {
     bench.set(Input::HomeSwitchAt, -300.0);
     ASSERT_TRUE(enable());

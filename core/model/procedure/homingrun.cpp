@@ -32,7 +32,8 @@ constexpr Duration kLastCount = std::chrono::seconds(5);
     auto range = travelRange(module);
     if (!range)
         return std::nullopt;
-    const double perSecond = ticksPerSecond(module.servoRate.value_or(1));
+    // The velocity of a PIC-STEP is in steps per second.
+    const double perSecond = module.isServo() ? ticksPerSecond(module.servoRate.value_or(1)) : 1.0;
     const auto slack = static_cast<std::int64_t>(std::ceil(slackOf(recipe, perSecond)));
     const std::int64_t home = module.home.place()->counts;
     const auto counter = [](std::int64_t place) {
