@@ -275,6 +275,17 @@ TEST_F(IoSequences, AWaitForAnAnalogValueEndsInTime) {
     EXPECT_EQ(truth().outputs, 0U);
 }
 
+TEST_F(IoSequences, SaysThatItsOutputHasBecomeAnInput) {
+    start({action::WaitForInput{kX, InputPin::Io1, true, 5.0}, action::SetOutput{kX, 3, true}});
+    EXPECT_EQ(turns(0.5).stage, SequenceStage::Running);
+    ASSERT_TRUE(bench.perform(iointent::SetDirection{0x0FFF}));
+    set(sim::Input::Pin, 1, 1);
+    const SequenceReport report = turns(1);
+    EXPECT_EQ(report.end, SequenceEnd::NotAnOutput);
+    EXPECT_EQ(report.module, kX);
+    EXPECT_EQ(truth().outputs, 0U);
+}
+
 TEST_F(IoSequences, AStopOfAllEndsTheWaitAndNothingIsSetBehindIt) {
     start({action::WaitForInput{kX, InputPin::Io1, true, 5.0}, action::SetOutput{kX, 3, true}});
     EXPECT_EQ(turns(0.5).stage, SequenceStage::Running);

@@ -15,6 +15,14 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+QString notAnOutput(const QString& module) {
+    return Texts::tr("This pin of %1 is not set as an output. Make it an output first.").arg(module);
+}
+
+QString outputsUnknown(const QString& module) {
+    return Texts::tr("The outputs of %1 are unknown. Set them once on the module's page.").arg(module);
+}
+
 /// The problem as a sentence, without the row.
 QString wrong(const SequenceProblem& problem) {
     using Kind = SequenceProblem::Kind;
@@ -58,10 +66,9 @@ QString wrong(const SequenceProblem& problem) {
         case Kind::NotAnInput:
             return Texts::tr("This pin of %1 is set as an output.").arg(module);
         case Kind::NotAnOutput:
-            return Texts::tr("This pin of %1 is not set as an output. Make it an output first.").arg(module);
+            return notAnOutput(module);
         case Kind::OutputsUnknown:
-            return Texts::tr("The outputs of %1 are unknown. Set them once on the module's page.")
-                .arg(module);
+            return outputsUnknown(module);
         case Kind::Unreachable:
             return Texts::tr("A run from the top never gets here: an earlier row repeats forever.");
         case Kind::NotThere:
@@ -104,6 +111,10 @@ QString why(const SequenceReport& report) {
             return Texts::tr("The A/D value of %1 did not reach its level in time.").arg(module);
         case SequenceEnd::NotHomed:
             return Texts::tr("%1 did not find home.").arg(module);
+        case SequenceEnd::NotAnOutput:
+            return notAnOutput(module);
+        case SequenceEnd::OutputsUnknown:
+            return outputsUnknown(module);
         case SequenceEnd::Closed:
         case SequenceEnd::LinkInDoubt:
             return Texts::tr("The link was unreliable.");

@@ -348,8 +348,11 @@ SequenceRun::RowNext SequenceRun::setOutput(const action::SetOutput& set, const 
     if (m_row.sent++ > 0)
         return std::nullopt;
     const auto intent = outputIntent(set, module);
-    if (!intent)
-        return refused(set.module, Refusal::NotAStepper);
+    if (!intent) {
+        const bool unknown = intent.error() == SequenceProblem::Kind::OutputsUnknown;
+        endBy(unknown ? SequenceEnd::OutputsUnknown : SequenceEnd::NotAnOutput, set.module);
+        return Wait{};
+    }
     auto steps = plan(*intent, module);
     if (!steps)
         return refused(set.module, steps.error());

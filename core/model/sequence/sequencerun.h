@@ -42,7 +42,9 @@ enum class SequenceEnd : std::uint8_t {
     Refused,      ///< because of `refusal`
     InputTimeout,
     AnalogTimeout,
-    NotHomed,  ///< `module` has not found its home
+    NotHomed,        ///< `module` has not found its home
+    NotAnOutput,     ///< a pin of `module` has become an input
+    OutputsUnknown,  ///< of `module`, or their directions
     // Doubts: the machine itself has no known fault.
     LinkInDoubt,
     Unresponsive,  ///< `module` does not answer, or has restarted
