@@ -145,5 +145,16 @@ TEST(PathName, IsOneThatAColumnCanHave) {
     EXPECT_EQ(pathName(ModuleIndex(2), "#3"), "Module 3");
 }
 
+/// Otherwise a path would be read back into the other one of two axes with the same name.
+TEST(PathName, IsTheModulesWhereTwoAxesHaveTheSame) {
+    std::vector<PathColumn> axes{{"X", ModuleIndex(0)}, {"Z", ModuleIndex(1)}, {"X", ModuleIndex(2)}};
+    nameApart(axes);
+    EXPECT_EQ(axes[0].name, "Module 1");
+    EXPECT_EQ(axes[1].name, "Z");
+    EXPECT_EQ(axes[2].name, "Module 3");
+    const PathTable table{PathRate::Hz60, {{ModuleIndex(0), {0, 1}}, {ModuleIndex(2), {0, -1}}}};
+    EXPECT_EQ(readPath(pathText(table, axes), axes), table);
+}
+
 }  // namespace
 }  // namespace nmc::test

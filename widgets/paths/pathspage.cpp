@@ -140,6 +140,7 @@ std::vector<PathColumn> PathsPage::axesNow() const {
             const ModuleIndex index = module.info.index;
             axes.push_back(pathColumn(pathName(index, m_machine.axis(index).name), module, scaleOf(index)));
         }
+    nameApart(axes);
     return axes;
 }
 

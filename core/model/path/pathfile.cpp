@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
 
 #include "base/numbertext.h"
 #include "base/text.h"
@@ -198,6 +199,15 @@ std::string pathName(ModuleIndex module, const std::string& name) {
 
 PathColumn pathColumn(const std::string& name, const ModuleState& module, const AxisScale& scale) {
     return {name, module.info.index, scale, travelRange(module), module.travel.fastest};
+}
+
+void nameApart(std::vector<PathColumn>& axes) {
+    std::multiset<std::string> names;
+    for (const PathColumn& axis : axes)
+        names.insert(axis.name);
+    for (PathColumn& axis : axes)
+        if (names.count(axis.name) > 1)
+            axis.name = pathName(axis.module, {});
 }
 
 std::vector<PathColumn> columnsOf(const PathTable& table, std::span<const PathColumn> axes) {

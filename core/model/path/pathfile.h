@@ -42,6 +42,9 @@ struct PathColumn {
 [[nodiscard]] PathColumn pathColumn(const std::string& name, const ModuleState& module,
                                     const AxisScale& scale);
 
+/// Axes with the same name, which a file could not tell apart, are named after their modules instead.
+void nameApart(std::vector<PathColumn>& axes);
+
 /// The axes of the table's columns, in order; `axes` must contain each of them.
 [[nodiscard]] std::vector<PathColumn> columnsOf(const PathTable& table, std::span<const PathColumn> axes);
 
