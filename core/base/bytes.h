@@ -55,7 +55,6 @@ public:
 
     [[nodiscard]] constexpr std::size_t size() const { return m_size; }
     [[nodiscard]] constexpr bool empty() const { return m_size == 0; }
-    [[nodiscard]] static constexpr std::size_t capacity() { return Capacity; }
     [[nodiscard]] constexpr std::uint8_t operator[](std::size_t i) const { return m_bytes[i]; }
     [[nodiscard]] constexpr const std::uint8_t* data() const { return m_bytes.data(); }
     [[nodiscard]] constexpr const std::uint8_t* begin() const { return m_bytes.data(); }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "bus/commandlane.h"
 #include "module/commandfacts.h"
 
 namespace nmc::bus {
@@ -40,7 +39,7 @@ void Chain::forgetStates() {
 Ask Chain::command(Purpose purpose, const Order& order) const {
     const Belief& module = belief(order.module);
     const Payload payload = payloadOf(order.command);
-    const RetryRule rule = retryRule(order.command);
+    const RetryRule rule = factsOf(order.command).retry;
     Ask ask;
     ask.purpose = purpose;
     ask.module = order.module;

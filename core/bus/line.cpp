@@ -275,7 +275,7 @@ void Line::complete(TimePoint now) {
     }
     end.report = *report;
     if (isSc(pending.layout.module) && report->aux)
-        end.report.aux = servo::toAuxByte({*report->aux}).bits;
+        end.report.aux = servo::toAuxByte(*report->aux).bits;
     if (report->commandRefused())
         end.result = ReplyResult::Refused;
     m_done = Done{end, pending.framing, now + m_timing.bytes(kSurplusCharacters)};

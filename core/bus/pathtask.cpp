@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "bus/commandlane.h"
 #include "bus/gate.h"
 
 namespace nmc::bus {

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "bus/commandlane.h"
-
 namespace nmc::bus {
 
 namespace {

@@ -18,6 +18,22 @@ constexpr unsigned kStopsInVain = 2;
     return type != ModuleType::Servo || !before || samePlace(*report.position, *before);
 }
 
+/// Items that show whether the module stands still; `second`: also in a reply of different length.
+[[nodiscard]] StatusItems standstillItems(ModuleType type, bool second) {
+    const StatusItems more = second ? kIdentityItems : StatusItems();
+    switch (type) {
+        case ModuleType::Servo:
+            return more | StatusItems(StatusItems::Position | StatusItems::Velocity | StatusItems::Aux);
+        case ModuleType::Stepper:
+            return more | StatusItems(StatusItems::Position | StatusItems::Inputs);
+        case ModuleType::Io:
+            return more | StatusItems(StatusItems::Pins);
+        case ModuleType::Adc:
+            break;
+    }
+    return kIdentityItems;
+}
+
 }  // namespace
 
 std::optional<ModuleCommand> stopFor(const Belief& belief, StopManner manner) {
@@ -42,21 +58,6 @@ std::optional<ModuleCommand> stopFor(const Belief& belief, StopManner manner) {
             break;
     }
     return std::nullopt;
-}
-
-StatusItems standstillItems(ModuleType type, bool second) {
-    const StatusItems more = second ? kIdentityItems : StatusItems();
-    switch (type) {
-        case ModuleType::Servo:
-            return more | StatusItems(StatusItems::Position | StatusItems::Velocity | StatusItems::Aux);
-        case ModuleType::Stepper:
-            return more | StatusItems(StatusItems::Position | StatusItems::Inputs);
-        case ModuleType::Io:
-            return more | StatusItems(StatusItems::Pins);
-        case ModuleType::Adc:
-            break;
-    }
-    return kIdentityItems;
 }
 
 std::optional<ModuleCommand> StopTarget::stop(const Belief& belief) const {

@@ -17,9 +17,6 @@ namespace nmc::bus {
 [[nodiscard]] std::optional<ModuleCommand> stopFor(const Belief& belief,
                                                    StopManner manner = StopManner::Abruptly);
 
-/// Items that show whether the module stands still; `second`: also in a reply of different length.
-[[nodiscard]] StatusItems standstillItems(ModuleType type, bool second);
-
 /// One module on its way to a confirmed stop: the stop is sent until it is answered; the module is then
 /// queried until two consecutive replies of different length show it at rest. The stop is repeated if the
 /// module continues to move or falls silent. A stop of all modules has one of these for each module, and so

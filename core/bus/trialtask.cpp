@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bus/trialtask.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "bus/commandlane.h"
 #include "bus/gate.h"
 
 namespace nmc::bus {

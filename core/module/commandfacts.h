@@ -60,9 +60,6 @@ struct CommandFacts {
 /// Stop Motor to a PIC-SERVO and Set Synch Output to a PIC-I/O.
 [[nodiscard]] CommandFacts factsOf(const ModuleCommand& command);
 
-[[nodiscard]] inline RetryRule retryRule(const ModuleCommand& command) {
-    return factsOf(command).retry;
-}
 /// True if standstill must be proved again once such a command may have been carried out.
 [[nodiscard]] inline bool mayStartMotion(const ModuleCommand& command) {
     return factsOf(command).effect == Effect::Start;

@@ -34,13 +34,4 @@ std::optional<std::uint16_t> toPathWord(const PathPoint& point, bool fastPath) {
     return std::nullopt;
 }
 
-std::optional<PathPoint> fromPathWord(std::uint16_t word, bool fastPath) {
-    const PathRate rate = rateOf((word & kLonger) != 0, fastPath);
-    const unsigned speed = word & ~(kLonger | kReverse);
-    if (speed % scaleOf(rate) != 0)
-        return std::nullopt;
-    const auto counts = static_cast<std::int32_t>(speed / scaleOf(rate));
-    return PathPoint{(word & kReverse) != 0 ? -counts : counts, rate};
-}
-
 }  // namespace nmc::servo

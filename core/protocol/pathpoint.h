@@ -47,7 +47,4 @@ struct PathPoint {
 /// path setting, or the segment is too long.
 [[nodiscard]] std::optional<std::uint16_t> toPathWord(const PathPoint& point, bool fastPath);
 
-/// Returns nothing when a bit is set that must be zero at the point's rate.
-[[nodiscard]] std::optional<PathPoint> fromPathWord(std::uint16_t word, bool fastPath);
-
 }  // namespace nmc::servo

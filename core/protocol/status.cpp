@@ -120,12 +120,11 @@ tl::expected<StatusReport, StatusError> decodeStatus(const ModuleIdentity& modul
 
 namespace servo {
 
-AuxByte toAuxByte(ScAuxByte sc) {
-    constexpr unsigned kIndex = 0x01, kAccelDone = 0x08, kSlewDone = 0x10;
-    unsigned bits = sc.bits & ~(kIndex | kAccelDone | kSlewDone);
-    bits |= sc.index() ? 0U : kIndex;
-    bits |= sc.accelerating() ? 0U : kAccelDone;
-    bits |= sc.accelerating() || sc.slewing() ? 0U : kSlewDone;
+AuxByte toAuxByte(std::uint8_t sc) {
+    constexpr unsigned kIndex = 0x01, kAccel = 0x08, kSlew = 0x10;
+    unsigned bits = sc ^ (kIndex | kAccel | kSlew);
+    if ((sc & kAccel) != 0)
+        bits &= ~kSlew;  // what has not begun is not done
     return {static_cast<std::uint8_t>(bits)};
 }
 

@@ -74,7 +74,6 @@ namespace servo {
 struct StatusByte {
     std::uint8_t bits = 0;
     [[nodiscard]] constexpr bool moveDone() const { return (bits & 0x01U) != 0; }
-    [[nodiscard]] constexpr bool checksumError() const { return (bits & 0x02U) != 0; }
     [[nodiscard]] constexpr bool overcurrent() const { return (bits & 0x04U) != 0; }
     [[nodiscard]] constexpr bool powerOn() const { return (bits & 0x08U) != 0; }
     [[nodiscard]] constexpr bool positionError() const { return (bits & 0x10U) != 0; }
@@ -82,7 +81,7 @@ struct StatusByte {
     [[nodiscard]] constexpr bool limit2() const { return (bits & 0x40U) != 0; }
     [[nodiscard]] constexpr bool homeInProgress() const { return (bits & 0x80U) != 0; }
 };
-/// Auxiliary status byte of a PIC-SERVO up to version 5 (DS-V 5.3); ScAuxByte is that of an SC.
+/// Auxiliary status byte of a PIC-SERVO up to version 5 (DS-V 5.3); that of an SC differs in three bits.
 struct AuxByte {
     std::uint8_t bits = 0;
     [[nodiscard]] constexpr bool indexComplement() const { return (bits & 0x01U) != 0; }
@@ -94,22 +93,10 @@ struct AuxByte {
     [[nodiscard]] constexpr bool pathMode() const { return (bits & 0x40U) != 0; }  ///< CMC only
     bool operator==(const AuxByte&) const = default;
 };
-/// Auxiliary status byte of a PIC-SERVO SC.
-struct ScAuxByte {
-    std::uint8_t bits = 0;
-    /// The pin itself, not its complement.
-    [[nodiscard]] constexpr bool index() const { return (bits & 0x01U) != 0; }
-    [[nodiscard]] constexpr bool positionWrap() const { return (bits & 0x02U) != 0; }
-    [[nodiscard]] constexpr bool servoOn() const { return (bits & 0x04U) != 0; }
-    [[nodiscard]] constexpr bool accelerating() const { return (bits & 0x08U) != 0; }
-    [[nodiscard]] constexpr bool slewing() const { return (bits & 0x10U) != 0; }  ///< or stopped
-    [[nodiscard]] constexpr bool servoOverrun() const { return (bits & 0x20U) != 0; }
-    [[nodiscard]] constexpr bool pathMode() const { return (bits & 0x40U) != 0; }
-};
-/// Converts the byte to the terms of the first data sheet, so that code above the wire need not know both: an
-/// SC's slew bit is set at constant speed between acceleration and deceleration, and its index bit is the pin
-/// itself.
-[[nodiscard]] AuxByte toAuxByte(ScAuxByte sc);
+/// Converts the auxiliary status byte of a PIC-SERVO SC to the terms of the first data sheet, so that code
+/// above the wire need not know both. An SC's index bit is the pin itself, its bit 3 is set while the motor
+/// accelerates, and its bit 4 at constant speed or at rest.
+[[nodiscard]] AuxByte toAuxByte(std::uint8_t sc);
 /// The data sheet's bit names, bit 0 first; empty where undefined.
 inline constexpr std::array<std::string_view, 8> kStatusBitNames{
     "move_done", "cksum_error", "overcurrent", "power_on",

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "link/clock.h"
+#include "link/ports/linerate.h"
 #include "protocol/baud.h"
 
 namespace nmc::bench {
@@ -63,7 +64,7 @@ void TimedChain::serve() {
     for (std::size_t i = 0; i < bytes.size(); ++i)
         if (monitor.hears(bytes[i], false) && monitor.packet().code() == CommandCode::SetBaud)
             old = i + 1;
-    const std::uint32_t baud = m_terminal.hostBaud().value_or(m_baud);
+    const std::uint32_t baud = lineRate(m_terminal.fd()).value_or(m_baud);
     if (baud == m_baud)
         old = bytes.size();
     const std::scoped_lock lock(m_mutex);

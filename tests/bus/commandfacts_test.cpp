@@ -29,7 +29,7 @@ TEST(CommandFacts, RepeatsQuestionsAndIdenticalSettingsTwice) {
         IoCommand(io::SetSynchOutput{}),
     };
     for (const ModuleCommand& command : commands)
-        EXPECT_EQ(retryRule(command), (RetryRule{AfterSilence::Repeat, 2, 3}))
+        EXPECT_EQ(factsOf(command).retry, (RetryRule{AfterSilence::Repeat, 2, 3}))
             << toHex(payloadOf(command).data);
 }
 
@@ -49,20 +49,20 @@ TEST(CommandFacts, NeverRepeatsBlindlyWhatCouldActTwice) {
         IoCommand(io::SynchInput{}),
     };
     for (const ModuleCommand& command : commands)
-        EXPECT_EQ(retryRule(command), (RetryRule{AfterSilence::GiveUp, 0, 3}))
+        EXPECT_EQ(factsOf(command).retry, (RetryRule{AfterSilence::GiveUp, 0, 3}))
             << payloadOf(command).commandByte();
 }
 
 TEST(CommandFacts, RepeatsALoadOnlyWithoutStart) {
-    EXPECT_EQ(retryRule(loadMove(0, 5).command).silentRepeats, 2);
-    EXPECT_EQ(retryRule(loadVelocity(0, 5, false).command).silentRepeats, 2);
-    EXPECT_EQ(retryRule(loadVelocity(0, 5, true).command).silentRepeats, 0);
-    EXPECT_EQ(retryRule(loadPwm(0, 5).command).silentRepeats, 0);
+    EXPECT_EQ(factsOf(loadMove(0, 5).command).retry.silentRepeats, 2);
+    EXPECT_EQ(factsOf(loadVelocity(0, 5, false).command).retry.silentRepeats, 2);
+    EXPECT_EQ(factsOf(loadVelocity(0, 5, true).command).retry.silentRepeats, 0);
+    EXPECT_EQ(factsOf(loadPwm(0, 5).command).retry.silentRepeats, 0);
 }
 
 TEST(CommandFacts, RepeatsAStopAtOnce) {
-    EXPECT_EQ(retryRule(enable(0).command), (RetryRule{AfterSilence::RepeatAtOnce, 4, 10}));
-    EXPECT_EQ(retryRule(StepperCommand(stepper::StopMotor{})),
+    EXPECT_EQ(factsOf(enable(0).command).retry, (RetryRule{AfterSilence::RepeatAtOnce, 4, 10}));
+    EXPECT_EQ(factsOf(StepperCommand(stepper::StopMotor{})).retry,
               (RetryRule{AfterSilence::RepeatAtOnce, 4, 10}));
 }
 

@@ -9,6 +9,7 @@
 #include "protocol/commands.h"
 #include "protocol/frame.h"
 #include "protocol/status.h"
+#include "tests/support/pathwords.h"
 
 namespace {
 
@@ -32,7 +33,7 @@ void expectWholePath(const nmc::ServoCommand& command) {
         return;
     for (const std::uint16_t word : add->words())
         for (const bool fastPath : {false, true})
-            if (const auto point = nmc::servo::fromPathWord(word, fastPath); point && point->counts != 0)
+            if (const auto point = nmc::test::fromPathWord(word, fastPath); point && point->counts != 0)
                 expect(nmc::servo::toPathWord(*point, fastPath) == word);
 }
 

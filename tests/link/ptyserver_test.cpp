@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "link/ports/linerate.h"
+
 namespace nmc {
 namespace {
 
@@ -70,16 +72,17 @@ TEST(PtyServer, IsForItsOwnerOnly) {
 }
 
 TEST(PtyServer, IsAt19200UntilTheHostChoosesAnyOtherRate) {
-    const auto server = PtyServer::create({});
-    EXPECT_EQ(server->hostBaud(), 19'200U);
+    auto server = PtyServer::create({});
+    EXPECT_EQ(server->takeActs().baud, 19'200U);
     Host host(server->path());
-    EXPECT_EQ(server->hostBaud(), 19'200U) << "opening it chooses no rate";
+    EXPECT_EQ(server->takeActs().baud, 19'200U) << "opening it chooses no rate";
     host.setBaud(B38400);
-    EXPECT_EQ(server->hostBaud(), 38'400U) << "the default of a fresh terminal elsewhere, but a choice here";
+    EXPECT_EQ(server->takeActs().baud, 38'400U)
+        << "the default of a fresh terminal elsewhere, but a choice here";
     host.setBaud(B115200);
-    EXPECT_EQ(server->hostBaud(), 115'200U);
+    EXPECT_EQ(server->takeActs().baud, 115'200U);
     host.setBaud(B0);
-    EXPECT_FALSE(server->hostBaud().has_value());
+    EXPECT_FALSE(server->takeActs().baud.has_value());
 }
 
 TEST(PtyServer, TellsWhetherTheHostWroteOrSetItsRateFirst) {
@@ -92,7 +95,7 @@ TEST(PtyServer, TellsWhetherTheHostWroteOrSetItsRateFirst) {
         const HostActs wrote = server->takeActs();
         EXPECT_EQ(wrote.first, FirstAct::Wrote);
         EXPECT_THAT(wrote.bytes, ElementsAre(1, 2, 3));
-        EXPECT_EQ(wrote.baud, server->hostBaud());
+        EXPECT_EQ(wrote.baud, lineRate(server->fd()));
 
         host.setBaud(B19200);
         host.write({4});

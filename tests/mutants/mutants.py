@@ -59,7 +59,7 @@ BELIEVING = (
     Mutant("bytes-behind-a-reply-cut-off", "faults.md F-04: surplus bytes reject the whole frame", (
         Edit("core/bus/line.cpp",
              "pending.received.appendWhatFits(bytes);",
-             "const std::size_t most = pending.framing == Framing::Open ? pending.received.capacity() : pending.wanted();\n"
+             "const std::size_t most = pending.framing == Framing::Open ? kMaxReply + kMaxSurplus : pending.wanted();\n"
              "    pending.received.append(bytes.first(std::min(bytes.size(), most - pending.received.size())));"),
     )),
     Mutant("early-bytes-are-the-reply", "faults.md F-46: no module answers before it has received the command", (

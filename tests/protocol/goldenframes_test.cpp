@@ -184,8 +184,7 @@ TEST(GoldenReply, HasNineteenBytesOnAnSc) {
     EXPECT_EQ(report->position, 1'000);
     EXPECT_EQ(report->analog, 20);
     EXPECT_EQ(report->velocity, 3);
-    EXPECT_TRUE(servo::ScAuxByte{*report->aux}.servoOn());
-    EXPECT_TRUE(servo::ScAuxByte{*report->aux}.slewing());
+    EXPECT_EQ(report->aux, 0b0001'0100);  // as on the wire
     EXPECT_EQ(report->home, -1);
     EXPECT_EQ(report->identity, kSc);
     EXPECT_EQ(report->positionError, -2);

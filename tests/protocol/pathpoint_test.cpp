@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "tests/support/pathwords.h"
+
 namespace nmc::servo {
 namespace {
+
+using test::fromPathWord;
 
 TEST(PathWord, HasMagnitudeAndBitsWhereTheFamilyPagePutsThem) {
     // 30 Hz P13..P0 F=1 D; 60 Hz P12..P0 0 F=0 D; with fast path 60 Hz P12..P0 0 F=1 D, 120 Hz P11..P0 0 0

@@ -2,6 +2,7 @@
 #include "link/ports/portlist.h"
 
 #include <QSerialPortInfo>
+#include <QStringList>
 #include <algorithm>
 
 namespace nmc {

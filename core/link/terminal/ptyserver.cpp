@@ -121,11 +121,4 @@ void PtyServer::write(ByteSpan bytes) const {
     [[maybe_unused]] const auto written = ::write(fd(), bytes.data(), bytes.size());
 }
 
-std::optional<std::uint32_t> PtyServer::hostBaud() const {
-    termios2 settings{};
-    if (::ioctl(fd(), TCGETS2, &settings) != 0 || settings.c_ospeed == 0)
-        return std::nullopt;
-    return settings.c_ospeed;
-}
-
 }  // namespace nmc

@@ -50,8 +50,6 @@ public:
     [[nodiscard]] std::vector<std::uint8_t> read() const { return readAll().bytes; }
     /// Bytes that a host does not read for a long time are lost, as on a real line.
     void write(ByteSpan bytes) const;
-    /// The rate of the host's side; empty at B0, which means "hang up".
-    [[nodiscard]] std::optional<std::uint32_t> hostBaud() const;
 
 private:
     /// The result of read(2) in packet mode.

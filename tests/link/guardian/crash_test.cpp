@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "link/connection/crashburst.h"
+#include "link/ports/linerate.h"
 #include "link/terminal/ptyserver.h"
 
 namespace nmc {
@@ -30,7 +31,7 @@ TEST_P(CrashAt, TheRateOfTheChainWhateverThePortIsAt) {
     int status = 0;
     ::waitpid(panel, &status, 0);
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT) << "the crash must not be hidden";
-    EXPECT_EQ(terminal->hostBaud(), GetParam());
+    EXPECT_EQ(lineRate(terminal->fd()), GetParam());
     std::vector<std::uint8_t> twice = stop;
     twice.insert(twice.end(), stop.begin(), stop.end());
     EXPECT_EQ(toHex(terminal->read()), toHex(twice));
