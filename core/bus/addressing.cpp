@@ -97,28 +97,20 @@ void Addressing::onAddress(const ReplyEnd& end) {
 }
 
 void Addressing::onProbe(const ReplyEnd& end) {
-    switch (end.result) {
-        case ReplyResult::Accepted:
-        case ReplyResult::Refused:
-            return found(BusAddress(m_number));
-        case ReplyResult::Surplus:
-        case ReplyResult::Partial:
-        case ReplyResult::BadChecksum:
-        case ReplyResult::Rejected:
-        case ReplyResult::Echo:
-            if (++m_wrongInRow < kWrongAttempts)
-                return;
-            return fail(
-                end.result == ReplyResult::Surplus ? ConnectFailure::Collision : ConnectFailure::Garbled,
-                m_addresses.size());
-        case ReplyResult::Unresponsive:
-            m_recheck.add(BusAddress(m_number));
-            m_aliveInVain = 0;
-            m_wrongInRow = 0;
-            if (m_addresses.empty() && !m_expected)
-                return onNumberUnheard();
-            m_phase = Phase::Alive;
+    if (!unanswered(end.result))
+        return found(BusAddress(m_number));
+    if (end.result != ReplyResult::Unresponsive) {
+        if (++m_wrongInRow < kWrongAttempts)
+            return;
+        return fail(end.rejection == Rejection::Surplus ? ConnectFailure::Collision : ConnectFailure::Garbled,
+                    m_addresses.size());
     }
+    m_recheck.add(BusAddress(m_number));
+    m_aliveInVain = 0;
+    m_wrongInRow = 0;
+    if (m_addresses.empty() && !m_expected)
+        return onNumberUnheard();
+    m_phase = Phase::Alive;
 }
 
 /// Silence means the end of the chain only if a module is heard right after it. Otherwise the number may have

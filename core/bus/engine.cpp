@@ -784,9 +784,9 @@ void Engine::takeEnds(TimePoint now) {
 void Engine::onEnd(ReplyEnd end, TimePoint now) {
     Work work = std::move(m_works.front());
     m_works.pop_front();
-    const std::optional<Rejection> rejection = examine(work.ask, end);
-    m_recorder.add(work.ask, end, rejection);
-    count(end, rejection);
+    examine(work.ask, end);
+    m_recorder.add(work.ask, end);
+    count(end);
     if (m_connected)
         noteHealth(work.ask, end, now);
     const bool right = end.result == ReplyResult::Accepted;
@@ -809,28 +809,20 @@ void Engine::onEnd(ReplyEnd end, TimePoint now) {
     deliver(work, end, now);
 }
 
-/// Verifies whether a reply is to be believed. Returns the reason if not, unless its checksum is wrong.
-std::optional<Rejection> Engine::examine(const Ask& ask, ReplyEnd& end) {
-    if (end.result == ReplyResult::Refused && uniform({end.bytes.data(), end.bytes.size()})) {
+/// Rejects a reply that is implausible although its sum is right.
+void Engine::examine(const Ask& ask, ReplyEnd& end) {
+    if (end.result == ReplyResult::Refused && uniform({end.bytes.data(), end.bytes.size()}))
+        end.rejection = Rejection::Uniform;
+    else if (end.result == ReplyResult::Accepted && ask.module)
+        end.rejection = m_chain.at(*ask.module).plausibility.check(end);
+    if (end.rejection)
         end.result = ReplyResult::Rejected;
-        return Rejection::Uniform;
-    }
-    if (end.result == ReplyResult::Surplus)
-        return Rejection::Surplus;
-    if (end.result == ReplyResult::Echo)
-        return Rejection::Echo;
-    if (end.result != ReplyResult::Accepted || !ask.module)
-        return std::nullopt;
-    const auto rejection = m_chain.at(*ask.module).plausibility.check(end);
-    if (rejection)
-        end.result = ReplyResult::Rejected;
-    return rejection;
 }
 
-void Engine::count(const ReplyEnd& end, std::optional<Rejection> rejection) {
+void Engine::count(const ReplyEnd& end) {
     LinkStatistics& statistics = m_line.statistics();
-    if (rejection)
-        ++statistics.rejections[static_cast<std::size_t>(*rejection)];
+    if (end.rejection)
+        ++statistics.rejections[static_cast<std::size_t>(*end.rejection)];
     switch (end.result) {
         case ReplyResult::Accepted:
             ++statistics.answered;
@@ -848,10 +840,11 @@ void Engine::count(const ReplyEnd& end, std::optional<Rejection> rejection) {
         case ReplyResult::BadChecksum:
             ++statistics.badChecksum;
             return;
-        case ReplyResult::Surplus:
         case ReplyResult::Rejected:
-        case ReplyResult::Echo:
             ++statistics.rejected;
+            return;
+        case ReplyResult::Abandoned:
+        case ReplyResult::NotAsked:
             return;
     }
 }

@@ -234,8 +234,8 @@ private:
     // ---- end of an exchange ----
     void takeEnds(TimePoint now);
     void onEnd(ReplyEnd end, TimePoint now);
-    [[nodiscard]] std::optional<Rejection> examine(const Ask& ask, ReplyEnd& end);
-    void count(const ReplyEnd& end, std::optional<Rejection> rejection);
+    void examine(const Ask& ask, ReplyEnd& end);
+    void count(const ReplyEnd& end);
     void noteHealth(const Ask& ask, const ReplyEnd& end, TimePoint now);
     [[nodiscard]] bool repeats(Work& work, const ReplyEnd& end);
     void deliver(const Work& work, const ReplyEnd& end, TimePoint now);

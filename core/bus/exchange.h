@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "base/bytes.h"
 #include "base/strong.h"
 #include "base/time.h"
+#include "bus/rejection.h"
 #include "protocol/baud.h"
 #include "protocol/frame.h"
 #include "protocol/status.h"
@@ -107,9 +109,10 @@ enum class ReplyResult : std::uint8_t {
     Unresponsive,  ///< not one byte
     Partial,       ///< fewer bytes than in the layout
     BadChecksum,   ///< enough bytes, but the sum is wrong
-    Surplus,       ///< more bytes: another reply, or noise
-    Rejected,      ///< the sum is right, but the reply is implausible (link.md 2.4)
-    Echo,          ///< the echo of the command was missing or wrong, or an adapter has begun to echo
+    Rejected,      ///< the sum is right, but the reply is implausible (link.md 2.4): see `rejection`
+    // Only in an ExchangeRecord:
+    Abandoned,  ///< overtaken by a stop
+    NotAsked,   ///< no reply was expected; `reply` holds any bytes that arrived
 };
 
 /// All bytes are 00 or all FF: the line is held at one level. The sum of such a reply is right.
@@ -126,6 +129,7 @@ enum class ReplyResult : std::uint8_t {
 
 struct ReplyEnd {
     ReplyResult result = ReplyResult::Unresponsive;
+    std::optional<Rejection> rejection;
     StatusReport report;  ///< for Accepted and Refused; for an SC in the terms of DS-V 5.3 (toAuxByte)
     TimePoint latched;    ///< when the module latched it: end of the command on the line plus half a tick
     TimePoint latchedBy;  ///< upper bound, however late this computer was

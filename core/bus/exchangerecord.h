@@ -8,7 +8,6 @@
 #include "base/strong.h"
 #include "base/time.h"
 #include "bus/exchange.h"
-#include "bus/rejection.h"
 
 namespace nmc::bus {
 
@@ -25,18 +24,6 @@ enum class Purpose : std::uint8_t {
     Lent,       ///< of the program that the line is lent to
 };
 
-/// The result of an exchange.
-enum class ExchangeEnd : std::uint8_t {
-    Accepted,
-    Refused,       ///< communication-error bit
-    Unresponsive,  ///< not one byte
-    Partial,       ///< too few bytes
-    BadChecksum,   ///< enough bytes, but a wrong sum
-    Rejected,      ///< right sum, but implausible: see `rejection`
-    Abandoned,     ///< overtaken by a stop
-    NotAsked,      ///< no reply was expected; `reply` holds any bytes that arrived
-};
-
 /// An exchange as the packet monitor shows it: its bytes and the engine's result. A value type.
 struct ExchangeRecord {
     std::uint64_t number = 0;  ///< counted from 1 while recording
@@ -48,7 +35,7 @@ struct ExchangeRecord {
     std::vector<std::uint8_t> command;  ///< as sent, including header and sum; nulls for a flush
     std::vector<std::uint8_t> reply;    ///< as received, including surplus bytes
     ReplyLayout layout;                 ///< layout by which the reply was decoded
-    ExchangeEnd end = ExchangeEnd::Accepted;
+    ReplyResult end = ReplyResult::Accepted;
     std::optional<Rejection> rejection;
 };
 

@@ -7,26 +7,6 @@ namespace nmc::bus {
 
 namespace {
 
-[[nodiscard]] ExchangeEnd endFor(ReplyResult result) {
-    switch (result) {
-        case ReplyResult::Accepted:
-            return ExchangeEnd::Accepted;
-        case ReplyResult::Refused:
-            return ExchangeEnd::Refused;
-        case ReplyResult::Unresponsive:
-            return ExchangeEnd::Unresponsive;
-        case ReplyResult::Partial:
-            return ExchangeEnd::Partial;
-        case ReplyResult::BadChecksum:
-            return ExchangeEnd::BadChecksum;
-        case ReplyResult::Surplus:
-        case ReplyResult::Rejected:
-        case ReplyResult::Echo:
-            break;
-    }
-    return ExchangeEnd::Rejected;
-}
-
 [[nodiscard]] bool nullsOnly(const std::vector<std::uint8_t>& bytes) {
     return std::ranges::all_of(bytes, [](std::uint8_t b) { return b == 0; });
 }
@@ -42,19 +22,7 @@ void ExchangeRecorder::set(bool on) {
     m_recorded = 0;
 }
 
-void ExchangeRecorder::add(const Ask& ask, const ReplyEnd& end, std::optional<Rejection> rejection) {
-    add(ask, end, endFor(end.result), rejection);
-}
-
-void ExchangeRecorder::addAbandoned(const Ask& ask, TimePoint sent, TimePoint now) {
-    ReplyEnd end;
-    end.sent = sent;
-    end.arrived = now;
-    add(ask, end, ExchangeEnd::Abandoned, std::nullopt);
-}
-
-void ExchangeRecorder::add(const Ask& ask, const ReplyEnd& end, ExchangeEnd how,
-                           std::optional<Rejection> rejection) {
+void ExchangeRecorder::add(const Ask& ask, const ReplyEnd& end) {
     if (!m_on)
         return;
     addUnanswered(ask.purpose);
@@ -70,9 +38,17 @@ void ExchangeRecorder::add(const Ask& ask, const ReplyEnd& end, ExchangeEnd how,
     entry.command.assign(packet.begin(), packet.end());
     entry.reply.assign(end.bytes.begin(), end.bytes.end());
     entry.layout = ask.request.reply;
-    entry.end = how;
-    entry.rejection = rejection;
+    entry.end = end.result;
+    entry.rejection = end.rejection;
     m_records.push_back(std::move(entry));
+}
+
+void ExchangeRecorder::addAbandoned(const Ask& ask, TimePoint sent, TimePoint now) {
+    ReplyEnd end;
+    end.result = ReplyResult::Abandoned;
+    end.sent = sent;
+    end.arrived = now;
+    add(ask, end);
 }
 
 void ExchangeRecorder::addUnanswered(Purpose purpose) {
@@ -87,7 +63,7 @@ void ExchangeRecorder::addUnanswered(Purpose purpose) {
                                                     : purpose;
         entry.baud = m_line.baud();
         entry.command = std::move(sent.bytes);
-        entry.end = ExchangeEnd::NotAsked;
+        entry.end = ReplyResult::NotAsked;
         m_records.push_back(std::move(entry));
     }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,7 +16,7 @@ public:
     explicit ExchangeRecorder(Line& line) : m_line(line) {}
 
     void set(bool on);
-    void add(const Ask& ask, const ReplyEnd& end, std::optional<Rejection> rejection);
+    void add(const Ask& ask, const ReplyEnd& end);
     /// Adds an exchange that was sent, but whose end is not awaited any more.
     void addAbandoned(const Ask& ask, TimePoint sent, TimePoint now);
     /// Adds what scripts have sent since the last call, before what followed; `purpose` applies to packets
@@ -26,8 +25,6 @@ public:
     [[nodiscard]] std::vector<ExchangeRecord> take() { return std::exchange(m_records, {}); }
 
 private:
-    void add(const Ask& ask, const ReplyEnd& end, ExchangeEnd how, std::optional<Rejection> rejection);
-
     Line& m_line;
     bool m_on = false;  ///< see set(); nothing is recorded while off
     std::uint64_t m_recorded = 0;

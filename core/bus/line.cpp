@@ -263,7 +263,8 @@ void Line::complete(TimePoint now) {
         return endWithoutEcho(pending, now);
     if (pending.received.size() > wanted) {
         m_statistics.surplusBytes += pending.received.size() - wanted;
-        m_ends.push_back(endOf(pending, ReplyResult::Surplus, now));
+        m_ends.push_back(endOf(pending, ReplyResult::Rejected, now));
+        m_ends.back().rejection = Rejection::Surplus;
         return;
     }
     ReplyEnd end = endOf(pending, ReplyResult::Accepted, now);
@@ -334,7 +335,8 @@ bool Line::isWhole(const Pending& pending, ByteSpan all) {
 /// The echo is not as expected: damaged, missing, or present although none was expected.
 void Line::endWithoutEcho(const Pending& pending, TimePoint now) {
     m_strays.onMissed(now);
-    ReplyEnd end = endOf(pending, ReplyResult::Echo, now);
+    ReplyEnd end = endOf(pending, ReplyResult::Rejected, now);
+    end.rejection = Rejection::Echo;
     end.bytes = pending.early;
     end.bytes.appendWhatFits(pending.received);
     if (m_echo.expected() && !m_echo.begun() && isWhole(pending, end.bytes))
@@ -346,7 +348,8 @@ void Line::endWithoutEcho(const Pending& pending, TimePoint now) {
 void Line::invalidate(ByteSpan surplus) {
     m_statistics.surplusBytes += surplus.size();
     m_done->end.bytes.appendWhatFits(surplus);
-    m_done->end.result = ReplyResult::Surplus;
+    m_done->end.result = ReplyResult::Rejected;
+    m_done->end.rejection = Rejection::Surplus;
     settle();
 }
 

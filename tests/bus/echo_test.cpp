@@ -17,6 +17,11 @@ using namespace std::chrono_literals;
 
 constexpr const char* kCommand = "AA 01 0E 0F ";
 
+/// Its echo was missing or wrong, or the adapter has begun to echo.
+[[nodiscard]] bool rejectedForEcho(const ReplyEnd& end) {
+    return end.result == ReplyResult::Rejected && end.rejection == Rejection::Echo;
+}
+
 class EchoingLine : public testing::Test {
 protected:
     void ask(Framing framing = Framing::Settled) {
@@ -37,7 +42,7 @@ protected:
     void recognise() {
         ask();
         hear(kCommand, 2083us);
-        EXPECT_EQ(end().result, ReplyResult::Echo);
+        EXPECT_TRUE(rejectedForEcho(end()));
         ask();
         ASSERT_TRUE(line.echoes());
         hear(kCommand, 2083us);
@@ -54,7 +59,7 @@ TEST_F(EchoingLine, IsRecognisedByOneExactEchoWhichIsNoAnswer) {
     hear(kCommand, 2083us);
     hear(kReply, 7ms);
     const ReplyEnd first = end();
-    EXPECT_EQ(first.result, ReplyResult::Echo);
+    EXPECT_TRUE(rejectedForEcho(first));
     EXPECT_EQ(toHex(first.bytes).rfind("AA 01 0E 0F", 0), 0U) << "the packet monitor shows it";
     ask();
     EXPECT_TRUE(line.echoes());
@@ -67,7 +72,7 @@ TEST_F(EchoingLine, IsRecognisedWhereTheLastBytesComeBehindTheReplysLength) {
         now);
     for (const char* byte : {"AA ", "01 ", "13 ", "20 "})
         hear(byte, 20ms);
-    EXPECT_EQ(end().result, ReplyResult::Echo);
+    EXPECT_TRUE(rejectedForEcho(end()));
     hear("34 ", 21ms);
     ask();
     EXPECT_TRUE(line.echoes());
@@ -130,7 +135,7 @@ TEST_F(EchoingLine, RejectsAnAnswerBehindADamagedEcho) {
         ask();
         hear(damaged, 2083us);
         hear(kReply, 7ms);
-        EXPECT_EQ(end().result, ReplyResult::Echo);
+        EXPECT_TRUE(rejectedForEcho(end()));
         ask();
         EXPECT_TRUE(line.echoes());
         hear(kCommand, 2083us);
@@ -184,7 +189,7 @@ TEST_F(EchoingLine, EndsWithAWholeAnswerWithoutEchoWhichDoesNotCount) {
     recognise();
     ask();
     hear(kReply, 7ms);
-    EXPECT_EQ(end().result, ReplyResult::Echo);
+    EXPECT_TRUE(rejectedForEcho(end()));
     EXPECT_FALSE(line.echoes());
     ask();
     hear(kReply, 7ms);

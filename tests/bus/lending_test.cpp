@@ -113,7 +113,7 @@ TEST_F(Lent, RepliesOfAKnownChainAreDecodedAsThePanelHasDefinedThem) {
     EXPECT_EQ(records[0].purpose, Purpose::Lent);
     EXPECT_EQ(records[0].command, packet(1, 0x0E));
     EXPECT_EQ(records[0].reply.size(), 10U) << "status, 4 + 1 + 2 + 1, sum";
-    EXPECT_EQ(records[1].end, ExchangeEnd::Accepted);
+    EXPECT_EQ(records[1].end, ReplyResult::Accepted);
 }
 
 TEST_F(Lent, DefineStatusIsFollowed) {
@@ -150,7 +150,7 @@ TEST_F(Lent, ACommandWithAWrongSumWasNotCarriedOut) {
     const auto records = bus.engine.takeRecords();
     ASSERT_EQ(records.size(), 1U);
     EXPECT_EQ(records[0].command, wrong);
-    EXPECT_EQ(records[0].end, ExchangeEnd::Refused);
+    EXPECT_EQ(records[0].end, ReplyResult::Refused);
 }
 
 TEST_F(Lent, OfACommandThatIsNotAnsweredNothingIsClaimed) {
@@ -167,7 +167,7 @@ TEST_F(Lent, OfACommandThatIsNotAnsweredNothingIsClaimed) {
 TEST_F(Lent, NorOfACommandToAGroupWithoutALeader) {
     send(packet(kAll, 0x05));
     EXPECT_EQ(bus.count<CommandUnanswered>(), 2U);
-    EXPECT_EQ(bus.engine.takeRecords().at(0).end, ExchangeEnd::NotAsked);
+    EXPECT_EQ(bus.engine.takeRecords().at(0).end, ReplyResult::NotAsked);
 }
 
 TEST_F(Lent, TheLeaderOfAGroupAnswersForIt) {

@@ -189,7 +189,8 @@ TEST(Line, RejectsAReplyWithSurplusBytesInTheSameRead) {
     line.onBytes(fromHex("19 00 00 00 00 00 00 19 AA "), TimePoint(1s + 8ms));
     const auto end = line.takeEnd();
     ASSERT_TRUE(end);
-    EXPECT_EQ(end->result, ReplyResult::Surplus);
+    EXPECT_EQ(end->result, ReplyResult::Rejected);
+    EXPECT_EQ(end->rejection, Rejection::Surplus);
     EXPECT_EQ(line.statistics().surplusBytes, 1U);
 }
 
@@ -202,7 +203,8 @@ TEST(Line, RejectsAReplyWithSurplusBytesWithinTwoCharacterTimes) {
     line.onBytes(fromHex("BB "), TimePoint(1s + 9ms));
     const auto end = line.takeEnd();
     ASSERT_TRUE(end);
-    EXPECT_EQ(end->result, ReplyResult::Surplus);
+    EXPECT_EQ(end->result, ReplyResult::Rejected);
+    EXPECT_EQ(end->rejection, Rejection::Surplus);
     EXPECT_EQ(end->bytes.size(), 9U);
 }
 
@@ -253,7 +255,8 @@ TEST(Line, RejectsAPipelinedReplyForBytesThatComeBeforeTheNextCommandHasLeft) {
     line.onBytes(fromHex("BB "), TimePoint(1s + 9ms));  // the command has left after 10.08 ms
     const auto first = line.takeEnd();
     ASSERT_TRUE(first);
-    EXPECT_EQ(first->result, ReplyResult::Surplus);
+    EXPECT_EQ(first->result, ReplyResult::Rejected);
+    EXPECT_EQ(first->rejection, Rejection::Surplus);
     line.onBytes(fromHex(kReply), TimePoint(1s + 16ms));
     const auto second = endOf(line);
     ASSERT_TRUE(second);

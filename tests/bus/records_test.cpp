@@ -40,7 +40,7 @@ TEST(Records, HoldEveryByteThatWasSent) {
         EXPECT_EQ(records[i].number, i + 1);
         EXPECT_EQ(records[i].sent, bus.sent[i].time) << i;
         EXPECT_GE(records[i].ended, records[i].sent);
-        if (records[i].end == ExchangeEnd::Accepted && i > 200) {
+        if (records[i].end == ReplyResult::Accepted && i > 200) {
             EXPECT_EQ(records[i].reply.size(), records[i].layout.length());
         }
     }
@@ -59,7 +59,7 @@ TEST(Records, SayWhatEachExchangeWasFor) {
     for (const ExchangeRecord& record : bus.engine.takeRecords()) {
         EXPECT_EQ(record.purpose, Purpose::Poll);
         EXPECT_EQ(record.module, ModuleIndex(0));
-        EXPECT_EQ(record.end, ExchangeEnd::Accepted);
+        EXPECT_EQ(record.end, ReplyResult::Accepted);
     }
     ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
     unsigned operations = 0;
@@ -104,8 +104,8 @@ TEST(Records, SayWhyAnAnswerWasNotBelieved) {
                 return withSum(whole);
         }
     };
-    const ExchangeEnd kEnds[] = {ExchangeEnd::Unresponsive, ExchangeEnd::Partial,  ExchangeEnd::BadChecksum,
-                                 ExchangeEnd::Rejected,     ExchangeEnd::Rejected, ExchangeEnd::Refused};
+    const ReplyResult kEnds[] = {ReplyResult::Unresponsive, ReplyResult::Partial,  ReplyResult::BadChecksum,
+                                 ReplyResult::Rejected,     ReplyResult::Rejected, ReplyResult::Refused};
     for (int k = 1; k <= 6; ++k) {
         SCOPED_TRACE(k);
         (void)bus.engine.takeRecords();
@@ -114,7 +114,7 @@ TEST(Records, SayWhyAnAnswerWasNotBelieved) {
         std::optional<ExchangeRecord> odd;
         bool nulls = false;
         for (const ExchangeRecord& record : bus.engine.takeRecords()) {
-            if (record.end != ExchangeEnd::Accepted && record.end != ExchangeEnd::NotAsked)
+            if (record.end != ReplyResult::Accepted && record.end != ReplyResult::NotAsked)
                 odd = record;
             nulls =
                 nulls || (record.purpose == Purpose::Flush && toHex(record.command) == ScriptedBus::kNulls);
@@ -146,7 +146,7 @@ TEST(Records, TellOfWhatAStopPreEmpted) {
     bus.runFor(500ms);
     unsigned abandoned = 0;
     for (const ExchangeRecord& record : bus.engine.takeRecords())
-        abandoned += record.end == ExchangeEnd::Abandoned ? 1U : 0U;
+        abandoned += record.end == ReplyResult::Abandoned ? 1U : 0U;
     EXPECT_GE(abandoned, 1U);
 }
 

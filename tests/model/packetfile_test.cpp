@@ -49,7 +49,7 @@ TEST(PacketFile, IsWrittenAsDescribed) {
     log.append(resetRecord(1, 100));
     auto poll = pollRecord(9, 12'034'567);
     poll.reply = {0x09, 0xD2, 0x04, 0x00, 0x00, 0x00, 0xFE, 0xFF, 0xDC};
-    poll.end = bus::ExchangeEnd::Rejected;
+    poll.end = bus::ReplyResult::Rejected;
     poll.rejection = bus::Rejection::HomeChanged;
     log.append(poll);
     EXPECT_EQ(writePacketFile(log), kFile);
@@ -72,7 +72,7 @@ TEST(PacketFile, IsReadAsDescribed) {
     EXPECT_TRUE(poll.afterGap);
     EXPECT_EQ(poll.record.module, ModuleIndex(0));
     EXPECT_EQ(poll.record.layout, (bus::ReplyLayout{{ModuleType::Servo, 0}, StatusItems(0x05)}));
-    EXPECT_EQ(poll.record.end, bus::ExchangeEnd::Rejected);
+    EXPECT_EQ(poll.record.end, bus::ReplyResult::Rejected);
     EXPECT_EQ(poll.record.rejection, bus::Rejection::HomeChanged);
     EXPECT_EQ(poll.record.reply.size(), 9U);
 }
@@ -164,8 +164,8 @@ bus::ExchangeRecord anyRecord(std::uint64_t number) {
     record.layout = {
         {static_cast<ModuleType>(*rc::gen::arbitrary<std::uint8_t>()), *rc::gen::arbitrary<std::uint8_t>()},
         StatusItems(*rc::gen::arbitrary<std::uint8_t>())};
-    record.end = static_cast<bus::ExchangeEnd>(*rc::gen::inRange(0, 8));
-    if (record.end == bus::ExchangeEnd::Rejected)
+    record.end = static_cast<bus::ReplyResult>(*rc::gen::inRange(0, 8));
+    if (record.end == bus::ReplyResult::Rejected)
         record.rejection = static_cast<bus::Rejection>(*rc::gen::inRange(0, 16));
     return record;
 }

@@ -9,8 +9,8 @@ namespace nmc {
 namespace {
 
 using namespace testing_support;
-using bus::ExchangeEnd;
 using bus::Purpose;
+using bus::ReplyResult;
 
 TEST(PacketLog, LetsTheOldestGoAndCountsThem) {
     PacketLog log(3);
@@ -79,7 +79,7 @@ TEST(PacketFilter, SortsExchangesByWhatTheyAreFor) {
 
 TEST(PacketFilter, PassesAModuleAKindOrErrors) {
     const auto poll = pollRecord(1, 0, 1);
-    const auto stop = with(pollRecord(2), Purpose::Stop, ExchangeEnd::Unresponsive);
+    const auto stop = with(pollRecord(2), Purpose::Stop, ReplyResult::Unresponsive);
     EXPECT_TRUE(PacketFilter{}.passes(poll));
     PacketFilter module;
     module.module = ModuleIndex(1);
@@ -97,13 +97,13 @@ TEST(PacketFilter, PassesAModuleAKindOrErrors) {
 }
 
 TEST(PacketFilter, AStopThatOvertookAndAnExpectedSilenceAreNoErrors) {
-    EXPECT_FALSE(wentWrong(with(pollRecord(1), Purpose::Poll, ExchangeEnd::Abandoned)));
+    EXPECT_FALSE(wentWrong(with(pollRecord(1), Purpose::Poll, ReplyResult::Abandoned)));
     EXPECT_FALSE(wentWrong(resetRecord(1)));
     auto answered = resetRecord(1);
     answered.reply = {0x00};
     EXPECT_TRUE(wentWrong(answered));
-    for (const ExchangeEnd end : {ExchangeEnd::Refused, ExchangeEnd::Unresponsive, ExchangeEnd::Partial,
-                                  ExchangeEnd::BadChecksum, ExchangeEnd::Rejected})
+    for (const ReplyResult end : {ReplyResult::Refused, ReplyResult::Unresponsive, ReplyResult::Partial,
+                                  ReplyResult::BadChecksum, ReplyResult::Rejected})
         EXPECT_TRUE(wentWrong(with(pollRecord(1), Purpose::Poll, end)));
 }
 

@@ -34,11 +34,11 @@ inline bus::ExchangeRecord resetRecord(std::uint64_t number, std::int64_t micros
     record.purpose = bus::Purpose::Connect;
     record.baud = 19'200;
     record.command = {0xAA, 0xFF, 0x0F, 0x0E};
-    record.end = bus::ExchangeEnd::NotAsked;
+    record.end = bus::ReplyResult::NotAsked;
     return record;
 }
 
-inline bus::ExchangeRecord with(bus::ExchangeRecord record, bus::Purpose purpose, bus::ExchangeEnd end) {
+inline bus::ExchangeRecord with(bus::ExchangeRecord record, bus::Purpose purpose, bus::ReplyResult end) {
     record.purpose = purpose;
     record.end = end;
     return record;

@@ -122,7 +122,7 @@ TEST(PacketReplay, WhatTheEngineRecordsIsEverythingAndCanBeReplayed) {
         EXPECT_FALSE(file->entries[i].afterGap);
         // An exchange that was overtaken by a stop was cut short, and some expect no reply.
         const bus::ExchangeRecord& record = file->entries[i].record;
-        if (record.end != bus::ExchangeEnd::Abandoned && record.end != bus::ExchangeEnd::NotAsked) {
+        if (record.end != bus::ReplyResult::Abandoned && record.end != bus::ReplyResult::NotAsked) {
             EXPECT_EQ(toHex(replies[i]), toHex(record.reply)) << "exchange " << i + 1;
         }
     }

@@ -54,7 +54,7 @@ BELIEVING = (
              "return std::nullopt;"),
     )),
     Mutant("bytes-after-a-reply-ignored", "link.md 2.2: surplus bytes reject the reply", (
-        Edit("core/bus/line.cpp", "m_done->end.result = ReplyResult::Surplus;", ";"),
+        Edit("core/bus/line.cpp", "m_done->end.result = ReplyResult::Rejected;\n    m_done->end.rejection = Rejection::Surplus;", ";"),
     )),
     Mutant("bytes-behind-a-reply-cut-off", "faults.md F-04: surplus bytes reject the whole frame", (
         Edit("core/bus/line.cpp",

@@ -94,14 +94,14 @@ Complaint readLayout(std::string_view text, bus::ExchangeRecord& record) {
 
 Complaint readVerdict(std::string_view text, bus::ExchangeRecord& record) {
     const std::size_t colon = text.find(':');
-    const auto end = wordOf<bus::ExchangeEnd>(words::kEnds, text.substr(0, colon));
+    const auto end = wordOf<bus::ReplyResult>(words::kEnds, text.substr(0, colon));
     if (!end)
         return "the verdict is not known";
     record.end = *end;
     if (colon == std::string_view::npos)
         return std::nullopt;
     record.rejection = wordOf<bus::Rejection>(words::kRejections, text.substr(colon + 1));
-    if (*end != bus::ExchangeEnd::Rejected || !record.rejection)
+    if (*end != bus::ReplyResult::Rejected || !record.rejection)
         return "the rule behind the verdict is not known";
     return std::nullopt;
 }

@@ -9,8 +9,8 @@ namespace nmc {
 namespace {
 
 using namespace testing_support;
-using bus::ExchangeEnd;
 using bus::Purpose;
+using bus::ReplyResult;
 
 class Monitor : public WindowTest {
 protected:
@@ -39,7 +39,7 @@ protected:
     void showFour() {
         window->monitor().showPackets(
             {resetRecord(1, 100), pollRecord(2, 2'000'000), pollRecord(3, 2'500'000, 1),
-             with(pollRecord(4, 3'000'000), Purpose::Stop, ExchangeEnd::Unresponsive)});
+             with(pollRecord(4, 3'000'000), Purpose::Stop, ReplyResult::Unresponsive)});
     }
     void showPolls(int count, std::uint64_t from = 1) {
         std::vector<bus::ExchangeRecord> records;
@@ -290,17 +290,17 @@ TEST_F(Monitor, IsWorkedByKeyboard) {
 }
 
 TEST(MonitorTexts, EachVerdictSaysWhatBecameOfTheExchange) {
-    const auto verdictOf = [](ExchangeEnd end) {
+    const auto verdictOf = [](ReplyResult end) {
         return texts::verdict(with(pollRecord(1), Purpose::Poll, end));
     };
-    EXPECT_EQ(verdictOf(ExchangeEnd::Accepted), u"accepted"_s);
-    EXPECT_EQ(verdictOf(ExchangeEnd::Refused), u"module refused: checksum"_s);
-    EXPECT_EQ(verdictOf(ExchangeEnd::Unresponsive), u"no answer"_s);
-    EXPECT_EQ(verdictOf(ExchangeEnd::Partial), u"too few bytes"_s);
-    EXPECT_EQ(verdictOf(ExchangeEnd::BadChecksum), u"wrong checksum"_s);
-    EXPECT_EQ(verdictOf(ExchangeEnd::Abandoned), u"cancelled by a stop"_s);
+    EXPECT_EQ(verdictOf(ReplyResult::Accepted), u"accepted"_s);
+    EXPECT_EQ(verdictOf(ReplyResult::Refused), u"module refused: checksum"_s);
+    EXPECT_EQ(verdictOf(ReplyResult::Unresponsive), u"no answer"_s);
+    EXPECT_EQ(verdictOf(ReplyResult::Partial), u"too few bytes"_s);
+    EXPECT_EQ(verdictOf(ReplyResult::BadChecksum), u"wrong checksum"_s);
+    EXPECT_EQ(verdictOf(ReplyResult::Abandoned), u"cancelled by a stop"_s);
     EXPECT_EQ(texts::verdict(resetRecord(1)), u"no answer expected"_s);
-    auto rejected = with(pollRecord(1), Purpose::Poll, ExchangeEnd::Rejected);
+    auto rejected = with(pollRecord(1), Purpose::Poll, ReplyResult::Rejected);
     rejected.rejection = bus::Rejection::HomeChanged;
     EXPECT_EQ(texts::verdict(rejected), u"rejected: home register changed without a command"_s);
     QSet<QString> sentences;

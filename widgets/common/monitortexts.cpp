@@ -52,22 +52,22 @@ QString rejection(bus::Rejection rejection) {
 
 QString verdict(const bus::ExchangeRecord& record) {
     switch (record.end) {
-        case bus::ExchangeEnd::Accepted:
+        case bus::ReplyResult::Accepted:
             return Texts::tr("accepted");
-        case bus::ExchangeEnd::Refused:
+        case bus::ReplyResult::Refused:
             return Texts::tr("module refused: checksum");
-        case bus::ExchangeEnd::Unresponsive:
+        case bus::ReplyResult::Unresponsive:
             return Texts::tr("no answer");
-        case bus::ExchangeEnd::Partial:
+        case bus::ReplyResult::Partial:
             return Texts::tr("too few bytes");
-        case bus::ExchangeEnd::BadChecksum:
+        case bus::ReplyResult::BadChecksum:
             return Texts::tr("wrong checksum");
-        case bus::ExchangeEnd::Rejected:
+        case bus::ReplyResult::Rejected:
             return record.rejection ? Texts::tr("rejected: %1").arg(rejection(*record.rejection))
                                     : Texts::tr("rejected");
-        case bus::ExchangeEnd::Abandoned:
+        case bus::ReplyResult::Abandoned:
             return Texts::tr("cancelled by a stop");
-        case bus::ExchangeEnd::NotAsked:
+        case bus::ReplyResult::NotAsked:
             return record.reply.empty() ? Texts::tr("no answer expected")
                                         : Texts::tr("bytes, but no answer was expected");
     }

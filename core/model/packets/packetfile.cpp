@@ -41,7 +41,7 @@ std::string layoutText(const bus::ReplyLayout& layout) {
 
 std::string verdictText(const bus::ExchangeRecord& record) {
     std::string text(words::kEnds[static_cast<std::size_t>(record.end)]);
-    if (record.end == bus::ExchangeEnd::Rejected && record.rejection) {
+    if (record.end == bus::ReplyResult::Rejected && record.rejection) {
         text += ':';
         text += words::kRejections[static_cast<std::size_t>(*record.rejection)];
     }

@@ -39,16 +39,16 @@ PacketKind kindOf(bus::Purpose purpose) {
 
 bool wentWrong(const bus::ExchangeRecord& record) {
     switch (record.end) {
-        case bus::ExchangeEnd::Accepted:
-        case bus::ExchangeEnd::Abandoned:
+        case bus::ReplyResult::Accepted:
+        case bus::ReplyResult::Abandoned:
             return false;
-        case bus::ExchangeEnd::NotAsked:
+        case bus::ReplyResult::NotAsked:
             return !record.reply.empty();
-        case bus::ExchangeEnd::Refused:
-        case bus::ExchangeEnd::Unresponsive:
-        case bus::ExchangeEnd::Partial:
-        case bus::ExchangeEnd::BadChecksum:
-        case bus::ExchangeEnd::Rejected:
+        case bus::ReplyResult::Refused:
+        case bus::ReplyResult::Unresponsive:
+        case bus::ReplyResult::Partial:
+        case bus::ReplyResult::BadChecksum:
+        case bus::ReplyResult::Rejected:
             return true;
     }
     return true;
@@ -102,7 +102,7 @@ std::string packetTarget(const bus::ExchangeRecord& record) {
 }
 
 std::string packetReplyMeaning(const bus::ExchangeRecord& record) {
-    if (record.end != bus::ExchangeEnd::NotAsked || record.reply.empty())
+    if (record.end != bus::ReplyResult::NotAsked || record.reply.empty())
         return describeReply(record.layout.module, record.layout.items, record.reply);
     return std::to_string(record.reply.size()) + (record.reply.size() == 1 ? " byte" : " bytes");
 }

@@ -15,7 +15,7 @@ static_assert(kPurposes.size() == static_cast<std::size_t>(bus::Purpose::Lent) +
 
 inline constexpr std::array<std::string_view, 8> kEnds{"accepted",     "refused",  "silent",    "partial",
                                                        "bad_checksum", "rejected", "abandoned", "not_asked"};
-static_assert(kEnds.size() == static_cast<std::size_t>(bus::ExchangeEnd::NotAsked) + 1);
+static_assert(kEnds.size() == static_cast<std::size_t>(bus::ReplyResult::NotAsked) + 1);
 
 inline constexpr std::array<std::string_view, bus::kRejections> kRejections{"uniform",
                                                                             "surplus",
