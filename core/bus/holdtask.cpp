@@ -2,10 +2,12 @@
 #include "bus/holdtask.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "bus/gate.h"
 #include "bus/standstill.h"
 #include "module/commandfacts.h"
+#include "module/profiledload.h"
 
 namespace nmc::bus {
 
@@ -29,31 +31,44 @@ constexpr unsigned kAttempts = 3;
 }  // namespace
 
 void HoldTask::hold(const HoldToMove& hold, TimePoint now) {
-    if (m_lane.over(hold.press))
+    if (over(hold.press))
         return;
-    if (m_lane.wanted() && m_lane.wanted()->module != hold.module)
+    if (m_wanted && m_wanted->module != hold.module)
         release();
-    m_lane.hold(hold, now);
+    if (over(hold.press))
+        return;  // a press that moves to another module ends
+    m_wanted = hold;
+    if (m_sent)
+        m_sent->press = hold.press;  // the same motion need not be sent twice
+    m_until = now + m_timeout;
+}
+
+void HoldTask::endPress(std::uint32_t press) {
+    m_over = std::max(press, m_over.value_or(press));
+}
+
+std::optional<HoldToMove> HoldTask::leave() {
+    m_refusals = 0;
+    if (m_wanted)
+        endPress(m_wanted->press);
+    const bool loaded = std::exchange(m_loaded, false);
+    const auto wanted = std::exchange(m_wanted, std::nullopt);
+    const auto sent = std::exchange(m_sent, std::nullopt);
+    return loaded && !sent ? wanted : sent;
 }
 
 void HoldTask::end(StopCause cause) {
-    m_refusals = 0;
-    if (const auto released = m_lane.release(); released && m_chain.has(released->module))
+    if (const auto released = leave(); released && m_chain.has(released->module))
         m_chain.owe(released->module, cause, mannerFor(*released));
 }
 
 void HoldTask::expire(TimePoint now) {
-    if (!m_lane.expired(now))
+    if (!m_wanted || now < m_until)
         return;
     // If there is nothing to stop, nothing had been started.
-    if (m_lane.sent())
-        m_events.emplace_back(HoldExpired{m_lane.wanted()->module});
+    if (m_sent)
+        m_events.emplace_back(HoldExpired{m_wanted->module});
     end(StopCause::HoldExpired);
-}
-
-void HoldTask::clear() {
-    m_refusals = 0;
-    m_lane.clear();
 }
 
 bool HoldTask::onChange(const Change& change) {
@@ -66,12 +81,32 @@ bool HoldTask::onChange(const Change& change) {
     return change.cancelsAll();
 }
 
+std::optional<Order> HoldTask::toSend() const {
+    if (!m_wanted || m_wanted == m_sent)
+        return std::nullopt;
+    const HoldToMove& hold = *m_wanted;
+    const auto goal = m_sent ? std::nullopt : hold.goal;
+    if (hold.pace) {
+        auto load = profiledLoad(hold.pace->speed, hold.pace->accelerationTime, goal, hold.reverse);
+        load.startNow = !goal;
+        return Order{hold.module, StepperCommand(load)};
+    }
+    auto load = profiledLoad(hold.velocity, hold.acceleration, goal, hold.reverse);
+    load.startNow = !goal;
+    return Order{hold.module, ServoCommand(load)};
+}
+
+Order HoldTask::startLoaded() const {
+    return {m_wanted->module,
+            forChip(m_wanted->pace ? ModuleType::Stepper : ModuleType::Servo, StartMotion{})};
+}
+
 bool HoldTask::wants(TimePoint /*now*/) const {
-    return m_lane.start().has_value();
+    return toSend().has_value();
 }
 
 Next HoldTask::next(TimePoint /*now*/) {
-    const Order start = *m_lane.start();
+    const Order start = *toSend();
     const Belief& module = m_chain.belief(start.module);
     if (!module.fresh() || !module.items())
         return m_chain.look(Purpose::Hold, start.module);
@@ -80,15 +115,15 @@ Next HoldTask::next(TimePoint /*now*/) {
         return Idle{};
     // Load Trajectory would switch a servo on, which a hold must never do. And a motion begun with a goal
     // does not continue with another one, or without.
-    if (!module.on() || (m_lane.sent() && m_lane.sent()->goal != m_lane.wanted()->goal)) {
+    if (!module.on() || (m_sent && m_sent->goal != m_wanted->goal)) {
         giveUp();
         return Again{};
     }
-    const HoldToMove& wanted = *m_lane.wanted();
-    if (wanted.goal && !m_lane.sent())
+    const HoldToMove& wanted = *m_wanted;
+    if (wanted.goal && !m_sent)
         return nextTowards(*wanted.goal, start);
     if (wanted.goal && !mayRunOn(wanted)) {
-        m_lane.keepSent();
+        m_wanted = m_sent;  // it keeps the velocity that it has
         return Again{};
     }
     return sendOrder(start);
@@ -99,15 +134,15 @@ Next HoldTask::nextTowards(std::int32_t goal, const Order& load) {
     const Belief& module = m_chain.belief(index);
     if (m_chain.at(index).owed)
         return Idle{};  // until the motor is seen at rest
-    if (module.mayMove() && !m_lane.sent()) {
-        m_chain.owe(index, StopCause::HoldReleased, mannerFor(*m_lane.wanted()));
+    if (module.mayMove() && !m_sent) {
+        m_chain.owe(index, StopCause::HoldReleased, mannerFor(*m_wanted));
         return Again{};
     }
     if (!leadsTo(goal, module)) {
         giveUp();
         return Again{};
     }
-    return sendOrder(hasLoaded(module, load.command) ? m_lane.startLoaded() : load);
+    return sendOrder(hasLoaded(module, load.command) ? startLoaded() : load);
 }
 
 /// From a trapezoid, a PIC-STEP takes up another speed only at once, without a ramp (DS-S 5.1, Table 4).
@@ -123,7 +158,7 @@ bool HoldTask::leadsTo(std::int32_t goal, const Belief& module) const {
     if (!module.position())
         return false;
     const std::int64_t distance = std::int64_t{goal} - *module.position();
-    return m_lane.wanted()->reverse ? distance < -kStillCounts : distance > kStillCounts;
+    return m_wanted->reverse ? distance < -kStillCounts : distance > kStillCounts;
 }
 
 Next HoldTask::sendOrder(const Order& order) {
@@ -132,12 +167,12 @@ Next HoldTask::sendOrder(const Order& order) {
         return Again{};
     }
     m_chain.at(order.module).owed.reset();  // the user wants it to move again
-    m_sentBefore = m_lane.sent();
+    m_sentBefore = m_sent;
     Ask ask = m_chain.command(Purpose::Hold, order);
     if (mayStartMotion(order.command))
-        m_lane.onStartSent();
+        m_sent = m_wanted;
     else
-        m_lane.onLoadSent();
+        m_loaded = true;
     ask.reported = true;
     // Not retried: the next request is made for the state that the module is in by then.
     ask.silentRepeats = 0;
@@ -147,8 +182,8 @@ Next HoldTask::sendOrder(const Order& order) {
 
 /// The user is still holding, and must be informed that the hold is over.
 void HoldTask::giveUp() {
-    if (m_lane.wanted())
-        m_events.emplace_back(HoldExpired{m_lane.wanted()->module});
+    if (m_wanted)
+        m_events.emplace_back(HoldExpired{m_wanted->module});
     end(StopCause::HoldExpired);
 }
 
@@ -163,7 +198,7 @@ Line::Script HoldTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint /*no
         return {};
     }
     if (end.result == ReplyResult::Refused) {
-        m_lane.onStartRefused(m_sentBefore);
+        m_sent = m_sentBefore;  // it was certainly not carried out
         if (++m_refusals < kAttempts)
             return {};
     }

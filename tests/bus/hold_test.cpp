@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "bus/holdlane.h"
+#include "bus/holdtask.h"
 #include "tests/bus/scriptedbus.h"
 #include "tests/bus/steps.h"
 #include "tests/support/virtualbus.h"
@@ -344,27 +344,53 @@ TEST_F(Hold, ItsEndDoesNotSwitchOnWhatWasSwitchedOffMeanwhile) {
     EXPECT_FALSE(bus.servo(0).servoOn);
 }
 
-TEST(HoldLane, KnowsAPressByItsNumber) {
+TEST(HoldTask, KnowsAPressByItsNumber) {
     const TimePoint t{};
-    HoldLane lane(250ms);
+    Chain chain({{ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}}}, 19'200, false);
+    const Line line(4ms, 10ms);
+    std::vector<Event> events;
+    EngineConfig config;
+    config.holdTimeout = 250ms;
+    HoldTask task({chain, line, events}, config);
     HoldToMove press = forward(0);
-    lane.hold(press, t);
-    EXPECT_FALSE(lane.expired(t + 249ms));
-    EXPECT_TRUE(lane.expired(t + 250ms));
-    EXPECT_FALSE(lane.release()) << "nothing was sent";
-    lane.hold(press, t + 251ms);
-    EXPECT_FALSE(lane.wanted());
+    task.hold(press, t);
+    task.expire(t + 249ms);
+    EXPECT_TRUE(task.active());
+    task.expire(t + 250ms);
+    EXPECT_FALSE(task.active());
+    EXPECT_FALSE(chain.at(ModuleIndex(0)).owed) << "nothing was sent";
+    EXPECT_TRUE(events.empty());
+    task.hold(press, t + 251ms);
+    EXPECT_FALSE(task.active());
     ++press.press;
-    lane.refuse(press);
-    lane.hold(press, t + 252ms);
-    EXPECT_FALSE(lane.wanted());
+    task.refuse(press);
+    task.hold(press, t + 252ms);
+    EXPECT_FALSE(task.active());
     ++press.press;
-    lane.hold(press, t + 253ms);
-    ASSERT_TRUE(lane.wanted());
-    lane.clear();
-    lane.hold(press, t + 254ms);
-    EXPECT_FALSE(lane.wanted());
-    EXPECT_FALSE(lane.deadline());
+    task.hold(press, t + 253ms);
+    ASSERT_TRUE(task.active());
+    task.clear();
+    task.hold(press, t + 254ms);
+    EXPECT_FALSE(task.active());
+    EXPECT_FALSE(task.expiry());
+}
+
+/// Its button has not been released, and must not move a second module.
+TEST(HoldTask, EndsAPressThatMovesToAnotherModule) {
+    Chain chain({{ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}},
+                 {ModuleIndex(1), BusAddress(2), {ModuleType::Servo, 4}}},
+                19'200, false);
+    const Line line(4ms, 10ms);
+    std::vector<Event> events;
+    HoldTask task({chain, line, events}, {});
+    HoldToMove press = forward(0);
+    task.hold(press, {});
+    press.module = ModuleIndex(1);
+    task.hold(press, {});
+    EXPECT_FALSE(task.active());
+    ++press.press;
+    task.hold(press, {});
+    EXPECT_TRUE(task.holds(ModuleIndex(1)));
 }
 
 TEST_F(Hold, DoesNotStartAgainAfterARefusalOnceReleased) {

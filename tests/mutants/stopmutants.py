@@ -205,17 +205,17 @@ OWING = (
              "        manner && (!known.owed || endsMore(*manner, *known.owed))) {", "        manner) {"),
     )),
     Mutant("hold-without-an-end", "link.md 2.7: held motion ends when the evidence stops coming", (
-        Edit("core/bus/holdlane.cpp", "m_until = now + m_timeout;", "m_until = now + 1000 * m_timeout;"),
+        Edit("core/bus/holdtask.cpp", "m_until = now + m_timeout;", "m_until = now + 1000 * m_timeout;"),
     )),
     Mutant("hold-that-owes-nothing", "link.md 2.6: held motion ends with a stop", (
         Edit("core/bus/holdtask.cpp",
              "released && m_chain.has(released->module))",
              "released && false && m_chain.has(released->module))"),
     )),
-    Mutant("press-that-is-over-moves-again", "holdlane.h: late evidence of a press that has ended moves nothing", (
-        Edit("core/bus/holdlane.h", "press <= *m_over;", "press < *m_over;"),
+    Mutant("press-that-is-over-moves-again", "holdtask.h: late evidence of a press that has ended moves nothing", (
+        Edit("core/bus/holdtask.h", "press <= *m_over;", "press < *m_over;"),
     )),
-    Mutant("press-that-was-refused-moves-later", "holdlane.h: a press that was refused has ended", (
+    Mutant("press-that-was-refused-moves-later", "holdtask.h: a press that was refused has ended", (
         Edit("core/bus/engine.cpp", "        return m_hold.refuse(hold);", "        return;"),
     )),
 )
