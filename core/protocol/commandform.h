@@ -7,8 +7,6 @@
 #include <optional>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
 #include "protocol/frame.h"
 #include "protocol/moduletype.h"
 #include "protocol/status.h"
@@ -18,13 +16,6 @@
 /// order in which they are sent, least significant byte first; all bits belong to one control byte, which is
 /// sent first, and may appear in any order.
 namespace nmc {
-
-/// Why a payload could not be decoded as the requested command.
-enum class CommandError : std::uint8_t {
-    WrongCode,
-    Length,      ///< the control byte, or the command, calls for a different number of data bytes
-    OutOfRange,  ///< a value outside the data sheet's range
-};
 
 /// An inclusive range from a data sheet.
 struct ValueRange {
@@ -157,10 +148,8 @@ public:
     template <typename T>
     void number(std::string_view /*name*/, T& value, ValueRange range = kAnyValue) {
         using Raw = decltype(rawValue(value));
-        if (m_rest.size() < sizeof(Raw)) {
-            m_short = true;
-            return;
-        }
+        if (m_rest.size() < sizeof(Raw))
+            return check(false);
         value = T(readLittleEndian<Raw>(m_rest));
         m_rest = m_rest.subspan(sizeof(Raw));
         check(range.contains(rawValue(value)));
@@ -197,11 +186,9 @@ public:
     }
     template <typename Count>
     void pathPoints(auto& words, Count& count) {
-        for (count = 0; !m_rest.empty() && !m_short; ++count) {
-            if (count == words.size()) {
-                m_short = true;  // too long, in fact
-                return;
-            }
+        for (count = 0; !m_rest.empty() && m_right; ++count) {
+            if (count == words.size())
+                return check(false);
             number({}, words[count]);
         }
     }
@@ -212,13 +199,8 @@ public:
             m_rest = {};
     }
 
-    [[nodiscard]] std::optional<CommandError> error() const {
-        if (m_short)
-            return CommandError::Length;
-        if (!m_right)
-            return CommandError::OutOfRange;
-        return m_rest.empty() ? std::nullopt : std::optional(CommandError::Length);
-    }
+    /// True if all data was read, and is as the data sheet has it.
+    [[nodiscard]] bool right() const { return m_right && m_rest.empty(); }
 
 private:
     std::uint8_t control() {
@@ -233,7 +215,6 @@ private:
     ModuleIdentity m_module;
     ByteSpan m_rest;
     std::optional<std::uint8_t> m_control;
-    bool m_short = false;
     bool m_right = true;
 };
 
@@ -271,17 +252,17 @@ template <HasFields Command>
 inline constexpr ModuleIdentity kFirstServo{ModuleType::Servo, 4};
 
 /// Decodes the bytes as a module of that version does; fields that only later versions read are ignored.
+/// Returns nothing if the code is another, the control byte or the command calls for a different number of
+/// data bytes, or a value is outside the data sheet's range.
 template <HasFields Command>
-[[nodiscard]] tl::expected<Command, CommandError> decode(const Payload& payload,
-                                                         const ModuleIdentity& module = kFirstServo) {
+[[nodiscard]] std::optional<Command> decode(const Payload& payload,
+                                            const ModuleIdentity& module = kFirstServo) {
     if (payload.code != Command::kCode)
-        return tl::unexpected(CommandError::WrongCode);
+        return std::nullopt;
     Command command;
     PayloadReader reader(payload.data, module);
     Command::fields(reader, command);
-    if (const auto error = reader.error())
-        return tl::unexpected(*error);
-    return command;
+    return reader.right() ? std::optional(command) : std::nullopt;
 }
 
 }  // namespace nmc

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <variant>
-
-#include <tl/expected.hpp>
 
 #include "base/strong.h"
 #include "protocol/commandform.h"
@@ -100,11 +99,11 @@ using IoCommand = std::variant<io::SetDirection, SetAddress, DefineStatus, ReadS
                                io::SynchInput, Nop, HardReset>;
 
 /// Decode the bytes as that version does, ignoring fields that only later versions read. An unknown version
-/// is treated as one from the first data sheet.
-[[nodiscard]] tl::expected<ServoCommand, CommandError> decodeServoCommand(const ModuleIdentity& module,
-                                                                          const Payload& payload);
-[[nodiscard]] tl::expected<StepperCommand, CommandError> decodeStepCommand(const Payload& payload);
-[[nodiscard]] tl::expected<IoCommand, CommandError> decodeIoCommand(const Payload& payload);
+/// is treated as one from the first data sheet. Nothing is returned for what is no command of the module.
+[[nodiscard]] std::optional<ServoCommand> decodeServoCommand(const ModuleIdentity& module,
+                                                             const Payload& payload);
+[[nodiscard]] std::optional<StepperCommand> decodeStepCommand(const Payload& payload);
+[[nodiscard]] std::optional<IoCommand> decodeIoCommand(const Payload& payload);
 
 /// Calls the function with what one of these returns for a module of that type.
 template <typename Function>

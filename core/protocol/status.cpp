@@ -91,12 +91,9 @@ void merge(const ModuleIdentity& module, StatusReport& into, const StatusReport&
         visitItem(module, row.bit, take, into, from);
 }
 
-tl::expected<StatusReport, StatusError> decodeStatus(const ModuleIdentity& module, StatusItems items,
-                                                     ByteSpan reply) {
-    if (reply.size() != replyLength(module, items))
-        return tl::unexpected(StatusError::Length);
-    if (sum8(reply.first(reply.size() - 1)) != reply.back())
-        return tl::unexpected(StatusError::Checksum);
+std::optional<StatusReport> decodeStatus(const ModuleIdentity& module, StatusItems items, ByteSpan reply) {
+    if (reply.size() != replyLength(module, items) || sum8(reply.first(reply.size() - 1)) != reply.back())
+        return std::nullopt;
 
     StatusReport report;
     report.items = items;

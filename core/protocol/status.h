@@ -7,8 +7,6 @@
 #include <span>
 #include <string_view>
 
-#include <tl/expected.hpp>
-
 #include "base/bytes.h"
 #include "protocol/moduletype.h"
 
@@ -233,11 +231,9 @@ void visitItem(const ModuleIdentity& module, std::uint8_t item, Function functio
 /// Copies every item that `from` carries; items that it does not carry keep their last value.
 void merge(const ModuleIdentity& module, StatusReport& into, const StatusReport& from);
 
-enum class StatusError : std::uint8_t { Length, Checksum };
-
-/// Decodes a whole reply. The host must know the layout beforehand, because a reply has neither header nor
-/// length.
-[[nodiscard]] tl::expected<StatusReport, StatusError> decodeStatus(const ModuleIdentity& module,
-                                                                   StatusItems items, ByteSpan reply);
+/// Decodes a whole reply; returns nothing if its length or its sum is wrong. The host must know the layout
+/// beforehand, because a reply has neither header nor length.
+[[nodiscard]] std::optional<StatusReport> decodeStatus(const ModuleIdentity& module, StatusItems items,
+                                                       ByteSpan reply);
 
 }  // namespace nmc

@@ -47,8 +47,7 @@ template <typename Command, typename Decode>
 bool takesAs(ModuleType chip, const ModuleIdentity& module, const Command& command, Decode decode) {
     if (!isKnown(module) || module.type != chip || !std::visit(VersionHas{module}, command))
         return false;
-    const auto decoded = decode(encode(command));
-    return decoded && *decoded == command;
+    return decode(encode(command)) == command;
 }
 
 }  // namespace

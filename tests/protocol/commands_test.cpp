@@ -169,27 +169,24 @@ TEST(SetGain, IgnoresAFifteenthByte) {
 TEST(SetGain, RefusesWhatTheDataSheetDoesNotAllow) {
     servo::SetGain gains;
     gains.kp = 0x8000;
-    EXPECT_EQ(decode<servo::SetGain>(encode(gains)).error(), CommandError::OutOfRange);
+    EXPECT_FALSE(decode<servo::SetGain>(encode(gains)).has_value());
     gains = {};
     gains.el = 0x4000;
-    EXPECT_EQ(decode<servo::SetGain>(encode(gains)).error(), CommandError::OutOfRange);
+    EXPECT_FALSE(decode<servo::SetGain>(encode(gains)).has_value());
     gains = {};
     gains.sr = 0;
-    EXPECT_EQ(decode<servo::SetGain>(encode(gains)).error(), CommandError::OutOfRange);
+    EXPECT_FALSE(decode<servo::SetGain>(encode(gains)).has_value());
 }
 
 TEST(LoadTrajectory, RefusesDataThatItsControlByteDoesNotAnnounce) {
-    EXPECT_EQ(decode<servo::LoadTrajectory>({CommandCode::LoadTrajectory, {0x11, 1, 2, 3}}).error(),
-              CommandError::Length);
-    EXPECT_EQ(decode<servo::LoadTrajectory>({CommandCode::LoadTrajectory, {0x10, 1}}).error(),
-              CommandError::Length);
-    EXPECT_EQ(decode<stepper::LoadTrajectory>({CommandCode::LoadTrajectory, {0x08, 1, 2}}).error(),
-              CommandError::Length);
+    EXPECT_FALSE(decode<servo::LoadTrajectory>({CommandCode::LoadTrajectory, {0x11, 1, 2, 3}}).has_value());
+    EXPECT_FALSE(decode<servo::LoadTrajectory>({CommandCode::LoadTrajectory, {0x10, 1}}).has_value());
+    EXPECT_FALSE(decode<stepper::LoadTrajectory>({CommandCode::LoadTrajectory, {0x08, 1, 2}}).has_value());
 }
 
 TEST(StopMotor, TakesOnlyOneMannerAtATime) {
-    EXPECT_EQ(decode<servo::StopMotor>({CommandCode::StopMotor, {0x0C}}).error(), CommandError::OutOfRange);
-    EXPECT_EQ(decode<stepper::StopMotor>({CommandCode::StopMotor, {0x0C}}).error(), CommandError::OutOfRange);
+    EXPECT_FALSE(decode<servo::StopMotor>({CommandCode::StopMotor, {0x0C}}).has_value());
+    EXPECT_FALSE(decode<stepper::StopMotor>({CommandCode::StopMotor, {0x0C}}).has_value());
 }
 
 TEST(StepperCommandBits, AreWhereTheDataSheetPutsThem) {
@@ -242,17 +239,14 @@ TEST(ScCommandBits, AreWhereTheFamilyPagePutsThem) {
 
 TEST(ScIoControl, RefusesStepAndDirectionWithALimitStop) {
     for (const DataBytes& control : {DataBytes{0x84}, DataBytes{0x88}, DataBytes{0x0C}})
-        EXPECT_EQ(decode<servo::ScIoControl>({CommandCode::IoControl, control}).error(),
-                  CommandError::OutOfRange);
+        EXPECT_FALSE(decode<servo::ScIoControl>({CommandCode::IoControl, control}).has_value());
 }
 
 TEST(AddPathPoints, TakesWholePointsOnly) {
-    EXPECT_EQ(decode<servo::AddPathPoints>({CommandCode::AddPathPoints, {1, 2, 3}}).error(),
-              CommandError::Length);
-    EXPECT_EQ(decode<servo::AddPathPoints>(
-                  {CommandCode::AddPathPoints, DataBytes{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}})
-                  .error(),
-              CommandError::Length);
+    EXPECT_FALSE(decode<servo::AddPathPoints>({CommandCode::AddPathPoints, {1, 2, 3}}).has_value());
+    EXPECT_FALSE(decode<servo::AddPathPoints>({CommandCode::AddPathPoints,
+                                               DataBytes{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}})
+                     .has_value());
     const std::vector<servo::PathPoint> eight(8);
     EXPECT_FALSE(servo::AddPathPoints::of(eight, false).has_value());
 }

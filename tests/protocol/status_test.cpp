@@ -167,7 +167,7 @@ TEST(DecodeStatus, RejectsEveryOneBitCorruptionOfEveryItemSet) {
         for (std::size_t bit = 0; bit < reply.size() * 8; ++bit) {
             auto corrupted = reply;
             corrupted[bit / 8] = static_cast<std::uint8_t>(corrupted[bit / 8] ^ (1U << bit % 8));
-            RC_ASSERT(decodeStatus(module, items, corrupted).error() == StatusError::Checksum);
+            RC_ASSERT(!decodeStatus(module, items, corrupted));
         }
     });
 }
@@ -177,7 +177,7 @@ RC_GTEST_PROP(DecodeStatus, RejectsEveryOtherLength, ()) {
     const StatusItems items = anyItems(module);
     auto reply = anyReply(module, items);
     reply.resize(*rc::gen::distinctFrom(rc::gen::inRange<std::size_t>(0, 20), reply.size()));
-    RC_ASSERT(decodeStatus(module, items, reply).error() == StatusError::Length);
+    RC_ASSERT(!decodeStatus(module, items, reply));
 }
 
 }  // namespace
