@@ -213,9 +213,9 @@ const BitNames& auxBitNames(const ModuleIdentity& module) {
 }
 
 /// Items without named bits are shown as a number.
-std::string valueOf(const ModuleIdentity& module, const StatusReport& report, std::uint8_t item) {
+std::string valueOf(const ModuleIdentity& module, const StatusReport& report, const StatusItemRow& row) {
     const bool io = module.type == ModuleType::Io;
-    if (!io && item == StatusItems::Aux)
+    if (!io && row.bit == StatusItems::Aux)
         return bitNames(module.type, auxBitNames(module), report.aux.value_or(0));
     std::string text;
     const auto describe = [&](const auto& value) {
@@ -225,12 +225,12 @@ std::string valueOf(const ModuleIdentity& module, const StatusReport& report, st
         if constexpr (std::is_same_v<T, ModuleIdentity>)
             text = "type " + std::to_string(static_cast<int>(value->type)) + ", version " +
                    std::to_string(value->version);
-        else if (io && (item == StatusItems::Pins || item == StatusItems::LatchedPins))
+        else if (io && (row.bit == StatusItems::Pins || row.bit == StatusItems::LatchedPins))
             text = lineNames("IO", io::kPins, static_cast<std::uint16_t>(*value), "all low");
         else
             text = std::to_string(*value);
     };
-    visitItem(module, item, describe, report);
+    visitItem(row, describe, report);
     return text;
 }
 
@@ -239,7 +239,7 @@ std::string describeReport(const ModuleIdentity& module, const StatusReport& rep
     for (const StatusItemRow& row : statusItemTable(module)) {
         if (!report.items.has(row.bit))
             continue;
-        const std::string value = valueOf(module, report, row.bit);
+        const std::string value = valueOf(module, report, row);
         phrases.add(row.bit == StatusItems::Identity ? value : std::string(row.name) + ' ' + value);
     }
     const std::string bits = bitNames(module.type, statusBitNames(module.type), report.status);

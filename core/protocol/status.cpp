@@ -7,35 +7,35 @@ namespace {
 
 // Versions 1 to 4 have only the first six.
 constexpr std::array kServoItems{
-    StatusItemRow{StatusItems::Position, "position", 4},
-    StatusItemRow{StatusItems::Analog, "A/D value", 1},
-    StatusItemRow{StatusItems::Velocity, "velocity", 2},
-    StatusItemRow{StatusItems::Aux, "auxiliary status", 1},
-    StatusItemRow{StatusItems::Home, "home position", 4},
-    StatusItemRow{StatusItems::Identity, "type, version", 2},
-    StatusItemRow{StatusItems::PositionError, "position error", 2},
-    StatusItemRow{StatusItems::PathPoints, "path points", 1},
+    StatusItemRow{StatusItems::Position, "position", 4, &StatusReport::position},
+    StatusItemRow{StatusItems::Analog, "A/D value", 1, &StatusReport::analog},
+    StatusItemRow{StatusItems::Velocity, "velocity", 2, &StatusReport::velocity},
+    StatusItemRow{StatusItems::Aux, "auxiliary status", 1, &StatusReport::aux},
+    StatusItemRow{StatusItems::Home, "home position", 4, &StatusReport::home},
+    StatusItemRow{StatusItems::Identity, "type, version", 2, &StatusReport::identity},
+    StatusItemRow{StatusItems::PositionError, "position error", 2, &StatusReport::positionError},
+    StatusItemRow{StatusItems::PathPoints, "path points", 1, &StatusReport::pathPoints},
 };
 constexpr std::size_t kFirstServoItems = 6;
 
 constexpr std::array kStepperItems{
-    StatusItemRow{StatusItems::Position, "position", 4},
-    StatusItemRow{StatusItems::Analog, "A/D value", 1},
-    StatusItemRow{StatusItems::TimerCount, "current timer count", 2},
-    StatusItemRow{StatusItems::Inputs, "inputs", 1},
-    StatusItemRow{StatusItems::Home, "home position", 4},
-    StatusItemRow{StatusItems::Identity, "type, version", 2},
+    StatusItemRow{StatusItems::Position, "position", 4, &StatusReport::position},
+    StatusItemRow{StatusItems::Analog, "A/D value", 1, &StatusReport::analog},
+    StatusItemRow{StatusItems::TimerCount, "current timer count", 2, &StatusReport::timerCount},
+    StatusItemRow{StatusItems::Inputs, "inputs", 1, &StatusReport::aux},
+    StatusItemRow{StatusItems::Home, "home position", 4, &StatusReport::home},
+    StatusItemRow{StatusItems::Identity, "type, version", 2, &StatusReport::identity},
 };
 
 constexpr std::array kIoItems{
-    StatusItemRow{StatusItems::Pins, "inputs", 2},
-    StatusItemRow{StatusItems::Analog1, "A/D value 1", 1},
-    StatusItemRow{StatusItems::Analog2, "A/D value 2", 1},
-    StatusItemRow{StatusItems::Analog3, "A/D value 3", 1},
-    StatusItemRow{StatusItems::Counter, "counter/timer", 4},
-    StatusItemRow{StatusItems::Identity, "type, version", 2},
-    StatusItemRow{StatusItems::LatchedPins, "latched inputs", 2},
-    StatusItemRow{StatusItems::LatchedCounter, "latched counter", 4},
+    StatusItemRow{StatusItems::Pins, "inputs", 2, &StatusReport::pins},
+    StatusItemRow{StatusItems::Analog1, "A/D value 1", 1, std::size_t{0}},
+    StatusItemRow{StatusItems::Analog2, "A/D value 2", 1, std::size_t{1}},
+    StatusItemRow{StatusItems::Analog3, "A/D value 3", 1, std::size_t{2}},
+    StatusItemRow{StatusItems::Counter, "counter/timer", 4, &StatusReport::counter},
+    StatusItemRow{StatusItems::Identity, "type, version", 2, &StatusReport::identity},
+    StatusItemRow{StatusItems::LatchedPins, "latched inputs", 2, &StatusReport::latchedPins},
+    StatusItemRow{StatusItems::LatchedCounter, "latched counter", 4, &StatusReport::latchedCounter},
 };
 
 void read(ByteSpan bytes, std::optional<ModuleIdentity>& identity) {
@@ -88,7 +88,7 @@ void merge(const ModuleIdentity& module, StatusReport& into, const StatusReport&
             to = value;
     };
     for (const StatusItemRow& row : statusItemTable(module))
-        visitItem(module, row.bit, take, into, from);
+        visitItem(row, take, into, from);
 }
 
 std::optional<StatusReport> decodeStatus(const ModuleIdentity& module, StatusItems items, ByteSpan reply) {
@@ -104,7 +104,7 @@ std::optional<StatusReport> decodeStatus(const ModuleIdentity& module, StatusIte
             continue;
         const ByteSpan bytes = reply.subspan(at, row.size);
         visitItem(
-            module, row.bit, [bytes](auto& value) { read(bytes, value); }, report);
+            row, [bytes](auto& value) { read(bytes, value); }, report);
         at += row.size;
     }
     if (report.velocity && !hasPathBuffer(module))

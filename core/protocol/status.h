@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <variant>
 
 #include "base/bytes.h"
+#include "base/overloaded.h"
 #include "protocol/moduletype.h"
 
 namespace nmc {
@@ -50,15 +53,6 @@ public:
 private:
     std::uint8_t m_mask = 0;
 };
-
-struct StatusItemRow {
-    std::uint8_t bit;
-    std::string_view name;
-    std::uint8_t size;  ///< bytes
-};
-
-/// The items of a module in the order in which they are sent (DS-V 5.2, DS-S 5.1 Define Status).
-[[nodiscard]] std::span<const StatusItemRow> statusItemTable(const ModuleIdentity& module);
 
 /// Every item of the module.
 [[nodiscard]] StatusItems allItems(const ModuleIdentity& module);
@@ -181,51 +175,30 @@ struct StatusReport {
     bool operator==(const StatusReport&) const = default;
 };
 
+template <typename T>
+using ReportMember = std::optional<T> StatusReport::*;
+
+struct StatusItemRow {
+    std::uint8_t bit;
+    std::string_view name;
+    std::uint8_t size;  ///< bytes
+    /// The member that holds the item, or its index in StatusReport::analogs.
+    std::variant<ReportMember<std::uint8_t>, ReportMember<std::int16_t>, ReportMember<std::uint16_t>,
+                 ReportMember<std::int32_t>, ReportMember<std::uint32_t>, ReportMember<ModuleIdentity>,
+                 std::size_t>
+        place;
+};
+
+/// The items of a module in the order in which they are sent (DS-V 5.2, DS-S 5.1 Define Status).
+[[nodiscard]] std::span<const StatusItemRow> statusItemTable(const ModuleIdentity& module);
+
 /// Calls `function` with the member of each report that holds this item. The reports are StatusReports, const
-/// or not. Every item in statusItemTable() is covered.
+/// or not.
 template <typename Function, typename... Reports>
-void visitItem(const ModuleIdentity& module, std::uint8_t item, Function function, Reports&... reports) {
-    if (item == StatusItems::Identity)
-        return function(reports.identity...);
-    if (module.type == ModuleType::Io) {
-        switch (item) {
-            case StatusItems::Pins:
-                return function(reports.pins...);
-            case StatusItems::Analog1:
-                return function(reports.analogs[0]...);
-            case StatusItems::Analog2:
-                return function(reports.analogs[1]...);
-            case StatusItems::Analog3:
-                return function(reports.analogs[2]...);
-            case StatusItems::Counter:
-                return function(reports.counter...);
-            case StatusItems::LatchedPins:
-                return function(reports.latchedPins...);
-            case StatusItems::LatchedCounter:
-                return function(reports.latchedCounter...);
-            default:
-                return;
-        }
-    }
-    switch (item) {
-        case StatusItems::Position:
-            return function(reports.position...);
-        case StatusItems::Analog:
-            return function(reports.analog...);
-        case StatusItems::Velocity:  // and StatusItems::TimerCount
-            return module.type == ModuleType::Stepper ? function(reports.timerCount...)
-                                                      : function(reports.velocity...);
-        case StatusItems::Aux:  // and StatusItems::Inputs
-            return function(reports.aux...);
-        case StatusItems::Home:
-            return function(reports.home...);
-        case StatusItems::PositionError:
-            return function(reports.positionError...);
-        case StatusItems::PathPoints:
-            return function(reports.pathPoints...);
-        default:
-            return;
-    }
+void visitItem(const StatusItemRow& row, Function function, Reports&... reports) {
+    std::visit(Overloaded{[&](std::size_t analog) { function(reports.analogs[analog]...); },
+                          [&](auto member) { function((reports.*member)...); }},
+               row.place);
 }
 
 /// Copies every item that `from` carries; items that it does not carry keep their last value.
