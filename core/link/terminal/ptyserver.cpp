@@ -3,6 +3,8 @@
 
 #include <asm/termbits.h>  // struct termios2; <termios.h> would clash with it
 #include <fcntl.h>
+#include <sys/epoll.h>
+#include <sys/inotify.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -39,6 +41,14 @@ bool makeRaw(int fd, std::uint32_t baud) {
     return ::ioctl(fd, TCSETS2, &settings) == 0;
 }
 
+/// True when inotify has reported anything since the last call.
+bool tookEvents(const Descriptor& inotify) {
+    bool any = false;
+    for (std::array<char, 4096> events{}; ::read(inotify.get(), events.data(), events.size()) > 0;)
+        any = true;
+    return any;
+}
+
 }  // namespace
 
 tl::expected<PtyServer, std::string> PtyServer::create(const std::string& link, std::uint32_t baud) {
@@ -57,7 +67,7 @@ tl::expected<PtyServer, std::string> PtyServer::create(const std::string& link, 
     const int on = 1;
     if (::ioctl(master, TIOCPKT, &on) != 0)
         return tl::unexpected(systemError("the pseudo-terminal " + server.m_path + " has no packet mode"));
-    server.m_firstAct = FirstActWatch(master, server.m_path);
+    server.watchHost();
     if (!link.empty()) {
         // A link left by an earlier run may be replaced; anything else may be a file of the user.
         struct stat info {};
@@ -79,9 +89,35 @@ PtyServer::~PtyServer() {
         ::unlink(m_link.c_str());
 }
 
+void PtyServer::watchHost() {
+    m_writes = Descriptor(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
+    m_leaves = Descriptor(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
+    m_order = Descriptor(::epoll_create1(EPOLL_CLOEXEC));
+    ::inotify_add_watch(m_leaves.get(), m_path.c_str(), IN_CLOSE_WRITE);
+    const auto watch = [this](int fd, unsigned events, FirstAct act) {
+        epoll_event event{};
+        event.events = events | unsigned{EPOLLET};
+        event.data.u32 = static_cast<std::uint32_t>(act);
+        return ::epoll_ctl(m_order.get(), EPOLL_CTL_ADD, fd, &event) == 0;
+    };
+    if (::inotify_add_watch(m_writes.get(), m_path.c_str(), IN_MODIFY) < 0 ||
+        !watch(m_writes.get(), EPOLLIN, FirstAct::Wrote) || !watch(fd(), EPOLLPRI, FirstAct::SetTerminal))
+        m_order.reset();
+}
+
+FirstAct PtyServer::takeFirstAct() const {
+    if (!m_order.valid())
+        return FirstAct::Unknown;
+    std::array<epoll_event, 2> acts{};
+    const int count = ::epoll_wait(m_order.get(), acts.data(), static_cast<int>(acts.size()), 0);
+    // A write is reported only while no earlier write is waiting to be read.
+    tookEvents(m_writes);
+    return count > 0 ? static_cast<FirstAct>(acts[0].data.u32) : FirstAct::Unknown;
+}
+
 HostActs PtyServer::takeActs() {
     HostActs acts;
-    acts.first = m_firstAct.take();
+    acts.first = takeFirstAct();
     Packets packets = readAll();
     acts.bytes = std::move(packets.bytes);
     termios2 settings{};
@@ -93,10 +129,10 @@ HostActs PtyServer::takeActs() {
     const bool flushed = acts.first == FirstAct::SetTerminal && news != TIOCPKT_IOCTL;
     if (!std::exchange(m_tellsSettings, (settings.c_lflag & EXTPROC) != 0) || flushed)
         acts.first = FirstAct::Unknown;
-    acts.hungUp = m_firstAct.tookLeave();
+    acts.hungUp = tookEvents(m_leaves);
     if (acts.hungUp && ::ioctl(m_slave.get(), TCFLSH, TCIFLUSH) == 0) {
         m_ownNews = TIOCPKT_FLUSHREAD;
-        static_cast<void>(m_firstAct.take());
+        static_cast<void>(takeFirstAct());
     }
     return acts;
 }
