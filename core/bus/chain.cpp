@@ -198,30 +198,25 @@ std::vector<PacketBytes> Chain::outputStops() const {
     return packets;
 }
 
-std::vector<Order> Chain::lastOrders() const {
-    std::vector<Order> orders;
-    for (Order& stop : stops()) {
-        // With gains that make it swing, a stop alone would not bring it to rest.
-        if (const auto& trial = at(stop.module).trial)
-            orders.push_back({stop.module, ServoCommand(trial->net.back)});
-        orders.push_back(std::move(stop));
-    }
-    return orders;
-}
-
 std::vector<std::uint8_t> Chain::stopBurst() const {
     std::vector<std::uint8_t> burst;
     if (m_readOnly)
         return burst;
     const std::size_t pause = nullsForTurnaround(byteTimeAtBaud(m_rate));
-    for (const Order& order : lastOrders()) {
+    const auto add = [&](ModuleIndex module, const ModuleCommand& command) {
         if (burst.empty())
             burst.assign(kNullCount, 0);
-        const PacketBytes packet = toPacket({belief(order.module).info().address, payloadOf(order.command)});
+        const PacketBytes packet = toPacket({belief(module).info().address, payloadOf(command)});
         burst.insert(burst.end(), packet.begin(), packet.end());
         // Nothing waits between the packets any more, so nulls must provide the delay: a packet that arrives
         // before the previous one was carried out replaces it (DS-V 4.1).
         burst.insert(burst.end(), pause, 0);
+    };
+    for (const Order& stop : stops()) {
+        // With gains that make it swing, a stop alone would not bring it to rest.
+        if (const auto& trial = at(stop.module).trial)
+            add(stop.module, ServoCommand(trial->net.back));
+        add(stop.module, stop.command);
     }
     return burst;
 }

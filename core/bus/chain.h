@@ -165,11 +165,9 @@ public:
     [[nodiscard]] std::vector<Order> stops() const;
     /// The packets among these stops that take outputs low.
     [[nodiscard]] std::vector<PacketBytes> outputStops() const;
-    /// These stops, preceded by the previous gains where others are being tried; for a sender that will not
-    /// be able to restore the gains later.
-    [[nodiscard]] std::vector<Order> lastOrders() const;
-    /// These commands as bytes that need no answer, nulls first; empty if nothing is on, or on a read-only
-    /// connection.
+    /// These stops as bytes that need no answer, nulls first, preceded by the previous gains where others are
+    /// being tried, because their sender will not be able to restore them later; empty if nothing is on, or
+    /// on a read-only connection.
     [[nodiscard]] std::vector<std::uint8_t> stopBurst() const;
     /// Packets for these stops, one for a whole group if it is the same for all members, with the pauses
     /// after them.

@@ -410,15 +410,6 @@ std::optional<TimePoint> Engine::nextDeadline() const {
     return earliest({onFreeLine, m_trials.due(), m_path.due(), m_operations.due(), m_polls.due()});
 }
 
-std::optional<std::vector<std::uint8_t>> Engine::changedStopBurst() {
-    bool changed = std::exchange(m_burstBaud, stopBurstBaud()) != stopBurstBaud() && !m_chain.empty();
-    decltype(m_burstStops) stops;
-    for (Order& order : m_chain.lastOrders())
-        stops.emplace_back(m_chain.belief(order.module).info().address, std::move(order.command));
-    changed = std::exchange(m_burstStops, stops) != stops || changed;
-    return changed ? std::optional(stopBurst()) : std::nullopt;
-}
-
 std::vector<UnconfirmedStop> Engine::unconfirmedStops() const {
     std::vector<UnconfirmedStop> stops = m_config.unconfirmed;
     for (const Chain::Module& module : m_chain.modules())

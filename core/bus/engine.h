@@ -174,9 +174,6 @@ public:
     /// For the next connection to this port: the stops that are owed now, and those of EngineConfig that no
     /// chain was found for.
     [[nodiscard]] std::vector<UnconfirmedStop> unconfirmedStops() const;
-    /// The burst if it, or its rate, has changed since the last call; cheap otherwise. The burst counts as
-    /// empty before the first call.
-    [[nodiscard]] std::optional<std::vector<std::uint8_t>> changedStopBurst();
 
     /// Records every exchange from now on, for the packet monitor; initially off, at no cost.
     void setRecording(bool on) { m_recorder.set(on); }
@@ -296,9 +293,6 @@ private:
                                   &m_readdress, &m_restartSearch, &m_search, &m_recovery, &m_wayBack,
                                   &m_wellAgain, &m_stops,         &m_polls};
     std::optional<Work> m_again;  ///< waits to be repeated
-    /// The stop of each module and its address, at the last call of changedStopBurst().
-    std::vector<std::pair<BusAddress, std::optional<ModuleCommand>>> m_burstStops;
-    std::uint32_t m_burstBaud = 0;  ///< chain's rate at that call
 };
 
 }  // namespace nmc::bus

@@ -253,11 +253,7 @@ tl::expected<void, PortError> BusSession::hearGuards(TimePoint now) {
 }
 
 void BusSession::informGuards() {
-    Guarded news = m_guarded;
-    if (auto burst = m_engine.changedStopBurst())
-        news.burst = std::move(*burst);
-    news.baud = m_engine.stopBurstBaud();
-    news.moving = m_engine.answersForMotion();
+    Guarded news{m_engine.stopBurst(), m_engine.stopBurstBaud(), m_engine.answersForMotion()};
     if (news == m_guarded)
         return;
     m_guarded = std::move(news);
