@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -18,14 +19,30 @@ public:
     /// No module was heard at this number.
     void add(BusAddress number) { m_numbers.push_back(number); }
     [[nodiscard]] bool empty() const { return m_numbers.empty(); }
-    [[nodiscard]] bool contains(BusAddress number) const;
+    [[nodiscard]] bool contains(BusAddress number) const {
+        return std::ranges::find(m_numbers, number) != m_numbers.end();
+    }
 
     /// Begins a round of queries: one for each number.
-    void begin();
-    /// The number to query; empty at the end of the round.
-    [[nodiscard]] std::optional<BusAddress> next() const;
+    void begin() {
+        m_left = m_numbers.size();
+        m_found = false;
+    }
+    /// The number to query; empty at the end of the round. The last number comes first: if the answer to its
+    /// Set Address is only late, it is noticed here.
+    [[nodiscard]] std::optional<BusAddress> next() const {
+        return m_left > 0 ? std::optional(m_numbers[m_left - 1]) : std::nullopt;
+    }
     /// The answer to that query. Returns true if there is a module at that number.
-    bool onReply(const ReplyEnd& end);
+    bool onReply(const ReplyEnd& end) {
+        --m_left;
+        const bool there = !unanswered(end.result);
+        if (there)
+            m_numbers.erase(m_numbers.begin() + static_cast<std::ptrdiff_t>(m_left));
+        m_found = m_found || there;
+        m_doubtful = m_doubtful || (!there && !end.bytes.empty());
+        return there;
+    }
     /// An answer was too late: silence shows nothing, neither before nor in this round.
     void onLateBytes() { m_doubtful = true; }
 
@@ -34,7 +51,10 @@ public:
     /// An answer was late or wrong since the last round that has shown nothing, or since the beginning.
     [[nodiscard]] bool doubtful() const { return m_doubtful; }
     /// This round has shown nothing.
-    void noteInVain();
+    void noteInVain() {
+        m_doubtful = false;
+        ++m_inVain;
+    }
     /// Too many rounds have shown nothing.
     [[nodiscard]] bool exhausted() const { return m_inVain >= kMostRounds; }
 

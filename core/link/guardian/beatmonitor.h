@@ -28,10 +28,25 @@ public:
     static constexpr Duration kLate = std::chrono::milliseconds(20);
 
     /// The latest time at which expired() must be called again; nothing while nothing moves.
-    [[nodiscard]] std::optional<TimePoint> lookBy(const Beat& beat) const;
+    [[nodiscard]] std::optional<TimePoint> lookBy(const Beat& beat) const {
+        if (!beat.moving)
+            return std::nullopt;
+        return m_stale == beat.at ? m_lookAgain : beat.at + kLongest;
+    }
     /// Returns true when the motors must be stopped, once per beat: it returns true again only after a new
     /// beat.
-    [[nodiscard]] bool expired(const Beat& beat, TimePoint now);
+    [[nodiscard]] bool expired(const Beat& beat, TimePoint now) {
+        const auto by = lookBy(beat);
+        if (!by || now < *by)
+            return false;
+        const bool seenBefore = m_stale == beat.at;
+        const bool expiredBefore = seenBefore && m_expired;
+        const bool tooLateToJudge = !seenBefore && now - *by > kLate;
+        m_stale = beat.at;
+        m_expired = !tooLateToJudge;
+        m_lookAgain = now + kLongest;
+        return m_expired && !expiredBefore;
+    }
 
 private:
     std::optional<TimePoint> m_stale;  ///< the beat last found too old
