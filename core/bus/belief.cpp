@@ -123,8 +123,10 @@ struct Belief::Executed {
 };
 
 void Belief::onSent(const ModuleCommand& command, TimePoint latched) {
-    if (setsCounter(command))
+    if (setsCounter(command)) {
         rename();
+        forgetLoad();  // its goal counts from the zero of before
+    }
     visitCommand(Sent{*this, latched}, command);
 }
 

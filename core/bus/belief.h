@@ -46,7 +46,7 @@ public:
     /// The same module, found again at its address by another search of the same connection: it has not
     /// restarted, or it would not answer there, and it was sent only queries.
     void foundAgain(ModuleIndex index) { m_info.index = index; }
-    /// A load was requested and refused: an earlier one that is waiting must not start in its place.
+    /// What was loaded must not be started any more.
     void forgetLoad() {
         m_servo.loadWaiting = false;
         m_stepper.waiting.reset();

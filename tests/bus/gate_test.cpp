@@ -66,6 +66,17 @@ TEST(Gate, LetsAStandingServoLoadAndStart) {
     EXPECT_EQ(module.permit(start(0)), Permission::Allowed);
 }
 
+/// Its goal, 10 counts from the zero of before, would be somewhere else.
+TEST(Gate, LetsNoLoadStartThatIsOlderThanTheZero) {
+    Module module = standing();
+    module.executed(loadMove(0, 10));
+    module.executed(toServo(0, ResetPosition{}));
+    module.status(kMoveDone | kPower, kServoOn);
+    EXPECT_EQ(module.permit(start(0)), Permission::Never);
+    module.executed(loadMove(0, 10));
+    EXPECT_EQ(module.permit(start(0)), Permission::Allowed);
+}
+
 TEST(Gate, WantsToSeeAStatusFirst) {
     Module module;
     EXPECT_EQ(module.permitMove(), Permission::NeedsStatus);

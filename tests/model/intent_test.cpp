@@ -167,6 +167,15 @@ TEST(Plan, LoadsNowAndStartsLater) {
     EXPECT_EQ(payloads(intent::StartLoaded{}, module), (Hex{"05"}));
 }
 
+/// The goal that waits counts from the zero of before.
+TEST(Plan, AnotherZeroForgetsWhatWasLoaded) {
+    ModuleState module = holdingServo();
+    module.apply(
+        executedAt(5, std::get<ServoCommand>(plan(intent::LoadMove{kTrapezoid}, module)->front().command)));
+    module.apply(executedAt(6, ResetPosition{}));
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, module), Refusal::NothingLoaded);
+}
+
 TEST(Plan, AStopUsesUpWhatWasLoaded) {
     ModuleState module = holdingServo();
     module.apply(

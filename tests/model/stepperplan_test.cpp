@@ -263,6 +263,10 @@ TEST(StepPlan, StartsWhatWasLoadedOnceAndOnlyWhereItMayGo) {
     stepper.says(kStepOn);
     stepper.was(StartMotion{});
     EXPECT_EQ(refusalOf(intent::StartLoaded{}, stepper.module), Refusal::NothingLoaded);
+    stepper.was(Stepper::trapezoid(1'000));
+    stepper.was(ResetPosition{});
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, stepper.module), Refusal::NothingLoaded)
+        << "its goal counts from the zero of before";
 }
 
 TEST(StepPlan, KnowsWhatIsNotForIt) {

@@ -200,6 +200,8 @@ void BusStore::doubtCommand(ModuleIndex index, CommandCode command) {
     doubtMotions({index});
     if (command == CommandCode::ResetPosition || command == CommandCode::SaveAsHome)
         module.home.forget();
+    if (command == CommandCode::ResetPosition)
+        module.forgetLoad();
     if (command == CommandCode::SetGain && module.isServo()) {
         module.doubtGains();
         feed.doubtServoRate();

@@ -200,6 +200,8 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
     homing.apply(executed);
     home.apply(executed);
     speed.apply(executed);
+    if (setsCounter(executed.command))
+        forgetLoad();
     if (const auto* step = std::get_if<StepperCommand>(&executed.command)) {
         stepper.apply(*step, executed.time);
         amplifierEnabled = stepper.amplifierOn();
