@@ -1941,6 +1941,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Die Geschwindigkeit ist 0 oder unbekannt: Der Motor würde sich vielleicht nicht oder zu schnell bewegen. Eine Geschwindigkeit eingeben.</translation>
     </message>
     <message>
+        <source>The chip cannot turn the motor this slowly in its speed mode. Enter a higher velocity, or choose another speed mode.</source>
+        <translation>So langsam kann der Chip den Motor in seinem Geschwindigkeitsmodus nicht drehen. Eine höhere Geschwindigkeit eingeben oder einen anderen Geschwindigkeitsmodus wählen.</translation>
+    </message>
+    <message>
         <source>Note</source>
         <translation>Hinweis</translation>
     </message>

@@ -1941,6 +1941,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>La velocidad es 0 o desconocida: el motor quizá no se movería o se movería demasiado rápido. Introduzca una velocidad.</translation>
     </message>
     <message>
+        <source>The chip cannot turn the motor this slowly in its speed mode. Enter a higher velocity, or choose another speed mode.</source>
+        <translation>El chip no puede girar el motor tan despacio en su modo de velocidad. Introduzca una velocidad mayor o elija otro modo de velocidad.</translation>
+    </message>
+    <message>
         <source>Note</source>
         <translation>Nota</translation>
     </message>

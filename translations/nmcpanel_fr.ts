@@ -1941,6 +1941,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>La vitesse est à 0 ou inconnue&#xa0;: le moteur pourrait ne pas bouger, ou bouger trop vite. Saisissez une vitesse.</translation>
     </message>
     <message>
+        <source>The chip cannot turn the motor this slowly in its speed mode. Enter a higher velocity, or choose another speed mode.</source>
+        <translation>La puce ne peut pas faire tourner le moteur aussi lentement dans son mode de vitesse. Saisissez une vitesse plus élevée ou choisissez un autre mode de vitesse.</translation>
+    </message>
+    <message>
         <source>Note</source>
         <translation>Note</translation>
     </message>

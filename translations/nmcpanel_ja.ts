@@ -1938,6 +1938,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>速度が0または不明です。モーターが動かない、または速すぎるおそれがあります。速度を入力してください。</translation>
     </message>
     <message>
+        <source>The chip cannot turn the motor this slowly in its speed mode. Enter a higher velocity, or choose another speed mode.</source>
+        <translation>チップは現在の速度モードではモーターをこれほど遅く回せません。より大きい速度を入力するか、別の速度モードを選んでください。</translation>
+    </message>
+    <message>
         <source>Note</source>
         <translation>注記</translation>
     </message>

@@ -3,6 +3,7 @@
 // hand.
 #include <gtest/gtest.h>
 
+#include "model/intent/homingplan.h"
 #include "model/intent/jog.h"
 #include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
@@ -61,6 +62,23 @@ TEST(StepperTravel, StepsBeyondAreRefusedAlsoRelativeOnes) {
     const Stepper atEnd = limitedStepper(2'000);
     EXPECT_EQ(whyNot(steppermotion::VelocityProfile{40, 4, false}, atEnd.module), Refusal::AtTravelEnd);
     EXPECT_FALSE(whyNot(steppermotion::VelocityProfile{40, 4, true}, atEnd.module));
+}
+
+/// DS-S 5.1: below the minimum profile speed, 4, the minimum is used. In mode 1x that is 100 steps/s, in 8x
+/// 800.
+TEST(StepperTravel, ASearchForHomeIsNotFasterThanRequested) {
+    Stepper stepper = limitedStepper();
+    HomingRecipe recipe = firstRecipe(stepper.module.info.identity);
+    recipe.onHomeSwitch = true;
+    recipe.velocity = 99.0;
+    EXPECT_EQ(whyNotHome(recipe, stepper.module), Refusal::TooSlow);
+    recipe.velocity = 100.0;
+    EXPECT_EQ(whyNotHome(recipe, stepper.module), std::nullopt);
+    stepper.module.stepper.parameters->speedMode = stepper::SpeedMode::X8;
+    recipe.velocity = 799.0;
+    EXPECT_EQ(whyNotHome(recipe, stepper.module), Refusal::TooSlow);
+    recipe.velocity = 800.0;
+    EXPECT_EQ(whyNotHome(recipe, stepper.module), std::nullopt);
 }
 
 /// DS-S 5.1, Table 4: a speed that is not loaded is the one loaded before. Speed 40 is 1000 steps/s, and a

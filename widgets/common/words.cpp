@@ -240,6 +240,9 @@ QString refusal(Refusal refusal) {
             return Texts::tr("That is beyond this axis's travel limits (Axis page).");
         case Refusal::AtTravelEnd:
             return Texts::tr("Travel limit reached. Move in the other direction.");
+        case Refusal::TooSlow:
+            return Texts::tr(
+                "The chip cannot turn the motor this slowly in its speed mode. Enter a higher velocity, or choose another speed mode.");
         case Refusal::TooFast:
             return Texts::tr("That exceeds this axis's highest velocity (Axis page).");
         case Refusal::RunNeedsStop:

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent/homingplan.h"
 
+#include <algorithm>
+
 #include "model/intent/rights.h"
 #include "model/intent/travel.h"
+#include "module/stepperspeed.h"
 
 namespace nmc {
 
@@ -25,6 +28,15 @@ namespace {
                        {module.stepper.parameters.has_value(), Refusal::ParametersUnknown},
                        {status.amplifierEnabled(), Refusal::AmplifierOff},
                        {!status.moving(), Refusal::Moving}});
+}
+
+/// A PIC-STEP goes no more slowly than its minimum profile speed (DS-S 5.1), and than one unit of its speed
+/// mode.
+[[nodiscard]] bool isTooSlow(double velocity, const ModuleState& module) {
+    const auto& parameters = module.stepper.parameters;
+    return parameters &&
+           velocity <
+               StepperSpeed(parameters->speedMode).ofSpeed(std::max<int>(parameters->minimumProfileSpeed, 1));
 }
 
 }  // namespace
@@ -56,6 +68,7 @@ std::optional<Refusal> whyNotHome(const HomingRecipe& recipe, const ModuleState&
     if (const auto refusal =
             firstUnmet({{hasCondition(r), Refusal::NothingToFind},
                         {fast, Refusal::NoVelocity},
+                        {!isTooSlow(r.velocity, module), Refusal::TooSlow},
                         {r.acceleration > 0.0, Refusal::NoAcceleration},
                         {r.travelLimit > 0.0 && r.timeLimit > 0.0, Refusal::NoSearchLimits}}))
         return refusal;

@@ -241,6 +241,7 @@ enum class Refusal : std::uint8_t {
                      ///< three
     AtTravelEnd,     ///< no travel is left in that direction
     TooFast,         ///< exceeds the axis's limit set by the user
+    TooSlow,         ///< PIC-STEP: it would go faster, at the least speed of its mode and parameters
     RunNeedsStop,    ///< towards a limit, a run must start from standstill, so that the chip ends it there
     LimitStopDue,    ///< the axis uses one for each motion, and it is not armed yet
     NoCurrentLimit,  ///< CL is 0, so the current never exceeds the limit
