@@ -203,11 +203,14 @@ PathColumn pathColumn(const std::string& name, const ModuleState& module, const 
 
 void nameApart(std::vector<PathColumn>& axes) {
     std::multiset<std::string> names;
-    for (const PathColumn& axis : axes)
-        names.insert(axis.name);
-    for (PathColumn& axis : axes)
-        if (names.count(axis.name) > 1)
-            axis.name = pathName(axis.module, {});
+    do {  // again if the name of a module is that of another axis
+        names.clear();
+        for (const PathColumn& axis : axes)
+            names.insert(axis.name);
+        for (PathColumn& axis : axes)
+            if (names.count(axis.name) > 1)
+                axis.name = pathName(axis.module, {});
+    } while (std::ranges::any_of(names, [&](const std::string& name) { return names.count(name) > 1; }));
 }
 
 std::vector<PathColumn> columnsOf(const PathTable& table, std::span<const PathColumn> axes) {
