@@ -97,13 +97,14 @@ QString portTable(const QList<PortEntry>& ports) {
     return lines.join(QLatin1Char('\n'));
 }
 
-bool exists(const QString& port, const QList<PortEntry>& ports) {
+/// The full name of the port, by which the panel remembers its chain; empty if there is none.
+QString fullName(const QString& port, const QList<PortEntry>& ports) {
     for (const PortEntry& entry : ports)
         if (entry.name == port || entry.name == QStringLiteral("/dev/") + port)
-            return true;
+            return entry.name;
     // Terminals of simulators and udev links are not in the list, but are equally usable, and so is a
     // network.
-    return QFileInfo::exists(port) || isNetworkName(port.toStdString());
+    return QFileInfo::exists(port) || isNetworkName(port.toStdString()) ? port : QString();
 }
 
 std::optional<Say> readPort(const QCommandLineParser& parser, const std::function<QList<PortEntry>()>& ports,
@@ -121,13 +122,14 @@ std::optional<Say> readPort(const QCommandLineParser& parser, const std::functio
             return Say{message.headline + QLatin1Char(' ') + message.body, kBadArguments};
         }
         const QList<PortEntry> known = ports();
-        if (!exists(name, known)) {
+        const QString port = fullName(name, known);
+        if (port.isEmpty()) {
             QStringList names;
             for (const PortEntry& port : known)
                 names << port.name;
             return Say{texts::unknownPort(name, names), kNoSuchPort};
         }
-        start.port = name;
+        start.port = port;
     }
     return std::nullopt;
 }

@@ -49,7 +49,8 @@ TEST(CommandLine, TakesAPortAndARate) {
     const Start start = started(QStringLiteral("--port /dev/ttyUSB0 --baud 115200"));
     EXPECT_EQ(start.port, QStringLiteral("/dev/ttyUSB0"));
     EXPECT_EQ(start.baud, 115'200U);
-    EXPECT_EQ(started(QStringLiteral("--port=ttyUSB0")).port, QStringLiteral("ttyUSB0"));
+    // By its full name, under which its chain is remembered.
+    EXPECT_EQ(started(QStringLiteral("--port=ttyUSB0")).port, QStringLiteral("/dev/ttyUSB0"));
 }
 
 TEST(CommandLine, TakesTheSimulatorWithAndWithoutAChain) {
