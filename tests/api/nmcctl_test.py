@@ -144,6 +144,15 @@ class AtItsOwnLine(unittest.TestCase):
         self.assertEqual(code, REFUSED, "beyond the travel limit")
         self.assertNotIn("not in force", problems)
 
+    def test_a_search_that_ends_with_the_motor_off_has_found_home(self):
+        machine = self.place.file("off.json", """{"format": "nmc-panel-machine", "version": 1, "axes": [{"name": "X",
+            "homing": {"on_index": true, "velocity_counts_per_tick": 0.5, "acceleration_counts_per_tick2": 0.01,
+                       "stop": "motor off", "travel_limit_counts": 5000, "time_limit_s": 30, "go_to_home": false}}]}""")
+        code, out, problems = self.place.ctl("--simulator=servo", "--machine", machine, "-",
+                                             text=f"gains X --set {GAINS}\nenable X\nhome X --wait\nstate X\n")
+        self.assertEqual(code, DONE, problems)
+        self.assertIn("X", out)
+
     def test_takes_a_number_for_the_number_of_an_axis_whatever_others_are_called(self):
         machine = self.place.file("odd.json", """{"format": "nmc-panel-machine", "version": 1, "axes": [
             {"name": "2", "unit": {"kind": "millimetres", "counts_per_unit": 100}},
