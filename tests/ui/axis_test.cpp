@@ -195,6 +195,27 @@ TEST_F(Axis, ItsUnitIsWorkedOutFromLabels) {
     EXPECT_EQ(window->findChild<QDialog*>(u"unitDialog"_s), nullptr);
 }
 
+/// Its dialog stays open while another module is selected; a file may give the axis other limits meanwhile.
+TEST_F(Axis, ItsUnitTakesNothingElseBack) {
+    showServos({{}, {}});
+    showPage(u"Axis"_s);
+    click(u"workOutUnitButton"_s);
+    choose(u"unitDialogKind"_s, u"linear, in millimetres"_s);
+    type(u"unitDialogLines"_s, u"500"_s);
+    type(u"unitDialogMotorTurns"_s, u"2"_s);
+    type(u"unitDialogTravel"_s, u"5"_s);
+    auto* list = find<QAbstractItemView>(u"chainList"_s);
+    list->setCurrentIndex(list->model()->index(1, 0));
+    machine.axes.resize(2);
+    machine.axes[0].travel.highest = 4'000;
+    machine.axes[0].travel.fastest = 0.5;
+    window->showMachine(machine);
+    click(u"unitDialogUse"_s);
+    EXPECT_EQ(machine.axis(ModuleIndex(0)).unit, (AxisUnit{UnitKind::Millimetres, 800, {}}));
+    EXPECT_EQ(machine.axis(ModuleIndex(0)).travel.highest, 4'000);
+    EXPECT_EQ(machine.axis(ModuleIndex(0)).travel.fastest, 0.5);
+}
+
 TEST_F(Axis, AUnitIsNotTakenFromHalfALabel) {
     showPage(u"Axis"_s);
     click(u"workOutUnitButton"_s);

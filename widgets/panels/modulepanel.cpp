@@ -89,6 +89,12 @@ bool ModulePanel::prepare(const PanelView& view) {
     return true;
 }
 
+void ModulePanel::keepUpToDate(const PanelView& view) {
+    const auto page = m_pages.find(view.module.info.index);
+    if (page != m_pages.end() && page->second.widget.get() != m_current)
+        page->second.widget->context().show(view);
+}
+
 ModulePage* ModulePanel::page() const {
     return qobject_cast<ModulePage*>(m_current);
 }

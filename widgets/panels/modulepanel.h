@@ -31,6 +31,8 @@ public:
     void showModule(const PanelView& view);
     /// Builds the page of a module before it is shown. Returns false if it has one already, or needs none.
     bool prepare(const PanelView& view);
+    /// The page of a module that is not shown learns the state of its axis: its dialogs may still be open.
+    void keepUpToDate(const PanelView& view);
     /// Shows that there is no module: `text` says why and what to do. `waiting`: one may appear at any
     /// moment.
     void showNothing(const QString& text, bool waiting = false);
