@@ -43,6 +43,25 @@ protected:
     QSignalSpy edits{&window->requests(), &Requests::axisEdited};
 };
 
+/// Its end came while the page was not shown, and then another procedure.
+TEST_F(Homing, OneThatIsLongOverDoesNotRun) {
+    showServos({{}, {}});
+    open();
+    report(ProcedureStage::Searching);
+    EXPECT_FALSE(button(u"homeButton"_s)->isEnabled());
+    auto* list = find<QAbstractItemView>(u"chainList"_s);
+    list->setCurrentIndex(list->model()->index(1, 0));
+    report(ProcedureStage::Done);
+    ProcedureReport steps;
+    steps.kind = ProcedureKind::MoveBy;
+    steps.stage = ProcedureStage::Done;
+    window->showProcedure(steps);
+    list->setCurrentIndex(list->model()->index(0, 0));
+    open();
+    EXPECT_EQ(button(u"homeButton"_s)->toolTip().toStdString().find("is running"), std::string::npos);
+    EXPECT_TRUE(field(u"homingVelocityField"_s)->isEnabled());
+}
+
 TEST_F(Homing, WhatIsShownIsSentAndKept) {
     show();
     click(u"onLimit1Box"_s);

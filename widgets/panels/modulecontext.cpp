@@ -62,9 +62,12 @@ void ModuleContext::adopt(const PanelView& view) {
     m_age = view.age;
     m_namesake = view.namesake;
     if (view.procedure == nullptr)
-        m_procedures.clear();
-    else
-        m_procedures.insert_or_assign(view.procedure->kind, *view.procedure);
+        return m_procedures.clear();
+    // Only one can run. Of another one, the end may have come while the page was not shown.
+    std::erase_if(m_procedures, [&](const auto& other) {
+        return other.first != view.procedure->kind && !other.second.over();
+    });
+    m_procedures.insert_or_assign(view.procedure->kind, *view.procedure);
 }
 
 void ModuleContext::show(const PanelView& view) {
