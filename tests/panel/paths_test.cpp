@@ -204,6 +204,21 @@ TEST_F(Paths, AWrongFileIsRefusedByItsLinesAndNothingMoves) {
     EXPECT_EQ(commanded(1), 0);
 }
 
+TEST_F(Paths, OneIsNotRunWhileAnotherIsBeingRead) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(open(swing({u"Module 1"_s}, 500, 2)));
+    const auto* run = panel.window().findChild<QAbstractButton*>(u"runPathButton"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return run->isEnabled(); }));
+    std::vector<std::function<void()>> waiting;
+    setBackground([&](std::function<void()> work) { waiting.push_back(std::move(work)); });
+    ASSERT_NO_FATAL_FAILURE(askFor(swing({u"Module 1"_s}, 300, 2)));
+    EXPECT_FALSE(run->isEnabled());
+    setBackground([](const std::function<void()>& work) { work(); });
+    for (const auto& work : waiting)
+        work();
+    EXPECT_TRUE(panel.waitFor([&] { return run->isEnabled(); }));
+}
+
 TEST_F(Paths, WhatWasWrongWithAFileIsForgottenWithItsChain) {
     ASSERT_NO_FATAL_FAILURE(begin());
     ASSERT_NO_FATAL_FAILURE(open(u"Module 1,Y\n0,0\n"_s));

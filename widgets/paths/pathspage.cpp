@@ -195,6 +195,8 @@ QString PathsPage::whyNoAxes() const {
 QString PathsPage::whyNotMoved() const {
     if (const QString reason = whyNoAxes(); !reason.isEmpty())
         return reason;
+    if (m_reading)  // what arrives takes the place of this path
+        return tr("Reading the file…");
     if (!m_path)
         return tr("Open or draw a path first.");
     if (m_sequenceRuns)
