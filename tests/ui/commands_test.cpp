@@ -199,5 +199,23 @@ TEST_F(Commands, EnterInRunRunsAndKeepsTheDirection) {
     EXPECT_TRUE(test::motionOf<servomotion::VelocityProfile>(intents.at(1).at(1).value<Intent>()).reverse);
 }
 
+/// The direction that is kept is the chip's, which on a reversed axis is not that of the buttons.
+TEST_F(Commands, EnterInRunKeepsTheDirectionOfAReversedAxis) {
+    machine.axes.resize(1);
+    machine.axes[0].unit = {UnitKind::Millimetres, -100, {}};
+    window->showMachine(machine);
+    for (const double velocity : {-0.4, 0.4}) {
+        intents.clear();
+        ModuleState module = Servo{.moveDone = false, .millisecond = velocity < 0 ? 40 : 80}.state();
+        module.motion = MotionMode::Velocity;
+        module.goalVelocity = velocity;
+        window->showLink(connectedTo({module}));
+        QTest::keyClick(field(u"runVelocityField"_s), Qt::Key_Return);
+        ASSERT_EQ(intents.size(), 1);
+        EXPECT_EQ(test::motionOf<servomotion::VelocityProfile>(intents.at(0).at(1).value<Intent>()).reverse,
+                  velocity < 0);
+    }
+}
+
 }  // namespace
 }  // namespace nmc

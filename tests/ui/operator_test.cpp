@@ -131,6 +131,25 @@ TEST_F(OperatorMode, OutlivesTheSessionAndThePinIsNotInTheSettings) {
     EXPECT_TRUE(window->operatorLock().isLocked());
 }
 
+/// The operator may move, but the settings are not his to change; what he types is for his moves only.
+TEST_F(OperatorMode, WhatIsTypedForAMoveStaysInItsField) {
+    open();
+    auto* moves = button(u"operatorMovesBox"_s);
+    QTest::mouseClick(moves, Qt::LeftButton, {}, {moves->height() / 2, moves->height() / 2});
+    typePin(u"operatorPinField"_s, kPin);
+    typePin(u"operatorPinAgainField"_s, kPin);
+    click(u"operatorBeginButton"_s);
+    ASSERT_TRUE(window->operatorLock().isLocked());
+    settle();
+    show();
+    type(u"moveByDistanceField"_s, u"3"_s);
+    type(u"velocityField"_s, u"0.25"_s);
+    show(connectedTo({Servo{.millisecond = 40}.state()}));
+    EXPECT_EQ(field(u"moveByDistanceField"_s)->text(), u"3"_s);
+    EXPECT_EQ(field(u"velocityField"_s)->text(), u"0.25"_s);
+    EXPECT_TRUE(machine.axes.empty() || machine.axes[0] == AxisSettings{}) << "they are not stored";
+}
+
 TEST_F(OperatorMode, TheUserChoosesWhatIsLeftForTheMachine) {
     QSignalSpy edited(&window->operatorLock(), &OperatorLock::rightsEdited);
     beginWithHomingInsteadOfJog();

@@ -153,8 +153,8 @@ void MotionBox::buildRun(FormGrid* grid) {
     // During a run, Enter changes the velocity but not the direction.
     connect(m_runVelocity, &QuantityField::returnPressed, this, [this] {
         const ModuleState& module = m_context.state();
-        const bool reverse =
-            module.motion == MotionMode::Velocity && module.moving() && module.goalVelocity < 0;
+        const bool running = module.motion == MotionMode::Velocity && module.moving();
+        const bool reverse = running && m_context.chipReverse(module.goalVelocity < 0);
         (reverse ? m_runReverse : m_runForward)->act();
     });
 }
@@ -196,11 +196,8 @@ std::optional<ServoPace> MotionBox::pace() const {
 
 /// Keeps a typed value with the axis; what is not a valid value stays in its field only.
 void MotionBox::keep(const QuantityField& field, double MotionSettings::*part) {
-    const auto typed = field.native();
-    if (typed) {
-        m_motion.*part = *typed;
+    if (const auto typed = field.native())
         m_context.edit([part, typed](AxisSettings& axis) { axis.motion.*part = *typed; });
-    }
     refresh();
 }
 

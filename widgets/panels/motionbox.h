@@ -76,7 +76,7 @@ private:
     Command* m_runForward = nullptr;
     Command* m_runReverse = nullptr;
     QLabel* m_hint = nullptr;
-    MotionSettings m_motion;  ///< as shown
+    MotionSettings m_motion;  ///< of the axis, as last seen
 };
 
 }  // namespace nmc

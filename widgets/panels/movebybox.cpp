@@ -32,7 +32,7 @@ MoveByBox::MoveByBox(ModuleContext& context, const MovesBy& motion, QWidget* par
     buildDistance(grid);
     buildRepeat(grid);
     m_distance->setScale(m_context.scale());
-    m_distance->showNative(m_shown = kept());
+    m_distance->showNative(m_kept = kept());
     m_context.whenSeen(this, [this] { showModule(); });
 }
 
@@ -57,10 +57,8 @@ void MoveByBox::buildDistance(FormGrid* grid) {
                                {form::newLine(this, {m_reverse->button(), m_forward->button()})}));
     connect(m_distance, &QuantityField::nativeEdited, this, [this] {
         refresh();
-        if (const auto counts = m_distance->native()) {
-            m_shown = *counts;
+        if (const auto counts = m_distance->native())
             m_context.edit([counts](AxisSettings& axis) { axis.motion.stepSize = *counts; });
-        }
     });
 }
 
@@ -113,8 +111,8 @@ double MoveByBox::kept() const {
 
 void MoveByBox::showModule() {
     m_distance->setScale(m_context.scale());
-    const double before = std::exchange(m_shown, kept());
-    m_distance->follow(m_shown, before);
+    const double before = std::exchange(m_kept, kept());
+    m_distance->follow(m_kept, before);
     refresh();
     moveByTurns();
 }

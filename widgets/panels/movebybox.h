@@ -62,7 +62,7 @@ private:
     QLabel* m_progress = nullptr;
     int m_turns = 0;         ///< steps of a jog wheel that wait for the present move to end
     bool m_turning = false;  ///< a move by such steps was requested
-    double m_shown = 0;      ///< counts; distance in the settings, as last shown
+    double m_kept = 0;       ///< counts; distance in the settings, as last seen
 };
 
 }  // namespace nmc

@@ -179,7 +179,6 @@ void StepperMotionBox::showSpeed() {
 void StepperMotionBox::keepSpeed() {
     if (const auto speed = m_speed->native()) {
         const auto part = speedSetting();
-        m_shownSpeed = *speed;
         m_context.edit([part, speed](AxisSettings& axis) { axis.motion.*part = *speed; });
     }
     refresh();
@@ -193,11 +192,12 @@ void StepperMotionBox::showModule() {
     m_goal->setScale(m_context.scale());
     m_goal->setZero(zero());
     const bool otherUnit = m_context.scale() != m_speed->scale();
+    const double set = m_context.settings().motion.*speedSetting();
+    const bool otherSpeed = std::exchange(m_shownSpeed, set) != set && m_speed->native() != set;
     m_speed->setScale(m_context.scale());
     if (otherUnit ||
         m_shownSpeeds != stepperdefaults::speedMode(m_context.state().stepper, m_context.settings()) ||
-        m_shownSpeed != m_context.settings().motion.*speedSetting() ||
-        m_shownFastest != m_context.settings().travel.fastest)
+        otherSpeed || m_shownFastest != m_context.settings().travel.fastest)
         showSpeed();
     refresh();
 }
