@@ -182,8 +182,8 @@ GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupComm
 }
 
 void Engine::changeRate(std::uint32_t baud, TimePoint now) {
-    m_rate.begin(
-        baud, !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() || m_stops.due());
+    m_rate.begin(baud, !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() ||
+                           tries() || m_stops.due());
     proceed(now);
 }
 
@@ -210,7 +210,14 @@ void Engine::moveTo(ModuleIndex module, BusAddress address, TimePoint now) {
 }
 
 bool Engine::busy() const {
-    return !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() || m_rate.active();
+    return !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() || tries() ||
+           m_rate.active();
+}
+
+/// Gains are on trial, which have to be watched with every poll.
+bool Engine::tries() const {
+    return std::ranges::any_of(m_chain.modules(),
+                               [](const Chain::Module& module) { return module.trial.has_value(); });
 }
 
 void Engine::hold(const HoldToMove& hold, TimePoint now) {
@@ -259,9 +266,7 @@ void Engine::stopAll(TimePoint now) {
 }
 
 bool Engine::lend() {
-    const bool trial = std::ranges::any_of(
-        m_chain.modules(), [](const Chain::Module& module) { return module.trial.has_value(); });
-    if (lent() || busy() || trial || m_stops.due() || anythingMoves())
+    if (lent() || busy() || m_stops.due() || anythingMoves())
         return false;
     cancelAll(Change::Kind::Cancelled);
     m_recovery.reset();

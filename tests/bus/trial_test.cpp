@@ -78,6 +78,21 @@ TEST_F(Trials, EndWhenTheTimeIsOverWithNobodyAsking) {
     bus.expectNoViolations();
 }
 
+/// For as long as that takes, nobody would watch them.
+TEST_F(Trials, PermitNoChangeOfRateOrAddress) {
+    beginTrial(kOther);
+    bus.engine.changeRate(57'600, bus.now);
+    bus.engine.readdress(ModuleIndex(1), bus.now);
+    bus.engine.resetModule(ModuleIndex(1), bus.now);
+    bus.runFor(500ms);
+    ASSERT_TRUE(bus.last<RateChangeFailed>());
+    EXPECT_EQ(bus.last<RateChangeFailed>()->reason, RateChangeFailed::Reason::NotNow);
+    EXPECT_EQ(bus.count<ReaddressFailed>(), 2U);
+    EXPECT_EQ(bus.sends("AA FF 1A"), 0U);
+    EXPECT_TRUE(has(kOther));
+    bus.expectNoViolations();
+}
+
 TEST_F(Trials, StayWhenTheyAreKept) {
     beginTrial(kOther, 1s);
     bus.runFor(500ms);
