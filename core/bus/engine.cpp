@@ -338,8 +338,10 @@ void Engine::takeBack(TimePoint now) {
     const bool stops = m_lending.cutBy().has_value();
     followProgram(TimePoint::max(), now);
     interrupt(now);
+    m_stops.onRenumbering();
     m_lending.end();
-    if (stops)
+    // A stop that is under way goes on with the modules that are left, by their new numbers.
+    if (stops || (m_lending.takeChanged() && m_stops.stopping()))
         stopAll(now);
 }
 

@@ -57,7 +57,12 @@ public:
     /// blindly.
     void onSearchBegun() {
         m_searching = true;
-        m_together.clear();  // the modules that it finds may have other numbers
+        onRenumbering();
+    }
+    /// The modules are about to get other numbers.
+    void onRenumbering() {
+        noteBlindStops();
+        m_together.clear();
     }
     /// The chain is what the search has found, or what it was.
     void onSearchOver(TimePoint now);
