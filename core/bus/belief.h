@@ -41,6 +41,7 @@ public:
         m_info.group.reset();
         m_servo.pathControl.reset();
         m_servo.velocity.reset();
+        m_servo.servoRate.reset();
         m_outputs.forget();
     }
     /// The same module, found again at its address by another search of the same connection: it has not

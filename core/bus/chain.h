@@ -64,6 +64,12 @@ public:
     struct Memory {
         explicit Memory(const ModuleInfo& info)
             : belief(info), plausibility(info.identity), ownMotion(info.identity.type) {}
+        /// The module was found as another host left it: its settings are unknown.
+        void attach() {
+            belief.attach();
+            sent.servoRate.reset();
+            plausibility.attach();
+        }
         Belief belief;
         ServoRegisters sent;  ///< as if everything sent had been carried out
         Plausibility plausibility;

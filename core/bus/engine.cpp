@@ -604,11 +604,11 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
     for (Chain::Module& module : m_chain.modules()) {
         const ModuleInfo info = module.belief.info();
         if (const Chain::Module* old = knownBefore(info)) {
-            module.belief = old->belief;
+            static_cast<Chain::Memory&>(module) = *old;
             module.belief.foundAgain(info.index);
             found.modules[info.index.value()].group = module.belief.info().group;
         } else if (found.attached) {
-            module.belief.attach();
+            module.attach();
         }
         if (isKnown(info.identity) && !found.readOnly)
             module.belief.onExecuted(ServoCommand(DefineStatus{standingItems(info.identity)}));

@@ -24,11 +24,12 @@ constexpr unsigned kSilences = 2;
 }
 
 /// The distance in counts that a velocity mode load covers within `time` after standstill, as far as the load
-/// specifies it.
-[[nodiscard]] double distanceOf(const servo::LoadTrajectory& load, Duration time) {
+/// specifies it. `servoRate`: empty if unknown.
+[[nodiscard]] double distanceOf(const servo::LoadTrajectory& load, Duration time,
+                                std::optional<int> servoRate) {
     if (!load.isVelocityMode() || !load.velocity || !load.acceleration)
         return 0;
-    const double ticks = toSeconds(time) / toSeconds(kServoTick);
+    const double ticks = toSeconds(time) / secondsPerTick(servoRate.value_or(kLongestServoRate));
     const double v = toCounts(*load.velocity);
     const double a = toCounts(*load.acceleration);
     return std::min(v * ticks, a * ticks * ticks / 2) / 2;  // half of it, to allow for friction
@@ -211,7 +212,8 @@ std::optional<MemberOutcome> GroupRun::started(const Member& member, const Statu
     if (report.aux && member.before.on() && !servo::AuxByte{*report.aux}.servoOn())
         return MemberOutcome::Unknown;
     const auto& load = member.before.servoLoad();
-    const bool wouldShow = goal || (load && distanceOf(*load, latched - m_latched) >= kShows);
+    const bool wouldShow = goal || (load && distanceOf(*load, latched - m_latched,
+                                                       member.before.servoRegisters().servoRate) >= kShows);
     return wouldShow ? std::optional(MemberOutcome::NotDone) : std::nullopt;
 }
 

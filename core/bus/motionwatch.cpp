@@ -11,9 +11,6 @@ namespace nmc::bus {
 
 namespace {
 
-/// The longest tick, if it is unknown (DS-V 5.2, Set Gain).
-constexpr int kLongestServoRate = 255;
-
 /// The 32 bits wrap; a motion that continues for hours does not reverse at that point.
 [[nodiscard]] std::int64_t nextTo(std::int64_t before, std::int32_t position) {
     return before + countsBetween(static_cast<std::int32_t>(before), position);

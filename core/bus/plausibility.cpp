@@ -130,7 +130,7 @@ double Plausibility::bend(TimePoint at, double most) const {
         return std::min(kViolent * most * most / 4, m_jerk->reach * std::max(1.0, most / ticks(kJerkTime))) +
                kMargin;
     // At a low servo rate, a servo swings slowly and far, and its velocities do not refer to a single tick.
-    if (m_divisor > 1)
+    if (m_divisor != 1)
         return std::min(kViolent * most * most / 4, kSwing) + kMargin;
     return std::min(kGentle * most * most / 4, kByHand * most) + kMargin;
 }
@@ -306,7 +306,7 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
     const double most = ticks(end.latchedBy - known.from) + 1;
     const double now = end.report.velocity.value_or(known.velocity.value_or(0));
     const double before = known.velocity.value_or(0);
-    if (std::abs(now) > fastest() * m_divisor)
+    if (std::abs(now) > fastest() * m_divisor.value_or(kLongestServoRate))
         return Rejection::VelocityJump;
     if (end.report.velocity && known.velocity && m_divisor == 1) {
         const double a = jerked(end.latched) ? kViolent : kGentle;
@@ -323,6 +323,11 @@ std::optional<Rejection> Plausibility::servoMotion(const Known& known, const Rep
         const double back = std::max(known.fastest, known.swing) + slack;
         slow = std::min(slow, -back);
         fast = std::max(fast, back);
+    }
+    if (!m_divisor) {
+        // In counts per an unknown number of ticks.
+        slow = std::min(slow, 0.0);
+        fast = std::max(fast, 0.0);
     }
     slow = std::max(slow, -fastest());
     fast = std::min(fast, fastest());

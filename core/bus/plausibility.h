@@ -45,6 +45,8 @@ public:
     static constexpr double kFastestStepper = 25.6;
 
     explicit Plausibility(ModuleIdentity identity) : m_identity(identity) {}
+    /// The module was found as another host left it.
+    void attach() { m_divisor.reset(); }
 
     /// `command` is sent and will be latched at `latched`: what it may change is not a contradiction. `sent`:
     /// the registers after this command and all before it.
@@ -125,7 +127,8 @@ private:
     std::optional<std::uint16_t> m_errorLimit;  ///< EL as last sent
     bool m_mayRun = true;  ///< it may run below the velocity item's resolution, until a stop or move
     std::optional<TimePoint> m_mayEnable;  ///< the last command that may have switched the servo on
-    std::uint8_t m_divisor = 1;            ///< SR: velocities are in counts per this many ticks (DS-V 5.2)
+    /// SR: velocities are in counts per this many ticks (DS-V 5.2); empty if unknown.
+    std::optional<std::uint8_t> m_divisor = 1;
 };
 
 }  // namespace nmc::bus

@@ -21,6 +21,9 @@ struct PathControl {
     bool operator==(const PathControl&) const = default;
 };
 
+/// The most that SR can be (DS-V 5.2, Set Gain).
+inline constexpr int kLongestServoRate = 255;
+
 /// Registers of a PIC-SERVO (DS-V 5.2).
 struct ServoRegisters {
     void apply(const ServoCommand& command, const ModuleIdentity& module);

@@ -80,6 +80,36 @@ TEST_P(AttachAt, CanStopWhatIsRunning) {
 
 INSTANTIATE_TEST_SUITE_P(Rates, AttachAt, testing::Values(9'600U, 19'200U, 57'600U, 115'200U));
 
+/// Velocities are in counts per servo tick, which is 10 times as long at SR 10: 20 counts per tick are
+/// 3 900 counts/s.
+TEST(Attach, BelievesAServoThatRunsAtALowServoRate) {
+    for (const bool sameHost : {true, false}) {
+        SCOPED_TRACE(sameHost);
+        VirtualBus bus(servos(2), EngineConfig{19'200});
+        ASSERT_TRUE(bus.connect());
+        servo::SetGain slow = *getIf<servo::SetGain>(gains(0).command);
+        slow.sr = 10;
+        servo::LoadTrajectory run;
+        run.velocity = CountsPerTick(20 * kOnePerTick);
+        run.acceleration = CountsPerTickSquared(6'554);  // 0.1 counts per tick squared
+        run.profile = servo::ProfileMode::Velocity;
+        run.startNow = true;
+        ASSERT_EQ(bus.perform({toServo(0, slow), enable(0), toServo(0, run)}), Outcome::Done);
+        bus.runFor(3s);
+        if (!sameHost)
+            bus.newHost();
+        bus.events.clear();
+        ASSERT_TRUE(bus.connect());
+        bus.runFor(3s);
+        EXPECT_EQ(bus.count<ModuleUnresponsive>(), 0U);
+        EXPECT_EQ(bus.engine.statistics().rejected, 0U);
+        EXPECT_NEAR(bus.servo(0).commandVelocity, 20.0, 0.1);
+        bus.engine.stopAll(bus.now);
+        ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() > 0; }, 5s));
+        EXPECT_TRUE(bus.servo(0).servoOn) << "it still holds";
+    }
+}
+
 TEST(Attach, ForbidsATrapezoidalMoveUntilAStopWasAnswered) {
     LeftBehind left(2, 115'200);
     VirtualBus& bus = left.bus;

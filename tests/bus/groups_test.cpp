@@ -229,6 +229,28 @@ TEST(GroupStart, OfVelocityModeIsSeenByTheWayThatIsGone) {
     EXPECT_EQ(stop->stopped.size(), 2U);
 }
 
+/// At SR 20, a servo tick is 20 x 0.512 ms: 1 count per tick is 98 counts/s.
+TEST(GroupStart, OfVelocityModeIsSeenAtALowServoRateAsWell) {
+    GroupBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    servo::SetGain slow = *getIf<servo::SetGain>(gains(0).command);
+    slow.sr = 20;
+    for (std::uint8_t i = 0; i < 2; ++i) {
+        ASSERT_EQ(bus.perform({toServo(i, slow), enable(i)}), Outcome::Done);
+        ASSERT_EQ(bus.put(i, 0x81).outcome, Outcome::Done);
+        servo::LoadTrajectory load;
+        load.velocity = CountsPerTick(kOnePerTick);
+        load.acceleration = CountsPerTickSquared(kOnePerTick);
+        load.profile = servo::ProfileMode::Velocity;
+        ASSERT_EQ(bus.perform({toServo(i, load)}), Outcome::Done);
+    }
+    const GroupFinished started = bus.start(0x81);
+    EXPECT_FALSE(started.stopped);
+    for (const GroupMember& member : started.members)
+        EXPECT_TRUE(member.outcome == MemberOutcome::Done || member.outcome == MemberOutcome::Unknown);
+    EXPECT_TRUE(bus.engine.anythingMoves());
+}
+
 TEST(GroupStart, IsWithheldUntilAStopThatIsOwedForAFaultIsConfirmed) {
     GroupBus bus(servos(1));
     ASSERT_TRUE(bus.connect());
