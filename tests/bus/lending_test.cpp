@@ -252,6 +252,23 @@ TEST_F(LentFamily, AStopFirstAsksWhatAModuleIs) {
     EXPECT_EQ(seen(), (std::vector<ModuleIdentity>{kServo, kStep, kIo}));
 }
 
+/// The first module was given its address, but never said what it is: the panel does not keep it.
+TEST_F(Lent, AStopThatItsEndFindsUnderWayIsForTheModulesThatAreLeft) {
+    send(packet(kAll, 0x0F), 100ms);
+    enumerate(2);
+    send(packet(2, 0x13, {0x20}));
+    ASSERT_EQ(seen(), (std::vector<ModuleIdentity>{kUnheardModule, kServo}));
+    bus.losesReply = [](ByteSpan) { return true; };
+    bus.engine.stopAll(bus.now);
+    bus.runFor(100ms);
+    ASSERT_TRUE(bus.engine.stopping());
+    bus.engine.takeBack(bus.now);
+    EXPECT_TRUE(bus.engine.stopping());
+    bus.losesReply = {};
+    ASSERT_TRUE(bus.connect());
+    EXPECT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() > 0; }, 5s));
+}
+
 TEST_F(Lent, AChangedAddressIsFollowed) {
     send(packet(2, 0x21, {7, kAll}));
     EXPECT_EQ(bus.last<AddressChanged>()->address, BusAddress(7));
