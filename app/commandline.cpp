@@ -122,14 +122,14 @@ std::optional<Say> readPort(const QCommandLineParser& parser, const std::functio
             return Say{message.headline + QLatin1Char(' ') + message.body, kBadArguments};
         }
         const QList<PortEntry> known = ports();
-        const QString port = fullName(name, known);
-        if (port.isEmpty()) {
+        const QString full = fullName(name, known);
+        if (full.isEmpty()) {
             QStringList names;
             for (const PortEntry& port : known)
                 names << port.name;
             return Say{texts::unknownPort(name, names), kNoSuchPort};
         }
-        start.port = port;
+        start.port = full;
     }
     return std::nullopt;
 }
