@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "base/numbertext.h"
@@ -93,16 +94,9 @@ public:
     void seconds(std::string_view key, double& number) { real(key, number, kSeconds); }
 
     template <typename Enum, std::size_t Size>
-    void choice(std::string_view key, Enum& chosen, const Word<Enum> (&words)[Size]) {
-        const JsonValue* value = typed(key, JsonValue::Kind::Text, Wanted::Text, Need::Required);
-        if (value == nullptr)
-            return;
-        for (const Word<Enum>& word : words)
-            if (word.text == value->text) {
-                chosen = word.value;
-                return;
-            }
-        refuse(key, *value, {.kind = Kind::UnknownWord, .found = quoted(value->text)});
+    void choice(std::string_view key, Enum& chosen, const std::array<std::string_view, Size>& words) {
+        if (const auto index = wordIn(key, words))
+            chosen = static_cast<Enum>(*index);
     }
     void type(std::string_view key, ModuleType& type) {
         const JsonValue* value = m_object.find(key);
@@ -190,13 +184,7 @@ public:
     template <typename... T>
     void alternative(std::string_view key, std::variant<T...>& into,
                      const std::array<std::string_view, sizeof...(T)>& words) {
-        const JsonValue* value = typed(key, JsonValue::Kind::Text, Wanted::Text, Need::Required);
-        if (value == nullptr)
-            return;
-        const auto index =
-            static_cast<std::size_t>(std::distance(words.begin(), std::ranges::find(words, value->text)));
-        if (index == words.size())
-            return refuse(key, *value, {.kind = Kind::UnknownWord, .found = quoted(value->text)});
+        const auto index = wordIn(key, words);
         std::size_t i = 0;
         ((i++ == index ? void(into = T{}) : void()), ...);
     }
@@ -246,6 +234,17 @@ private:
             return value;
         refuse(key, *value, {.kind = Kind::TooMany, .max = static_cast<double>(most)});
         return nullptr;
+    }
+    /// The index of the text among the words; nothing after a problem.
+    std::optional<std::size_t> wordIn(std::string_view key, std::span<const std::string_view> words) {
+        const JsonValue* value = typed(key, JsonValue::Kind::Text, Wanted::Text, Need::Required);
+        if (value == nullptr)
+            return std::nullopt;
+        const auto word = std::ranges::find(words, value->text);
+        if (word != words.end())
+            return static_cast<std::size_t>(word - words.begin());
+        refuse(key, *value, {.kind = Kind::UnknownWord, .found = quoted(value->text)});
+        return std::nullopt;
     }
     bool isWhole(std::string_view key, const JsonValue& value) {
         if (value.number == std::trunc(value.number))

@@ -77,14 +77,14 @@ public:
     void seconds(std::string_view key, double number) { real(key, number, kSeconds); }
 
     template <typename Enum, std::size_t Size>
-    void choice(std::string_view key, Enum chosen, const Word<Enum> (&words)[Size]) {
-        for (const Word<Enum>& word : words)
-            if (word.value == chosen)
-                at(key) = word.text;
+    void choice(std::string_view key, Enum chosen, const std::array<std::string_view, Size>& words) {
+        at(key) = words[static_cast<std::size_t>(chosen)];
     }
     void type(std::string_view key, ModuleType type) {
-        at(key) = static_cast<int>(type);
-        choice(key, type, kTypeWords);
+        if (static_cast<std::size_t>(type) < kTypeWords.size())
+            choice(key, type, kTypeWords);
+        else
+            at(key) = static_cast<int>(type);
     }
 
     template <typename T>

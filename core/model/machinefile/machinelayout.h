@@ -80,30 +80,16 @@ enum class Need : std::uint8_t { Required, Optional };
 template <typename T, typename U>
 concept As = std::same_as<std::remove_const_t<T>, U>;
 
-template <typename Enum>
-struct Word {
-    Enum value;
-    std::string_view text;
-};
+/// The words of an enum that counts from 0 to `Last`, by value.
+template <auto Last>
+using Words = std::array<std::string_view, static_cast<std::size_t>(Last) + 1>;
 
-inline constexpr Word<UnitKind> kUnitWords[] = {{UnitKind::Native, "native"},
-                                                {UnitKind::Turns, "turns"},
-                                                {UnitKind::Degrees, "degrees"},
-                                                {UnitKind::Millimetres, "millimetres"},
-                                                {UnitKind::Own, "own"}};
-inline constexpr Word<HomingRecipe::Stop> kStopWords[] = {{HomingRecipe::Stop::Abruptly, "abruptly"},
-                                                          {HomingRecipe::Stop::Smoothly, "smoothly"},
-                                                          {HomingRecipe::Stop::Off, "motor off"}};
-/// 1, 2, 4 or 8 times the basic speed range (DS-S 4.1).
-inline constexpr Word<stepper::SpeedMode> kSpeedWords[] = {{stepper::SpeedMode::X1, "1x"},
-                                                           {stepper::SpeedMode::X2, "2x"},
-                                                           {stepper::SpeedMode::X4, "4x"},
-                                                           {stepper::SpeedMode::X8, "8x"}};
+inline constexpr Words<UnitKind::Own> kUnitWords{"native", "turns", "degrees", "millimetres", "own"};
+inline constexpr Words<HomingRecipe::Stop::Off> kStopWords{"abruptly", "smoothly", "motor off"};
+/// 8, 4, 2 or 1 times the basic speed range (DS-S 4.1).
+inline constexpr Words<stepper::SpeedMode::X1> kSpeedWords{"8x", "4x", "2x", "1x"};
 /// Any other type is written as its number.
-inline constexpr Word<ModuleType> kTypeWords[] = {{ModuleType::Servo, "PIC-SERVO"},
-                                                  {ModuleType::Adc, "PIC-ADC"},
-                                                  {ModuleType::Io, "PIC-I/O"},
-                                                  {ModuleType::Stepper, "PIC-STEP"}};
+inline constexpr Words<ModuleType::Stepper> kTypeWords{"PIC-SERVO", "PIC-ADC", "PIC-I/O", "PIC-STEP"};
 
 template <typename Form, As<ModuleIdentity> T>
 void fields(Form& form, T& identity) {
@@ -329,23 +315,9 @@ void fields(Form& form, T& point) {
 inline constexpr std::array<std::string_view, std::variant_size_v<Action>> kActionWords{
     "move to", "wait", "wait for arrival", "wait for input", "set output", "home",
     "repeat",  "call", "wait for A/D"};
-inline constexpr Word<InputPin> kPinWords[] = {{InputPin::Limit1, "limit 1"},
-                                               {InputPin::Limit2, "limit 2"},
-                                               {InputPin::In1, "IN1"},
-                                               {InputPin::In2, "IN2"},
-                                               {InputPin::HomeSwitch, "home switch"},
-                                               {InputPin::Io1, "IO1"},
-                                               {InputPin::Io2, "IO2"},
-                                               {InputPin::Io3, "IO3"},
-                                               {InputPin::Io4, "IO4"},
-                                               {InputPin::Io5, "IO5"},
-                                               {InputPin::Io6, "IO6"},
-                                               {InputPin::Io7, "IO7"},
-                                               {InputPin::Io8, "IO8"},
-                                               {InputPin::Io9, "IO9"},
-                                               {InputPin::Io10, "IO10"},
-                                               {InputPin::Io11, "IO11"},
-                                               {InputPin::Io12, "IO12"}};
+inline constexpr Words<InputPin::Io12> kPinWords{"limit 1", "limit 2", "IN1",  "IN2",  "home switch", "IO1",
+                                                 "IO2",     "IO3",     "IO4",  "IO5",  "IO6",         "IO7",
+                                                 "IO8",     "IO9",     "IO10", "IO11", "IO12"};
 
 template <typename Form, As<action::MoveTo> T>
 void fields(Form& form, T& move) {

@@ -18,9 +18,7 @@ constexpr int kRunsVersion = 1;
 constexpr std::string_view kRunsFormat = "nmc-panel-step-runs";
 /// Per run: twice the number of samples that the bus provides in the longest record.
 constexpr std::size_t kMostPoints = 20'000;
-constexpr Word<ResponseMethod> kMethodWords[] = {{ResponseMethod::Profile, "profile"},
-                                                 {ResponseMethod::StopHere, "stop here"},
-                                                 {ResponseMethod::Move, "move"}};
+constexpr Words<ResponseMethod::Move> kMethodWords{"profile", "stop here", "move"};
 constexpr Bounds kRecord{kShortestRecord, kLongestMove};
 constexpr Bounds kFixedPoint{0, 4294967295.0};
 constexpr Bounds kPwm{0, 1e9};
