@@ -3,6 +3,9 @@
 // calculated by hand.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
+
 #include "model/path/pathdrawing.h"
 #include "model/path/pathfile.h"
 
@@ -32,7 +35,7 @@ using servo::PathRate;
 class PathDrawing : public testing::Test {
 protected:
     PathDrawing() {
-        machine.axes.resize(2);
+        machine.axes.resize(3);
         // 0.5 counts per tick are 976.5625 counts/s, and 0.005 counts per tick squared are 19 073 counts/s^2.
         for (AxisSettings& axis : machine.axes) {
             axis.motion.velocity = 0.5;
@@ -41,6 +44,12 @@ protected:
         machine.program.points = {{"There", {{ModuleIndex(0), 1'000, false}}},
                                   {"Back", {{ModuleIndex(0), 0, false}}},
                                   {"Both", {{ModuleIndex(0), 500, false}, {ModuleIndex(1), 70, false}}}};
+    }
+    /// In counts/s and counts/s^2.
+    void setPace(ModuleIndex axis, double velocity, double acceleration) {
+        constexpr double kTickSeconds = 0.000512;
+        machine.axes[axis.value()].motion.velocity = velocity * kTickSeconds;
+        machine.axes[axis.value()].motion.acceleration = acceleration * kTickSeconds * kTickSeconds;
     }
     auto draw(std::vector<Action> rows, PathRate rate = PathRate::Hz60) {
         machine.program.sequences.push_back({"Main", std::move(rows)});
@@ -93,6 +102,68 @@ TEST_F(PathDrawing, TakesTheAxesAlongThatAMoveLeavesWhereTheyAre) {
     EXPECT_EQ(table->columns[1].module, ModuleIndex(1));
     EXPECT_EQ(table->columns[1].points.back(), 70);
     EXPECT_EQ(table->columns[1].points.size(), table->columns[0].points.size());
+}
+
+/// 32 ticks of 0.512 ms are 16.384 ms.
+constexpr double kPeriod = 0.016384;
+
+TEST_F(PathDrawing, IsATrapezoidThatEndsOnItsGoal) {
+    // 0.5 s and 250 counts up to 1000 counts/s, 500 counts at that speed, and as long down: 1.5 s, 91.55
+    // periods.
+    modules.push_back(holding(2, 50));
+    setPace(ModuleIndex(2), 1'000.0, 2'000.0);
+    machine.program.points.push_back({"Up", {{ModuleIndex(2), 1'050, false}}});
+    const auto table = draw({action::MoveTo{"Up"}});
+    ASSERT_TRUE(table);
+    ASSERT_EQ(table->columns.size(), 1U);
+    EXPECT_EQ(table->columns[0].module, ModuleIndex(2));
+    const auto& points = table->columns[0].points;
+    ASSERT_EQ(points.size(), 92U);
+    EXPECT_EQ(points.back(), 1'050);
+    EXPECT_EQ(points[0], 50 + std::lround(1'000 * kPeriod * kPeriod));
+    // After 30 periods, 0.49152 s: 2000 / 2 * t^2 = 241.6; after 60, 0.98304 s: 1000 * (t - 0.25) = 733.0.
+    EXPECT_EQ(points[29], 50 + 242);
+    EXPECT_EQ(points[59], 50 + 733);
+    // After 90 periods, 25.44 ms before the end: 1000 - 1000 * t^2 = 999.4.
+    EXPECT_EQ(points[89], 50 + 999);
+}
+
+TEST_F(PathDrawing, GoesInAStraightLine) {
+    // Y has twice as far to go at the same maximum speed, so X moves at half of it.
+    modules[1] = holding(1, 0);
+    setPace(ModuleIndex(0), 1'000.0, 1e6);
+    setPace(ModuleIndex(1), 1'000.0, 1e6);
+    machine.program.points = {{"Far", {{ModuleIndex(0), 1'000, false}, {ModuleIndex(1), 2'000, false}}},
+                              {"Near", {{ModuleIndex(0), 1'000, false}, {ModuleIndex(1), 1'000, false}}}};
+    const auto table =
+        draw({action::MoveTo{"Far"}, action::MoveTo{"Far"}, action::MoveTo{"Near"}}, PathRate::Hz120);
+    ASSERT_TRUE(table);
+    const auto& x = table->columns[0].points;
+    const auto& y = table->columns[1].points;
+    ASSERT_EQ(x.size(), y.size());
+    // 2000 counts take 2.001 s, which are 244.3 periods of 8.192 ms; 0 counts take none, and 1000 take 122.2.
+    ASSERT_EQ(x.size(), 245U + 123U);
+    EXPECT_EQ(x[244], 1'000);
+    EXPECT_EQ(y[244], 2'000);
+    EXPECT_EQ(x.back(), 1'000);
+    EXPECT_EQ(y.back(), 1'000);
+    for (std::size_t i = 0; i < 245; ++i)
+        EXPECT_LE(std::abs(2 * x[i] - y[i]), 2) << i;
+    for (std::size_t i = 1; i < y.size(); ++i)
+        EXPECT_LE(std::abs(y[i] - y[i - 1]), 10) << "1000 counts/s are 8.2 in a period, plus rounding";
+}
+
+TEST_F(PathDrawing, OfAShortMoveHasNoPlateau) {
+    // 100 counts at 1000 counts/s^2: 0.3162 s up to 316 counts/s and as long down make 38.6 periods.
+    setPace(ModuleIndex(0), 5'000.0, 1'000.0);
+    machine.program.points.push_back({"Down", {{ModuleIndex(0), -100, false}}});
+    const auto table = draw({action::MoveTo{"Down"}});
+    ASSERT_TRUE(table);
+    const auto& points = table->columns[0].points;
+    ASSERT_EQ(points.size(), 39U);
+    EXPECT_EQ(points.back(), -100);
+    // After 19 periods, 0.3113 s: 500 t^2 = 48.5.
+    EXPECT_EQ(points[18], -48);
 }
 
 TEST_F(PathDrawing, SaysWhatMakesNoPath) {

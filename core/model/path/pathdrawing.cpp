@@ -9,17 +9,39 @@
 #include "bus/path.h"
 #include "model/module/servodefaults.h"
 #include "model/path/pathfile.h"
-#include "model/path/pathmoves.h"
 #include "model/sequence/sequencecheck.h"
 
 namespace nmc {
 
 namespace {
 
+/// A move from 0 to 1 with limited velocity and acceleration.
+class Trapezoid {
+public:
+    Trapezoid(double velocity, double acceleration)
+        : m_acceleration(acceleration), m_velocity(std::min(velocity, std::sqrt(acceleration))) {}
+
+    [[nodiscard]] double lasts() const { return 1.0 / m_velocity + ramp(); }
+    [[nodiscard]] double at(double time) const {
+        if (time <= ramp())
+            return m_acceleration * time * time / 2.0;
+        const double left = lasts() - time;
+        if (left <= ramp())
+            return 1.0 - m_acceleration * std::max(left, 0.0) * std::max(left, 0.0) / 2.0;
+        return m_velocity * (time - ramp() / 2.0);
+    }
+
+private:
+    [[nodiscard]] double ramp() const { return m_velocity / m_acceleration; }
+
+    double m_acceleration;
+    double m_velocity;  ///< maximum velocity reached
+};
+
 class Drawing {
 public:
     Drawing(const Machine& machine, const std::vector<ModuleState>& modules, servo::PathRate rate)
-        : m_machine(machine), m_modules(modules) {
+        : m_machine(machine), m_modules(modules), m_period(toSeconds(bus::pathPeriod(rate))) {
         m_table.rate = rate;
     }
 
@@ -37,40 +59,51 @@ public:
     }
 
     void operator()(const action::MoveTo& move) {
-        PathMoves leg{.rate = m_table.rate, .axes = {}};
-        for (const PathTable::Column& column : m_table.columns) {
-            const AxisSettings& settings = m_machine.axis(column.module);
-            const MotionSettings motion = servodefaults::motionOf(settings);
-            const double perSecond = ticksPerSecond(1);  // with another SR, no path is run
-            const std::int32_t place = m_places.at(column.module);
-            leg.axes.push_back({column.module,
-                                motion.velocity * move.percent / 100.0 * perSecond,
-                                motion.acceleration * perSecond * perSecond,
-                                place,
-                                {place}});
-        }
         const Point* point = m_machine.program.point(move.point);
+        std::map<ModuleIndex, std::int32_t> goals = m_places;
         for (std::size_t i = 0; point != nullptr && i < point->axes.size(); ++i) {
             const PointAxis& axis = point->axes[i];
             const auto goal = goalOf(axis, m_modules[axis.module.value()]);
             if (!goal)
                 return fail(DrawingProblem::Kind::PlaceUnknown, axis.module);
-            for (PathMoves::Axis& moved : leg.axes)
-                if (moved.module == axis.module)
-                    moved.goals = {*goal};
-            m_places[axis.module] = *goal;
+            goals[axis.module] = *goal;
         }
-        append(pathFromMoves(leg));
+        const auto distance = [&](ModuleIndex axis) {
+            return static_cast<double>(std::int64_t{goals.at(axis)} - m_places.at(axis));
+        };
+        // The axis for which the move takes longest moves at its limits, the others as the line requires.
+        double velocity = std::numeric_limits<double>::infinity();
+        double acceleration = velocity;
+        for (const PathTable::Column& column : m_table.columns) {
+            const MotionSettings motion = servodefaults::motionOf(m_machine.axis(column.module));
+            const double perSecond = ticksPerSecond(1);  // with another SR, no path is run
+            const double counts = std::abs(distance(column.module));
+            velocity = std::min(velocity, motion.velocity * move.percent / 100.0 * perSecond / counts);
+            acceleration = std::min(acceleration, motion.acceleration * perSecond * perSecond / counts);
+        }
+        if (std::isinf(velocity))
+            return;
+        const Trapezoid profile(velocity, acceleration);
+        const double count = std::ceil(profile.lasts() / m_period);
+        if (!hasRoomFor(count))
+            return fail(DrawingProblem::Kind::TooManyPoints);
+        for (PathTable::Column& column : m_table.columns) {
+            const std::int32_t from = m_places.at(column.module);
+            for (double i = 1.0; i < count; ++i) {
+                const long travelled = std::lround(distance(column.module) * profile.at(i * m_period));
+                column.points.push_back(static_cast<std::int32_t>(from + travelled));
+            }
+            column.points.push_back(goals.at(column.module));
+        }
+        m_places = goals;
     }
     void operator()(const action::Wait& wait) {
-        const double count = std::round(wait.seconds / toSeconds(bus::pathPeriod(m_table.rate)));
-        if (!(count <= static_cast<double>(kMaxPathPoints)))
+        const double count = std::round(wait.seconds / m_period);
+        if (!hasRoomFor(count))
             return fail(DrawingProblem::Kind::TooManyPoints);
-        PathTable rest{m_table.rate, {}};
-        for (const PathTable::Column& column : m_table.columns)
-            rest.columns.push_back({column.module, std::vector(static_cast<std::size_t>(std::max(count, 0.0)),
-                                                               m_places.at(column.module))});
-        append(rest);
+        for (PathTable::Column& column : m_table.columns)
+            column.points.resize(column.points.size() + static_cast<std::size_t>(std::max(count, 0.0)),
+                                 m_places.at(column.module));
     }
     /// A path needs no wait for arrival: its axes are always at the command position.
     void operator()(const action::WaitForArrival& /*wait*/) {}
@@ -119,16 +152,13 @@ private:
         return m_table.columns.empty() ? 0 : m_table.columns.front().points.size();
     }
 
-    void append(const PathTable& leg) {
-        if (!leg.columns.empty() && points() + leg.columns.front().points.size() > kMaxPathPoints)
-            return fail(DrawingProblem::Kind::TooManyPoints);
-        for (std::size_t i = 0; i < leg.columns.size(); ++i)
-            m_table.columns[i].points.insert(m_table.columns[i].points.end(), leg.columns[i].points.begin(),
-                                             leg.columns[i].points.end());
+    [[nodiscard]] bool hasRoomFor(double more) const {
+        return static_cast<double>(points()) + more <= static_cast<double>(kMaxPathPoints);
     }
 
     const Machine& m_machine;
     const std::vector<ModuleState>& m_modules;
+    double m_period;
     PathTable m_table;
     std::map<ModuleIndex, std::int32_t> m_places;
     DrawingProblem m_at;

@@ -33,8 +33,10 @@ struct DrawingProblem {
 };
 
 /// The moves of a sequence without stops between its commands: from the present command positions, each move
-/// in a straight line at its percentage of the axes' own velocity and acceleration; a wait is a rest. Every
-/// axis that the sequence moves has a column. Pure.
+/// in a straight line, all axes at the same time, from standstill to standstill with a trapezoidal velocity
+/// profile, at its percentage of the axes' own velocity; a wait is a rest. The points are at the chip's real
+/// rate of 30.5, 61.0 or 122.1 Hz; each goal is exactly one of them, and a move in which no axis moves yields
+/// none. Every axis that the sequence moves has a column. Pure.
 [[nodiscard]] tl::expected<PathTable, DrawingProblem> drawPath(const std::string& sequence,
                                                                const Machine& machine,
                                                                const std::vector<ModuleState>& modules,

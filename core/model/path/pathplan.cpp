@@ -117,9 +117,9 @@ tl::expected<intent::FollowPath, PathObstacle> planPath(const PathTable& table,
     }
     if (plan->axes.size() > 1 && !(plan->group = groupOf(table, modules)))
         return tl::unexpected(PathObstacle{.kind = PathObstacle::Kind::NotAGroup});
-    if (const PathShare share = pathShare(line, table.rate, axes, modules.size()); !share.fits())
-        return tl::unexpected(PathObstacle{
-            .kind = PathObstacle::Kind::BusTooSlow, .value = share.needed(), .allowed = kPathAvailable});
+    if (const double share = pathShare(line, table.rate, axes, modules.size()); share > kPathAvailable)
+        return tl::unexpected(
+            PathObstacle{.kind = PathObstacle::Kind::BusTooSlow, .value = share, .allowed = kPathAvailable});
     return intent::FollowPath{plan};
 }
 

@@ -19,21 +19,16 @@ constexpr std::size_t kFrame = 4;
 
 }  // namespace
 
-bool PathShare::fits() const {
-    return needed() <= kPathAvailable;
-}
-
-PathShare pathShare(const PathLine& line, servo::PathRate rate, std::span<const ModuleIdentity> axes,
-                    std::size_t modules) {
+double pathShare(const PathLine& line, servo::PathRate rate, std::span<const ModuleIdentity> axes,
+                 std::size_t modules) {
     constexpr std::size_t kPoints = bus::PathBuffer::kLongestFrame;
     const double framesPerSecond = 1.0 / (toSeconds(bus::pathPeriod(rate)) * static_cast<double>(kPoints));
     const double pollsPerSecond = 1.0 / toSeconds(bus::PollSchedule::kBackground);
-    PathShare share;
-    for (const ModuleIdentity& axis : axes)
-        share.points += framesPerSecond *
-                        seconds(line, kFrame + 2 * kPoints, replyLength(axis, bus::standingItems(axis)));
     // Read Status with the items of a full poll.
-    share.polls = static_cast<double>(modules) * pollsPerSecond * seconds(line, kFrame + 1, kMaxReply);
+    double share = static_cast<double>(modules) * pollsPerSecond * seconds(line, kFrame + 1, kMaxReply);
+    for (const ModuleIdentity& axis : axes)
+        share += framesPerSecond *
+                 seconds(line, kFrame + 2 * kPoints, replyLength(axis, bus::standingItems(axis)));
     return share;
 }
 

@@ -16,18 +16,12 @@ struct PathLine {
     Duration latency = bus::kMinLatency;
 };
 
-/// Fractions of the bus time.
-struct PathShare {
-    double points = 0.0;  ///< to send the points of all axes
-    double polls = 0.0;   ///< to poll every module of the chain five times a second
-    [[nodiscard]] double needed() const { return points + polls; }
-    [[nodiscard]] bool fits() const;
-};
 /// The rest is reserved for retries, stops, and other commands.
 inline constexpr double kPathAvailable = 0.8;
 
-/// `axes`: those of the path; `modules`: all modules in the chain, including these.
-[[nodiscard]] PathShare pathShare(const PathLine& line, servo::PathRate rate,
-                                  std::span<const ModuleIdentity> axes, std::size_t modules);
+/// The fraction needed to send the points of all axes, and to poll every module of the chain five times a
+/// second. `axes`: those of the path; `modules`: all modules in the chain, including these.
+[[nodiscard]] double pathShare(const PathLine& line, servo::PathRate rate,
+                               std::span<const ModuleIdentity> axes, std::size_t modules);
 
 }  // namespace nmc
