@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 
 #include "base/enumname.h"
 #include "base/text.h"
@@ -23,47 +24,23 @@ using Kind = Field::Kind;
 template <typename T>
 using Or = tl::expected<T, Problem>;
 
-/// Forms (protocol/commandform.h) that read the fields of Set Gain from parameters, list them, and write
-/// them.
-struct GainsForm {
-    [[nodiscard]] static bool ofVersions(std::uint8_t /*first*/, std::uint8_t /*last*/ = kLastVersion) {
-        return true;
-    }
-    static void ignoreRest(std::size_t /*most*/) {}
-};
-struct GainsReader : GainsForm {
-    explicit GainsReader(const Json& given) : parameters(given) {}
-    const Json& parameters;
-    std::string missing;  ///< the last field that a first Set Gain needs and that is not given
+/// A form (protocol/commandform.h) that calls each(name as a parameter, value, range) for the fields of Set
+/// Gain. The value is an optional where some versions lack the field.
+template <typename Each>
+struct GainsForm : CommandForm {
+    explicit GainsForm(const Each& function) : each(function) {}
+    const Each& each;
 
-    template <typename T>
-    void number(std::string_view name, T& value, ValueRange /*range*/ = kAnyValue) {
-        if (const auto given = parameters.find(lowered(name)); given != parameters.end())
-            value = given->template get<T>();
-        else
-            missing = lowered(name);
+    void number(std::string_view name, auto& value, ValueRange range = servo::kByteRange) {
+        each(lowered(name), value, range);
     }
-    template <typename T>
-    void trailing(std::string_view name, std::optional<T>& value, ValueRange /*range*/ = kAnyValue) {
-        if (parameters.contains(lowered(name)))
-            number(name, value.emplace());
-    }
+    void trailing(std::string_view name, auto& value) { number(name, value); }
 };
-struct GainsLister : GainsForm {
-    explicit GainsLister(std::vector<Field>& list) : fields(list) {}
-    std::vector<Field>& fields;
-
-    template <typename T>
-    void number(std::string_view name, const T& /*value*/,
-                ValueRange range = {std::numeric_limits<T>::min(), std::numeric_limits<T>::max()}) {
-        fields.push_back({lowered(name), Kind::Whole, false,
-                          "as it is if left out; needed while no gains are known", range});
-    }
-    template <typename T>
-    void trailing(std::string_view name, const std::optional<T>& /*value*/) {
-        number(name, T{});
-    }
-};
+template <typename Each>
+void forEachGain(auto& gains, const Each& each) {
+    GainsForm<Each> form(each);
+    servo::SetGain::fields(form, gains);
+}
 
 std::string_view unitOf(Kind kind) {
     switch (kind) {
@@ -113,21 +90,6 @@ Problem wrong(std::string field) {
     return {Problem::Kind::FieldWrong, std::move(field)};
 }
 
-struct GainsWriter : GainsForm {
-    explicit GainsWriter(Json& object) : json(object) {}
-    Json& json;
-
-    template <typename T>
-    void number(std::string_view name, const T& value, ValueRange /*range*/ = kAnyValue) {
-        json[lowered(name)] = value;
-    }
-    template <typename T>
-    void trailing(std::string_view name, const std::optional<T>& value) {
-        if (value)
-            number(name, *value);
-    }
-};
-
 }  // namespace
 
 /// One call about one axis: its parameters in the chip's numbers.
@@ -137,7 +99,7 @@ struct AxisCall {
     const AxisSettings& settings;
     AxisScale scale = scaleOf(module, settings);
 
-    [[nodiscard]] bool has(const char* field) const { return parameters.contains(field); }
+    [[nodiscard]] bool has(const std::string& field) const { return parameters.contains(field); }
     [[nodiscard]] double value(const char* field) const { return parameters.at(field).get<double>(); }
 
     [[nodiscard]] Or<std::int32_t> counts(const char* field) const {
@@ -181,7 +143,9 @@ struct AxisCall {
         }
         return paceOf(module, axis);
     }
-    [[nodiscard]] unsigned whole(const char* name) const { return parameters.at(name).get<unsigned>(); }
+    [[nodiscard]] unsigned whole(const std::string& name) const {
+        return parameters.at(name).get<unsigned>();
+    }
     /// For a method without parameters other than its axis.
     template <typename T>
     [[nodiscard]] Or<Call> request() const {
@@ -225,10 +189,15 @@ struct AxisCall {
     [[nodiscard]] Or<Call> setGains() const {
         const auto& before = module.gains ? module.gains : settings.gains;
         servo::SetGain gains = before.value_or(servo::SetGain{});
-        GainsReader reader{parameters};
-        servo::SetGain::fields(reader, gains);
-        if (!before && !reader.missing.empty())
-            return tl::unexpected(Problem{Problem::Kind::FieldMissing, reader.missing});
+        std::string missing;  // the last field that a first Set Gain needs and that is not given
+        forEachGain(gains, [&]<typename T>(const std::string& name, T& gain, ValueRange /*range*/) {
+            if (has(name))
+                gain = static_cast<T>(whole(name));
+            else if (std::integral<T>)
+                missing = name;
+        });
+        if (!before && !missing.empty())
+            return tl::unexpected(Problem{Problem::Kind::FieldMissing, missing});
         // A gain that would not be sent must not be accepted.
         const bool lacksDb = has("db") && !gainsFor(module, gains).db;
         const bool lacksSm = has("sm") && !isSc(module.info.identity);
@@ -277,9 +246,11 @@ namespace {
 
 std::vector<Field> gainFields(const Field& axis) {
     std::vector<Field> all{axis};
-    GainsLister lister{all};
     servo::SetGain gains{.db = std::uint8_t{0}};
-    servo::SetGain::fields(lister, gains);
+    forEachGain(gains, [&](const std::string& name, const auto& /*gain*/, ValueRange range) {
+        all.push_back(
+            {name, Kind::Whole, false, "as it is if left out; needed while no gains are known", range});
+    });
     return all;
 }
 
@@ -402,8 +373,10 @@ Json gainsOf(const std::optional<servo::SetGain>& gains) {
     if (!gains)
         return {};
     Json json = Json::object();
-    GainsWriter writer{json};
-    servo::SetGain::fields(writer, *gains);
+    forEachGain(*gains, [&](const std::string& name, const auto& gain, ValueRange /*range*/) {
+        if (const std::optional<unsigned> number = gain)
+            json[name] = *number;
+    });
     return json;
 }
 
