@@ -6,7 +6,7 @@
 
 #include "model/recording/recordingcells.h"
 #include "model/recording/recordingreader.h"
-#include "model/scope/gainschange.h"
+#include "model/scope/history.h"
 
 /// Parses the comments of a recording. For core/model/recording*.cpp only; pure.
 namespace nmc::comments {

@@ -5,7 +5,6 @@
 
 #include "model/scope/history.h"
 #include "model/scope/linearscale.h"
-#include "model/scope/signalmaker.h"
 
 namespace nmc {
 

@@ -2,27 +2,36 @@
 #include "model/scope/derivedsignals.h"
 
 #include <algorithm>
+#include <variant>
+
+#include "model/scope/countrate.h"
+#include "model/scope/measuredacceleration.h"
+#include "model/scope/pwmoutput.h"
 
 namespace nmc {
 
 class DerivedSignals::Track {
 public:
-    using Maker = std::variant<SignalMaker, CustomSignalMaker>;
-
-    Track(Maker maker, std::size_t budget) : m_maker(std::move(maker)), m_values(1, budget) {}
+    /// `of` must be a derived signal, but not a custom one.
+    Track(const ModuleSignal& of, std::size_t budget) : m_of(of), m_values(1, budget) {
+        if (of.signal == ScopeSignal::Pwm)
+            m_maker = PwmOutput();
+        else if (of.signal == ScopeSignal::CountRate)
+            m_maker = CountRate();
+    }
+    Track(const CustomSignal& how, std::size_t budget)
+        : m_of(how.of), m_maker(CustomSignalMaker(how)), m_values(1, budget) {}
 
     /// Forgets all values, and what was computed so far.
     void startOver(std::size_t budget) {
-        *this = Track(custom() != nullptr ? Maker(CustomSignalMaker(*custom())) : SignalMaker(of()), budget);
+        *this = custom() != nullptr ? Track(*custom(), budget) : Track(m_of, budget);
     }
     /// Null unless it is the user's.
     [[nodiscard]] const CustomSignal* custom() const {
         const auto* maker = std::get_if<CustomSignalMaker>(&m_maker);
         return maker != nullptr ? &maker->how() : nullptr;
     }
-    [[nodiscard]] const ModuleSignal& of() const {
-        return custom() != nullptr ? custom()->of : std::get<SignalMaker>(m_maker).of();
-    }
+    [[nodiscard]] const ModuleSignal& of() const { return m_of; }
     [[nodiscard]] const ModuleHistory& values() const { return *m_values.module(ModuleIndex(0)); }
 
     bool follow(const History& history, const DerivedSignals& others) {
@@ -30,14 +39,14 @@ public:
     }
 
 private:
-    bool follow(SignalMaker& maker, const History& history, const DerivedSignals& /*others*/) {
-        const ModuleHistory* samples = history.module(maker.of().module);
+    bool follow(auto& maker, const History& history, const DerivedSignals& /*others*/) {
+        const ModuleHistory* samples = history.module(m_of.module);
         if (samples == nullptr)
             return true;
         m_taken = samples->visitSince(
             m_taken,
             [&](const ScopeSample& sample) {
-                if (const auto value = maker.take(sample, history.gains()))
+                if (const auto value = take(maker, sample, history.gains()))
                     m_values.append(ModuleIndex(0), *value);
             },
             kAtOnce);
@@ -67,9 +76,24 @@ private:
         return m_taken == first.samples->count();
     }
 
-    Maker m_maker;
+    static std::optional<ScopeSample> take(auto& maker, const ScopeSample& sample,
+                                           const std::vector<GainsChange>& /*gains*/) {
+        return maker.take(sample);
+    }
+    std::optional<ScopeSample> take(PwmOutput& maker, const ScopeSample& sample,
+                                    const std::vector<GainsChange>& gains) {
+        for (; m_gainsTaken < gains.size() && gains[m_gainsTaken].time <= sample.time; ++m_gainsTaken)
+            if (gains[m_gainsTaken].module == m_of.module)
+                m_gains = gains[m_gainsTaken].gains;
+        return maker.take(sample, m_gains);
+    }
+
+    ModuleSignal m_of;
+    std::variant<MeasuredAcceleration, PwmOutput, CountRate, CustomSignalMaker> m_maker;
     History m_values;
     std::uint64_t m_taken = 0;
+    std::size_t m_gainsTaken = 0;
+    std::optional<servo::SetGain> m_gains;
 };
 
 DerivedSignals::DerivedSignals(std::size_t budget) : m_budget(budget) {}
@@ -92,10 +116,10 @@ void DerivedSignals::want(std::vector<ModuleSignal> wanted, const std::vector<Cu
     });
     for (const ModuleSignal& signal : wanted)
         if (isDerived(signal.signal) && !customIndex(signal.signal) && !has(signal))
-            m_tracks.push_back(std::make_unique<Track>(SignalMaker(signal), m_budget));
+            m_tracks.push_back(std::make_unique<Track>(signal, m_budget));
     for (const CustomSignal& how : custom)
         if (!has(how.of))
-            m_tracks.push_back(std::make_unique<Track>(CustomSignalMaker(how), m_budget));
+            m_tracks.push_back(std::make_unique<Track>(how, m_budget));
 }
 
 bool DerivedSignals::follow(const History& history) {

@@ -9,10 +9,20 @@
 #include <vector>
 
 #include "base/strong.h"
-#include "model/scope/gainschange.h"
 #include "model/scope/scopespan.h"
+#include "protocol/servocommands.h"
 
 namespace nmc {
+
+/// A change of the gains in force, confirmed by the module.
+struct GainsChange {
+    ModuleIndex module;
+    TimePoint time;
+    std::optional<servo::SetGain> gains;  ///< nothing: the module has lost them, or another host may have set
+                                          ///< them
+
+    bool operator==(const GainsChange&) const = default;
+};
 
 /// The samples of one module, with a pyramid of spans above them: each level combines four entries of the
 /// level below, counted from the first sample on, so that a scrolling picture is always divided at the same

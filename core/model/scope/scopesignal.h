@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/strong.h"
 #include "model/scope/scopesample.h"
 
 namespace nmc {
@@ -34,8 +35,15 @@ enum class ScopeSignal : std::uint8_t {
 };
 inline constexpr std::size_t kCustomSignals = 4;
 
+/// A signal of a module.
+struct ModuleSignal {
+    ModuleIndex module;
+    ScopeSignal signal = ScopeSignal::Position;
+    bool operator==(const ModuleSignal&) const = default;
+};
+
 /// What is known of a signal. Its name is in widgets/scope/scopewords.cpp, and how it is computed, if it is
-/// derived, in SignalMaker or CustomSignal.
+/// derived, in DerivedSignals or CustomSignal.
 struct SignalInfo {
     /// The part of a sample that contains it.
     enum class Place : std::uint8_t {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/scope/measuredacceleration.h"
+
 namespace nmc {
 
 namespace {
@@ -94,14 +96,14 @@ void ScopeTrigger::look(const ScopeSample& value) {
 }
 
 /// A derived value comes late, or not at all where it is unknown; the trigger then waits for as long as one
-/// could take.
+/// could take. None takes longer than a measured acceleration.
 bool ScopeTrigger::reachesTheEnd(const ScopeSample& sample) {
     const TimePoint end = picture()->to;
     if (sample.time < end)
         return false;
     if (!derivedSource())
         return true;
-    return ++m_behind > SignalMaker::kSamplesBehind && sample.time - end > SignalMaker::kTimeBehind;
+    return ++m_behind > MeasuredAcceleration::kFewest && sample.time - end > MeasuredAcceleration::kTime;
 }
 
 std::optional<ScopeTrigger::Picture> ScopeTrigger::picture() const {
