@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/intent/looptestplan.h"
-#include "model/procedure/stepseries.h"
+#include "model/procedure/stepsrun.h"
 #include "model/response/responserecord.h"
 #include "model/scope/scopefeed.h"
 #include "tests/procedures/procedurebench.h"

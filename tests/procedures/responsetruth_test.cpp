@@ -7,7 +7,7 @@
 #include <random>
 #include <sstream>
 
-#include "model/procedure/stepresponse.h"
+#include "model/procedure/stepsrun.h"
 #include "model/response/responserecord.h"
 #include "tests/procedures/procedurebench.h"
 #include "tests/support/campaign.h"

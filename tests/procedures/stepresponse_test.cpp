@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step responses: what is sent, why they are refused, and how they end.
-#include "model/procedure/stepresponse.h"
+#include "model/procedure/stepsrun.h"
 
 #include <limits>
 

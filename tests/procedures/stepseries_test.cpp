@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Series of steps: where they go, why they are refused before the first one, and what ends them at each.
-#include "model/procedure/stepseries.h"
+#include "model/procedure/stepsrun.h"
 
 #include <array>
 #include <set>

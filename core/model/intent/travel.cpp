@@ -36,11 +36,6 @@ struct Course {
     bool turns = false;                  ///< takes up backlash, if the axis has any
 };
 
-/// Native; a jump has none.
-[[nodiscard]] double velocityOf(const intent::StepResponse& step) {
-    return step.method == ResponseMethod::Move ? toCounts(step.pace.velocity) : 0.0;
-}
-
 /// The effect of a motion, or of a load once it is started.
 [[nodiscard]] Course courseOf(const ServoMotion& motion, const ModuleState& /*module*/) {
     Course course{.velocity = std::visit([](const auto& any) { return toCounts(any.velocity); }, motion)};
@@ -92,12 +87,6 @@ struct CourseOf {
         course.from = from;
         return course;
     }
-    std::optional<Course> operator()(const intent::StepResponse& step) const {
-        auto course = about(step.counts);
-        if (course)
-            course->velocity = velocityOf(step);
-        return course;
-    }
     /// The course extends to the farther side; whyNot() checks both.
     std::optional<Course> operator()(const intent::SquareWave& wave) const { return about(wave.counts / 2); }
     std::optional<Course> operator()(const intent::FrequencyResponse& sines) const {
@@ -106,12 +95,12 @@ struct CourseOf {
             course->velocity = std::abs(sines.speed);
         return course;
     }
-    // StartLoaded, Direct, StepSeries and CheckDirection are handled in travelProblem(), and the points of a
-    // path in planPath().
+    // StartLoaded, Direct, StepResponse, StepSeries and CheckDirection are handled in travelProblem(), and
+    // the points of a path in planPath().
     template <typename T>
     requires In<T, AnyModuleIntent> || In<T, MotorSetting> || In<T, ServoSetting> || In<T, StepperSetting> ||
-        In<T, IoIntent> ||
-        AnyOf<T, intent::StepSeries, intent::TryGains, intent::CheckDirection, intent::FollowPath>
+        In<T, IoIntent> || AnyOf<T, intent::StepResponse, intent::StepSeries, intent::TryGains,
+                                 intent::CheckDirection, intent::FollowPath>
             std::optional<Course>
     operator()(const T&) const { return std::nullopt; }
 
@@ -174,7 +163,8 @@ private:
 /// The problem of the first step that leaves the travel. Each step begins where the previous one ends.
 [[nodiscard]] std::optional<TravelProblem> problemOf(const intent::StepSeries& series,
                                                      const ModuleState& module) {
-    if (const auto fast = tooFast(velocityOf(series.each), module))
+    const bool moves = series.each.method == ResponseMethod::Move;  // a jump has no velocity
+    if (const auto fast = tooFast(moves ? toCounts(series.each.pace.velocity) : 0.0, module))
         return fast;
     const auto range = travelRange(module);
     const auto held = module.goal();
@@ -297,6 +287,8 @@ std::optional<TravelProblem> beyondTravel(std::int64_t from, std::int64_t goal, 
 std::optional<TravelProblem> travelProblem(const Intent& intent, const ModuleState& module) {
     if (const auto* check = std::get_if<intent::CheckDirection>(&intent))
         return problemOf(*check, module);
+    if (const auto* step = std::get_if<intent::StepResponse>(&intent))
+        return problemOf(intent::StepSeries{*step, {step->counts}}, module);
     if (const auto* series = std::get_if<intent::StepSeries>(&intent))
         return problemOf(*series, module);
     if (std::holds_alternative<intent::StartLoaded>(intent))

@@ -12,8 +12,7 @@
 #include "model/procedure/pathrun.h"
 #include "model/procedure/repeatabilityrun.h"
 #include "model/procedure/squarewave.h"
-#include "model/procedure/stepresponse.h"
-#include "model/procedure/stepseries.h"
+#include "model/procedure/stepsrun.h"
 #include "model/procedure/trygains.h"
 
 namespace nmc {
@@ -45,8 +44,8 @@ struct ProcedureOf {
     Made operator()(const intent::LoadMove&) const { return nullptr; }  // goes straight to its goal
     Made operator()(const intent::GoHome& home) const { return approachFor(*motionOf(home, module), module); }
     Made operator()(const intent::MoveBy& moveBy) const { return make<MoveByRun>(moveBy); }
-    Made operator()(const intent::StepResponse& step) const { return make<StepResponseRun>(step); }
-    Made operator()(const intent::StepSeries& series) const { return make<StepSeriesRun>(series); }
+    Made operator()(const intent::StepResponse& step) const { return make<StepsRun>(step); }
+    Made operator()(const intent::StepSeries& series) const { return make<StepsRun>(series); }
     Made operator()(const intent::SquareWave& wave) const { return make<SquareWaveRun>(wave); }
     Made operator()(const intent::FrequencyResponse& sines) const { return make<FrequencyRun>(sines); }
     Made operator()(const intent::TryGains& wanted) const { return make<TryGainsRun>(wanted); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/procedure/stepresponse.h"
+#include "model/procedure/stepsrun.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,13 +11,26 @@
 
 namespace nmc {
 
-std::optional<StepResponseRun::Next> StepResponseRun::beforeStandstill(const ModuleState& module) {
+StepsRun::StepsRun(const intent::StepResponse& wanted, const ModuleState& module)
+    : LoopTest(ProcedureKind::StepResponse, module), m_wanted(wanted) {
+    m_wanted.method = methodOf(wanted.method, module);
+}
+
+StepsRun::StepsRun(const intent::StepSeries& wanted, const ModuleState& module)
+    : LoopTest(ProcedureKind::StepSeries, module), m_wanted(wanted.each), m_counts(wanted.counts) {
+    m_wanted.method = methodOf(wanted.each.method, module);
+    m_wanted.counts = m_counts.front();
+    m_report.rounds = static_cast<unsigned>(m_counts.size());
+    m_report.round = 1;
+}
+
+std::optional<StepsRun::Next> StepsRun::beforeStandstill(const ModuleState& module) {
     if (m_wanted.gains && !std::exchange(m_gainsSent, true))
         return send(orders({gainsFor(module, *m_wanted.gains)}));
     return std::nullopt;
 }
 
-StepResponseRun::Next StepResponseRun::begin(const ModuleState& module) {
+StepsRun::Next StepsRun::begin(const ModuleState& module) {
     if (whyNot(m_wanted, module))
         return fail(ProcedureFailure::Refused);
     m_taken = {{},
@@ -35,7 +48,7 @@ StepResponseRun::Next StepResponseRun::begin(const ModuleState& module) {
     return send(jump(module, m_taken.goal, m_wanted.method, m_wanted.pace));
 }
 
-StepResponseRun::Next StepResponseRun::goOn(const ModuleState& module, TimePoint now) {
+StepsRun::Next StepsRun::goOn(const ModuleState& module, TimePoint now) {
     if (std::exchange(m_sent, false))
         m_taken.at = module.motionCommandedAt;
     if (auto next = record(module, now, m_taken))
@@ -44,13 +57,16 @@ StepResponseRun::Next StepResponseRun::goOn(const ModuleState& module, TimePoint
 }
 
 /// The record is complete even if the motor does not come to rest afterwards.
-StepResponseRun::Next StepResponseRun::settled(const ModuleState& module, bool stands) {
+StepsRun::Next StepsRun::settled(const ModuleState& module, bool stands) {
     m_report.step = m_taken;
-    return LoopTest::settled(module, stands);
+    if (!stands || m_report.round == m_report.rounds)
+        return LoopTest::settled(module, stands);
+    m_wanted.counts = m_counts[m_report.round++];
+    return start(module);
 }
 
 /// No stable servo overshoots by a whole step, or swings back beyond where it came from.
-bool StepResponseRun::goneTooFar(const ModuleState& module) const {
+bool StepsRun::goneTooFar(const ModuleState& module) const {
     if (module.latestTime <= m_taken.at)
         return false;
     const std::int64_t step = std::abs(std::int64_t{m_wanted.counts});
