@@ -3,6 +3,8 @@
 
 #include <array>
 #include <charconv>
+#include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +26,15 @@ template <typename Number>
     std::string text;
     appendNumber(text, number);
     return text;
+}
+
+/// The number with the point before its last `decimals` digits: 1500 with three decimals is 1.500.
+[[nodiscard]] inline std::string fixedText(std::int64_t number, std::size_t decimals) {
+    std::string text = textOf(std::abs(number));
+    if (text.size() <= decimals)
+        text.insert(0, decimals + 1 - text.size(), '0');
+    text.insert(text.size() - decimals, 1, '.');
+    return number < 0 ? '-' + text : text;
 }
 
 /// Reads the whole text as a number; returns nothing if it is anything else. `how`: the last argument of

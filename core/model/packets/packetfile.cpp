@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/numbertext.h"
 #include "base/text.h"
 #include "model/packets/packetwords.h"
 
@@ -26,10 +27,7 @@ std::string hex(ByteSpan bytes) {
 }
 
 std::string microseconds(Duration duration) {
-    const std::int64_t ns = std::max<std::int64_t>(duration.count(), 0);
-    std::string fraction = std::to_string(ns % 1'000);
-    fraction.insert(0, 3 - fraction.size(), '0');
-    return std::to_string(ns / 1'000) + '.' + fraction;
+    return fixedText(std::max<std::int64_t>(duration.count(), 0), 3);
 }
 
 std::string layoutText(const bus::ReplyLayout& layout) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "base/numbertext.h"
 #include "protocol/describe.h"
 #include "protocol/frame.h"
 
@@ -108,11 +109,7 @@ std::string packetReplyMeaning(const bus::ExchangeRecord& record) {
 }
 
 std::string packetTime(TimePoint time, TimePoint zero) {
-    const Duration since = time - zero;
-    const auto magnitude = (since < Duration::zero() ? -since : since) / std::chrono::microseconds(1);
-    std::string fraction = std::to_string(magnitude % 1'000'000);
-    fraction.insert(0, 6 - fraction.size(), '0');
-    return (since < Duration::zero() ? "-" : "") + std::to_string(magnitude / 1'000'000) + '.' + fraction;
+    return fixedText((time - zero) / std::chrono::microseconds(1), 6);
 }
 
 std::string packetLine(const bus::ExchangeRecord& record, TimePoint zero, std::string_view verdict) {

@@ -6,8 +6,8 @@
 
 #include "base/numbertext.h"
 #include "base/text.h"
+#include "model/recording/recordingcells.h"
 #include "model/recording/recordingwords.h"
-#include "model/recording/timetext.h"
 
 namespace nmc {
 
@@ -137,7 +137,7 @@ std::string recordingHead(const RecordingHeader& header) {
 void appendRow(std::string& out, ModuleIndex module, const ScopeSample& sample, TimePoint zero) {
     appendNumber(out, module.value() + 1);
     out += ',';
-    appendTime(out, sample.time - zero);
+    out += cells::timeText(sample.time - zero);
     out += ',';
     if (sample.io)
         return appendPins(out, sample);
@@ -154,7 +154,7 @@ void appendGains(std::string& out, const GainsChange& change, TimePoint zero) {
     out.append("# ").append(words::kGains);
     appendNumber(out, change.module.value() + 1);
     out += words::kAt;
-    appendTime(out, change.time - zero);
+    out += cells::timeText(change.time - zero);
     out += words::kSeconds;
     const auto append = [&out](std::string_view word, int value, ValueRange /*range*/) {
         out.append(word) += ' ';
@@ -169,7 +169,7 @@ void appendGains(std::string& out, const GainsChange& change, TimePoint zero) {
 
 void appendNote(std::string& out, std::string_view text, TimePoint time, TimePoint zero) {
     out.append("# note").append(words::kAt);
-    appendTime(out, time - zero);
+    out += cells::timeText(time - zero);
     out.append(words::kSeconds).append(oneLine(text, kMaxText)) += '\n';
 }
 

@@ -8,6 +8,7 @@
 
 #include <tl/expected.hpp>
 
+#include "base/numbertext.h"
 #include "base/time.h"
 
 /// The cells of a CSV line, as written by this program or saved again by a spreadsheet: quoted, with a
@@ -37,5 +38,9 @@ void split(std::string_view line, char separator, std::vector<std::string_view>&
 [[nodiscard]] tl::expected<double, Fault> real(std::string_view cell, Bounds bounds);
 /// Reads seconds, to the nanosecond if there are at most nine decimals and no exponent.
 [[nodiscard]] tl::expected<Duration, Fault> time(std::string_view cell);
+/// Seconds with nine decimals, exact to the nanosecond.
+[[nodiscard]] inline std::string timeText(Duration time) {
+    return fixedText(time.count(), 9);
+}
 
 }  // namespace nmc::cells

@@ -7,7 +7,7 @@
 
 #include "base/numbertext.h"
 #include "base/text.h"
-#include "model/recording/timetext.h"
+#include "model/recording/recordingcells.h"
 #include "model/scope/derivedsignals.h"
 
 namespace nmc {
@@ -198,7 +198,7 @@ void appendSparse(std::string& out, const std::vector<WideModule>& modules, Time
             rows.push_back({sample, i});
     std::ranges::stable_sort(rows, [](const Row& a, const Row& b) { return a.sample.time < b.sample.time; });
     for (const Row& row : rows) {
-        appendTime(out, row.sample.time - zero);
+        out += cells::timeText(row.sample.time - zero);
         for (std::size_t i = 0; i < modules.size(); ++i)
             i == row.module ? modules[i].append(out, row.sample) : modules[i].appendEmpty(out);
         out += about;
@@ -222,7 +222,7 @@ void appendEven(std::string& out, const std::vector<WideModule>& modules, TimePo
     if (zero + step * interval < *first)
         ++step;
     for (; zero + step * interval <= *last; ++step) {
-        appendTime(out, step * interval);
+        out += cells::timeText(step * interval);
         for (const WideModule& module : modules)
             module.appendAt(out, zero + step * interval);
         out += about;
