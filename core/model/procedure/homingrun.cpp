@@ -135,21 +135,6 @@ bool HomingRun::startsUnwatched() const {
     return conditions() == HomeConditions{.currentLimit = true};
 }
 
-HomingRun::Next HomingRun::getUpToSpeed(const HomingLook& seen, TimePoint now) {
-    if (!seen.on)
-        return fail(ProcedureFailure::WentOff);
-    if (beyondTravel(seen))
-        return fail(ProcedureFailure::SoftLimit);
-    if (tooFar(seen))
-        return fail(ProcedureFailure::TravelLimit);
-    if (tooLong(now))
-        return fail(ProcedureFailure::TimeLimit);
-    if (seen.moving)
-        return Wait{};
-    m_watching = true;
-    return sendOrders(m_chip.watch(conditions(), m_recipe.stop));
-}
-
 HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
     if (!seen.on)
         return fail(ProcedureFailure::WentOff);
@@ -173,18 +158,15 @@ HomingRun::Next HomingRun::backOff(const HomingLook& seen, TimePoint now) {
 }
 
 HomingRun::Next HomingRun::search(const HomingLook& seen, TimePoint now) {
-    if (!m_watching)
-        return getUpToSpeed(seen, now);
-    if (!seen.waiting) {
+    if (m_watching && !seen.waiting) {
         // If the chip has stopped by itself, this changes nothing; otherwise this is the stop.
-        m_offSince.reset();
         return enter(ProcedureStage::Stopping, now,
                      seen.on ? m_chip.stop(m_recipe.stop) : HomingChip::Orders{});
     }
     if (!seen.on) {
         if (!m_offSince)
             m_offSince = now;
-        if (!m_goesOff || now - *m_offSince > kReportedLater)
+        if (!m_watching || !m_goesOff || now - *m_offSince > kReportedLater)
             return fail(ProcedureFailure::WentOff);
         return Wait{};
     }
@@ -194,6 +176,10 @@ HomingRun::Next HomingRun::search(const HomingLook& seen, TimePoint now) {
         return fail(ProcedureFailure::TravelLimit);
     if (tooLong(now))
         return fail(ProcedureFailure::TimeLimit);
+    if (!m_watching && !seen.moving) {
+        m_watching = true;
+        return sendOrders(m_chip.watch(conditions(), m_recipe.stop));
+    }
     if (m_chip.stopsMotionItself() && !seen.moving && stands(seen))
         return fail(ProcedureFailure::NotFound);
     return Wait{};

@@ -47,7 +47,7 @@ protected:
     [[nodiscard]] const HomingRecipe& recipe() const { return m_recipe; }
 
 private:
-    enum class Sent : std::uint8_t { Nothing, Commands, Enable, FirstRead, SecondRead, LastWord };
+    enum class Sent : std::uint8_t { Nothing, Commands, FirstRead, SecondRead, LastWord };
 
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
     [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const override;
@@ -55,7 +55,6 @@ private:
     [[nodiscard]] Next prepare(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next backOff(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next search(const HomingLook& seen, TimePoint now);
-    [[nodiscard]] Next getUpToSpeed(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next settle(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next read(const HomingLook& seen, TimePoint now);
     [[nodiscard]] Next goHome(const HomingLook& seen, TimePoint now);
