@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands that are sent to a PIC-I/O for each intent. Bit 0 is IO1.
-#include "model/intent/ioplan.h"
+#include "model/intent/intent.h"
 
 #include <gtest/gtest.h>
 

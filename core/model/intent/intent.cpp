@@ -5,7 +5,6 @@
 
 #include "model/intent/directplan.h"
 #include "model/intent/gainsplan.h"
-#include "model/intent/ioplan.h"
 #include "model/intent/looptestplan.h"
 #include "model/intent/planner.h"
 #include "model/intent/rights.h"

@@ -12,19 +12,25 @@
 
 #include "base/overloaded.h"
 #include "bus/types.h"
-#include "model/intent/iointent.h"
 #include "model/intent/motion.h"
 #include "model/intent/responsetaken.h"
-#include "model/intent/rounds.h"
-#include "model/intent/stepperintent.h"
 #include "model/module/linkstate.h"
 #include "model/module/modulestate.h"
 #include "model/settings/machine.h"
+#include "protocol/iocommands.h"
+#include "protocol/steppercommands.h"
 
 namespace nmc {
 
-/// Requests of the operator to one module; settings of a PIC-STEP are in stepperintent.h, those for a
-/// PIC-I/O in iointent.h. Values only; plan() turns them into commands.
+/// Moves by a distance, repeated.
+struct Rounds {
+    std::int32_t counts = 0;  ///< of one move, signed; steps for a PIC-STEP
+    unsigned rounds = 1;
+    double pause = 0.0;         ///< s, after each move
+    bool backAndForth = false;  ///< each round goes there and back
+};
+
+/// Requests of the operator to one module; values only, which plan() turns into commands.
 namespace intent {
 struct AskAnew {};  ///< No Operation, for a module of any type
 struct Enable {};   ///< amplifier on, hold the present position, and clear the sticky bits
@@ -173,6 +179,47 @@ struct Direct {
 /// Resets this module alone to its power-up state: it loses everything except its address.
 struct ResetModule {};
 }  // namespace intent
+
+/// Requests of the operator to a PIC-STEP, besides those that both motor chips have.
+namespace stepperintent {
+/// Sets the parameters, which is required before any motion (DS-S 5.1).
+struct SetParameters {
+    stepper::SetParameters parameters;
+};
+/// Sets OUT1..OUT5, all at once, as bits 0..4.
+struct SetOutputs {
+    std::uint8_t outputs = 0;
+};
+}  // namespace stepperintent
+
+/// Requests of the operator to a PIC-I/O. Pins and PWM outputs are numbered from 0.
+namespace iointent {
+struct SetDirection {
+    std::uint16_t inputs = io::kAllPins;
+};
+/// Sets a single output; the others stay as they are.
+struct SetOutput {
+    unsigned pin = 0;
+    bool high = false;
+};
+/// One command sets both PWM outputs: the one that is not meant stays as it is.
+struct SetPwm {
+    unsigned output = 0;
+    std::uint8_t value = 0;
+    std::optional<std::uint8_t> other{};  ///< of the other one, in case its present value is unknown
+};
+/// Sets the timer mode; the count starts at 0.
+struct SetTimer {
+    io::SetTimerMode mode;
+};
+/// Stores outputs for SynchOutput, of this module or of its group.
+struct StoreOutputs {
+    io::SetSynchOutput outputs;
+};
+struct SynchOutput {};
+/// Latches pins and counter, and reads the latched values.
+struct SynchInput {};
+}  // namespace iointent
 
 // Each intent is in one of these lists, which state which chips it is for and whether it moves the motor.
 using AnyModuleIntent =

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "model/intent/ioplan.h"
-
 #include "model/intent/planner.h"
 
 namespace nmc {

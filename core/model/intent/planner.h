@@ -58,4 +58,8 @@ struct MotorPlanner : Planner {
     }
 };
 
+/// plan() and whyNot() for a PIC-I/O. Pure.
+[[nodiscard]] Plan planIo(const Intent& intent, const ModuleState& module);
+[[nodiscard]] std::optional<Refusal> whyNotIo(IntentKind kind, const ModuleState& module);
+
 }  // namespace nmc
