@@ -28,6 +28,92 @@ QString familyMember(ModuleType type) {
     }
     return Texts::tr("type %1").arg(static_cast<int>(type));
 }
+
+/// What the window says of an activity.
+struct ActivityTexts {
+    QString word;
+    QString meaning;
+};
+ActivityTexts textsOf(Activity activity) {
+    switch (activity) {
+        case Activity::Unknown:
+            return {Texts::tr("Unknown"), Texts::tr("No status received from this module yet.")};
+        case Activity::Unresponsive:
+            return {Texts::tr("No answer"), Texts::tr("The module does not answer. Motor state unknown.")};
+        case Activity::Restarted:
+            return {
+                Texts::tr("Restarted"),
+                Texts::tr(
+                    "The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.")};
+        case Activity::NoPower:
+            return {Texts::tr("No motor power"),
+                    Texts::tr("The module has no motor power, so its motor is off.")};
+        case Activity::ServoOff:
+            return {Texts::tr("Servo off"),
+                    Texts::tr("The motor is free to turn. This is normal: the servo is switched off.")};
+        case Activity::Tripped:
+            return {
+                Common::tr("Position error"),
+                Texts::tr(
+                    "The servo switched itself off because the motor was too far from where it should be.")};
+        case Activity::PowerLost:
+            return {Texts::tr("Power was lost"),
+                    Texts::tr("The module switched its motor off when motor power failed. It stays off.")};
+        case Activity::PwmMode:
+            return {Texts::tr("PWM mode"),
+                    Texts::tr("A fixed PWM value drives the motor; the servo does not control it.")};
+        case Activity::MaybeOff:
+            return {
+                Texts::tr("Maybe off"),
+                Texts::tr("One answer says that the motor is off. The next answer will show whether it is.")};
+        case Activity::MaybeMoving:
+            return {
+                Texts::tr("Maybe moving"),
+                Texts::tr(
+                    "The last answers show the motor at rest, but it is not yet known whether it was started.")};
+        case Activity::Turned:
+            return {
+                Texts::tr("Off, but turning"),
+                Texts::tr(
+                    "The shaft moves while the motor is off: a load turns it, or it is still coasting. A stop cannot hold it; use a brake, or enable the servo.")};
+        case Activity::Holding:
+            return {Texts::tr("Holding"), Common::tr("The motor holds its position.")};
+        case Activity::Limited:
+            return {
+                Texts::tr("Overcurrent"),
+                Texts::tr(
+                    "The motor is at rest, but its current was limited: it may not hold its load. This stays until you clear the sticky bits.")};
+        case Activity::Accelerating:
+            return {Texts::tr("Accelerating"), Texts::tr("The motor is changing its speed.")};
+        case Activity::AtSpeed:
+            return {Texts::tr("At speed"), Texts::tr("The motor moves at its goal velocity.")};
+        case Activity::Decelerating:
+            return {Texts::tr("Decelerating"), Texts::tr("The motor is slowing down.")};
+        case Activity::OnPath:
+            return {Texts::tr("On a path"), Common::tr("The motor follows the points of a path.")};
+        case Activity::AmplifierOff:
+            return {Texts::tr("Amplifier off"),
+                    Texts::tr("The motor is free to turn. This is normal: the amplifier is switched off.")};
+        case Activity::Ready:
+            return {Texts::tr("Ready"),
+                    Texts::tr("The module answers. It has inputs and outputs, but no motor.")};
+        case Activity::StoppedByLimit:
+            return {Texts::tr("Stopped by a limit"),
+                    Texts::tr("A limit switch stopped the motor. It can move in the other direction.")};
+        case Activity::EstopActive:
+            return {Common::tr("E-stop input"),
+                    Texts::tr("The module's E-stop input stopped the motor, or prevents it from moving.")};
+        case Activity::Overheated:
+            return {
+                Texts::tr("Too hot"),
+                Texts::tr(
+                    "The module switched its motor off because the A/D value fell below the thermal limit. It stays off.")};
+        case Activity::WentOff:
+            return {Texts::tr("Switched itself off"),
+                    Texts::tr("The module switched its motor off; the cause is unknown.")};
+    }
+    return {};
+}
 }  // namespace
 
 QString moduleName(ModuleIndex module) {
@@ -49,114 +135,11 @@ QString moduleType(const ModuleIdentity& identity) {
 }
 
 QString activity(Activity activity) {
-    switch (activity) {
-        case Activity::Unknown:
-            return Texts::tr("Unknown");
-        case Activity::Unresponsive:
-            return Texts::tr("No answer");
-        case Activity::Restarted:
-            return Texts::tr("Restarted");
-        case Activity::NoPower:
-            return Texts::tr("No motor power");
-        case Activity::ServoOff:
-            return Texts::tr("Servo off");
-        case Activity::Tripped:
-            return Common::tr("Position error");
-        case Activity::PowerLost:
-            return Texts::tr("Power was lost");
-        case Activity::PwmMode:
-            return Texts::tr("PWM mode");
-        case Activity::MaybeOff:
-            return Texts::tr("Maybe off");
-        case Activity::MaybeMoving:
-            return Texts::tr("Maybe moving");
-        case Activity::Turned:
-            return Texts::tr("Off, but turning");
-        case Activity::Holding:
-            return Texts::tr("Holding");
-        case Activity::Limited:
-            return Texts::tr("Overcurrent");
-        case Activity::Accelerating:
-            return Texts::tr("Accelerating");
-        case Activity::AtSpeed:
-            return Texts::tr("At speed");
-        case Activity::Decelerating:
-            return Texts::tr("Decelerating");
-        case Activity::OnPath:
-            return Texts::tr("On a path");
-        case Activity::AmplifierOff:
-            return Texts::tr("Amplifier off");
-        case Activity::Ready:
-            return Texts::tr("Ready");
-        case Activity::StoppedByLimit:
-            return Texts::tr("Stopped by a limit");
-        case Activity::EstopActive:
-            return Common::tr("E-stop input");
-        case Activity::Overheated:
-            return Texts::tr("Too hot");
-        case Activity::WentOff:
-            return Texts::tr("Switched itself off");
-    }
-    return {};
+    return textsOf(activity).word;
 }
 
 QString activityMeaning(Activity activity) {
-    switch (activity) {
-        case Activity::Unknown:
-            return Texts::tr("No status received from this module yet.");
-        case Activity::Unresponsive:
-            return Texts::tr("The module does not answer. Motor state unknown.");
-        case Activity::Restarted:
-            return Texts::tr(
-                "The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.");
-        case Activity::NoPower:
-            return Texts::tr("The module has no motor power, so its motor is off.");
-        case Activity::ServoOff:
-            return Texts::tr("The motor is free to turn. This is normal: the servo is switched off.");
-        case Activity::Tripped:
-            return Texts::tr(
-                "The servo switched itself off because the motor was too far from where it should be.");
-        case Activity::PowerLost:
-            return Texts::tr("The module switched its motor off when motor power failed. It stays off.");
-        case Activity::PwmMode:
-            return Texts::tr("A fixed PWM value drives the motor; the servo does not control it.");
-        case Activity::MaybeOff:
-            return Texts::tr(
-                "One answer says that the motor is off. The next answer will show whether it is.");
-        case Activity::MaybeMoving:
-            return Texts::tr(
-                "The last answers show the motor at rest, but it is not yet known whether it was started.");
-        case Activity::Turned:
-            return Texts::tr(
-                "The shaft moves while the motor is off: a load turns it, or it is still coasting. A stop cannot hold it; use a brake, or enable the servo.");
-        case Activity::Holding:
-            return Common::tr("The motor holds its position.");
-        case Activity::Limited:
-            return Texts::tr(
-                "The motor is at rest, but its current was limited: it may not hold its load. This stays until you clear the sticky bits.");
-        case Activity::Accelerating:
-            return Texts::tr("The motor is changing its speed.");
-        case Activity::AtSpeed:
-            return Texts::tr("The motor moves at its goal velocity.");
-        case Activity::Decelerating:
-            return Texts::tr("The motor is slowing down.");
-        case Activity::OnPath:
-            return Common::tr("The motor follows the points of a path.");
-        case Activity::Ready:
-            return Texts::tr("The module answers. It has inputs and outputs, but no motor.");
-        case Activity::AmplifierOff:
-            return Texts::tr("The motor is free to turn. This is normal: the amplifier is switched off.");
-        case Activity::StoppedByLimit:
-            return Texts::tr("A limit switch stopped the motor. It can move in the other direction.");
-        case Activity::EstopActive:
-            return Texts::tr("The module's E-stop input stopped the motor, or prevents it from moving.");
-        case Activity::Overheated:
-            return Texts::tr(
-                "The module switched its motor off because the A/D value fell below the thermal limit. It stays off.");
-        case Activity::WentOff:
-            return Texts::tr("The module switched its motor off; the cause is unknown.");
-    }
-    return {};
+    return textsOf(activity).meaning;
 }
 
 QString refusal(Refusal refusal) {
