@@ -217,8 +217,7 @@ struct Share {
         return off <= tolerance;
     }
     /// If there is no measured value, there must be no true one either.
-    bool add(const ResponseMetrics::Result<Measured>& measured, const std::optional<double>& truth,
-             double tolerance) {
+    bool add(const Figure& measured, const std::optional<double>& truth, double tolerance) {
         return measured && truth ? add(*measured, *truth, tolerance)
                                  : measured.has_value() == truth.has_value();
     }

@@ -44,10 +44,10 @@ TEST(Identify, SaysWhatTheMotorFoundWouldHaveDone) {
     ASSERT_TRUE(found);
     ASSERT_EQ(found->runs.size(), runs.size());
     for (std::size_t run = 0; run < runs.size(); ++run) {
-        ASSERT_EQ(found->runs[run].points.size(), runs[run].points.size());
+        ASSERT_EQ(found->runs[run].size(), runs[run].points.size());
         for (std::size_t i = 0; i < runs[run].points.size(); ++i) {
-            EXPECT_EQ(found->runs[run].points[i].seconds, runs[run].points[i].seconds);
-            EXPECT_NEAR(found->runs[run].points[i].position, runs[run].points[i].position, 12)
+            EXPECT_EQ(found->runs[run][i].seconds, runs[run].points[i].seconds);
+            EXPECT_NEAR(found->runs[run][i].position, runs[run].points[i].position, 12)
                 << "a tick at 20 000 counts/s";
         }
     }

@@ -29,7 +29,7 @@ protected:
         found.motor.timeConstant = {0.0129, 0.0002};
         found.motor.friction = {1.2, 0.3};
         found.motor.load = {0, 1};
-        found.runs = {FittedRun{{{0.0, 500.0}, {0.01, 590.0}, {0.02, 600.0}}, 0.0, 0.0}};
+        found.runs.push_back({{0.0, 500.0}, {0.01, 590.0}, {0.02, 600.0}});
         return found;
     }
     [[nodiscard]] Suggestion answerTo(const SuggestionTask& task) {

@@ -195,7 +195,7 @@ void ModelBox::suggest() {
                 return static_cast<double>(slider->value()) / kSliderSteps;
             };
             m_about = found->from;
-            m_fitted = found->motor->runs.back().points;
+            m_fitted = found->motor->runs.back();
             emit m_requests.suggest(
                 {id,
                  found->motor->motor,

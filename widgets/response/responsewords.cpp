@@ -92,7 +92,7 @@ QString plusMinus(const Measured& measured, const QString& unit) {
     return plusMinus(measured) + u' ' + unit;
 }
 
-QString responseTime(const ResponseMetrics::Result<Measured>& seconds) {
+QString responseTime(const Figure& seconds) {
     if (!seconds)
         return unmeasured(seconds.error());
     return seconds->value < 1 ? plusMinus(times(*seconds, 1e3), Common::tr("ms"))
@@ -126,11 +126,11 @@ QString settlingSpread(std::span<const KeptResponse> moves) {
         .arg(moves.size());
 }
 
-QString responseOvershoot(const ResponseMetrics::Result<Measured>& percent) {
+QString responseOvershoot(const Figure& percent) {
     return percent ? plusMinus(*percent, u"%"_s) : unmeasured(percent.error());
 }
 
-QString responseError(const ResponseMetrics::Result<Measured>& counts, const AxisScale& scale) {
+QString responseError(const Figure& counts, const AxisScale& scale) {
     return counts ? plusMinus(times(*counts, scale.position(1.0)), unitOf(scale))
                   : unmeasured(counts.error());
 }

@@ -19,13 +19,13 @@ namespace nmc::texts {
 /// "12.3 ± 0.4", without a unit.
 [[nodiscard]] QString plusMinus(const Measured& measured);
 // The value with its uncertainty, or why it could not be measured.
-[[nodiscard]] QString responseTime(const ResponseMetrics::Result<Measured>& seconds);
+[[nodiscard]] QString responseTime(const Figure& seconds);
 /// Time to settle at the goal or, if it did not, at its rest position; of a profiled move, after its profile.
 [[nodiscard]] QString responseSettling(const ResponseRecord& run);
 /// The shortest and the longest settling time of moves that were made together.
 [[nodiscard]] QString settlingSpread(std::span<const KeptResponse> moves);
-[[nodiscard]] QString responseOvershoot(const ResponseMetrics::Result<Measured>& percent);
-[[nodiscard]] QString responseError(const ResponseMetrics::Result<Measured>& counts, const AxisScale& scale);
+[[nodiscard]] QString responseOvershoot(const Figure& percent);
+[[nodiscard]] QString responseError(const Figure& counts, const AxisScale& scale);
 /// "limited to 127", "at least 23", "unknown"; of 255.
 [[nodiscard]] QString peakPwm(const std::optional<PwmDemand>& demand);
 

@@ -10,7 +10,6 @@
 #include <array>
 #include <concepts>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include "model/settings/machine.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/looptest.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <utility>
 

@@ -11,8 +11,8 @@ namespace nmc {
 
 namespace {
 
-[[nodiscard]] MoveMetrics::Result settlingOf(std::span<const ResponsePoint> points, double goal, double end,
-                                             double usual, const SettleWindow& window, double timeDoubt) {
+[[nodiscard]] Figure settlingOf(std::span<const ResponsePoint> points, double goal, double end, double usual,
+                                const SettleWindow& window, double timeDoubt) {
     // Positions are whole counts: the edge is half-way between the last one inside and the first one outside.
     const double edge = std::floor(window.counts) + kHalfCount;
     std::optional<double> since;
@@ -47,7 +47,7 @@ namespace {
 
 /// It may have been larger between two samples, by what it changed from one to the next. `doubt`: between the
 /// two ends of the time in which the chip moves the command.
-[[nodiscard]] MoveMetrics::Result peakOf(std::span<const ResponsePoint> points, double doubt) {
+[[nodiscard]] Figure peakOf(std::span<const ResponsePoint> points, double doubt) {
     const auto size = [](const ResponsePoint& point) { return std::abs(point.error); };
     const auto largest = std::ranges::max_element(points, {}, size);
     double change = 0.0;
@@ -63,7 +63,7 @@ namespace {
     return (a * a + a * b + b * b) / 3;
 }
 
-[[nodiscard]] MoveMetrics::Result rmsOf(std::span<const ResponsePoint> points, double end, double doubt) {
+[[nodiscard]] Figure rmsOf(std::span<const ResponsePoint> points, double end, double doubt) {
     double sum = 0.0, time = 0.0;
     for (std::size_t i = 1; i < points.size() && points[i].seconds <= end; ++i) {
         const double between = points[i].seconds - points[i - 1].seconds;
@@ -75,8 +75,7 @@ namespace {
     return Measured{std::sqrt(sum / time), doubt};
 }
 
-[[nodiscard]] MoveMetrics::Result slewOf(std::span<const ResponsePoint> points, const MoveForecast& move,
-                                         double doubt) {
+[[nodiscard]] Figure slewOf(std::span<const ResponsePoint> points, const MoveForecast& move, double doubt) {
     if (move.triangular)
         return tl::unexpected(Unmeasured::NoConstantVelocity);
     const double to = move.seconds - move.accelerating;

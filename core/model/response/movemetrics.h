@@ -16,13 +16,11 @@ struct SettleWindow {
 
 /// The figures that characterize a profiled move. Errors are command position minus position.
 struct MoveMetrics {
-    using Result = ResponseMetrics::Result<Measured>;
-
     double moveTime = 0.0;  ///< s, duration of the commanded profile, known to a servo tick
-    Result settling;        ///< s, from the end of the profile until the motor has settled, without the dwell
-    Result peak;            ///< counts, the largest error, without its sign
-    Result rms;             ///< counts, over the duration of the profile
-    Result slew;            ///< counts, mean over the second half of the time at constant velocity
+    Figure settling;        ///< s, from the end of the profile until the motor has settled, without the dwell
+    Figure peak;            ///< counts, the largest error, without its sign
+    Figure rms;             ///< counts, over the duration of the profile
+    Figure slew;            ///< counts, mean over the second half of the time at constant velocity
 };
 
 /// `points` must be in order of time and have an error. `timeDoubt`: s, possible error of the time between

@@ -22,7 +22,7 @@ public:
             m_out += c == ',' ? ';' : static_cast<unsigned char>(c) < 0x20 ? '?' : c;
         m_out += '\n';
     }
-    void add(std::string_view key, const ResponseMetrics::Result<Measured>& result, std::string_view unit) {
+    void add(std::string_view key, const Figure& result, std::string_view unit) {
         if (result)
             add(key, textOf(result->value) + ' ' + std::string(unit) + " +- " + textOf(result->doubt));
     }

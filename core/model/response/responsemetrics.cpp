@@ -32,24 +32,21 @@ void markGaps(std::vector<StepReading>& readings) {
 }
 
 /// The time at which the straight line between two readings crosses `level`.
-[[nodiscard]] ResponseMetrics::Result<Measured> crossing(const StepReading& a, const StepReading& b,
-                                                         double level) {
+[[nodiscard]] Figure crossing(const StepReading& a, const StepReading& b, double level) {
     if (b.gapBefore)
         return tl::unexpected(Unmeasured::SamplesMissing);
     const double part = (level - a.beyond) / (b.beyond - a.beyond);
     return Measured{a.seconds + part * (b.seconds - a.seconds), (b.seconds - a.seconds) / 2};
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> firstAt(const std::vector<StepReading>& readings,
-                                                        double level) {
+[[nodiscard]] Figure firstAt(const std::vector<StepReading>& readings, double level) {
     for (std::size_t i = 1; i < readings.size(); ++i)
         if (readings[i].beyond >= level)
             return crossing(readings[i - 1], readings[i], level);
     return tl::unexpected(Unmeasured::NeverRose);
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> riseOf(const std::vector<StepReading>& readings, double step,
-                                                       double timeDoubt) {
+[[nodiscard]] Figure riseOf(const std::vector<StepReading>& readings, double step, double timeDoubt) {
     const auto low = firstAt(readings, -step * 9 / 10);
     const auto high = firstAt(readings, -step / 10);
     if (!low || !high)
@@ -69,8 +66,7 @@ void markGaps(std::vector<StepReading>& readings) {
     return slope * slope / (-4 * bend);
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> overshootOf(const std::vector<StepReading>& readings,
-                                                            double step, double band) {
+[[nodiscard]] Figure overshootOf(const std::vector<StepReading>& readings, double step, double band) {
     for (std::size_t i = 1; i < readings.size(); ++i) {
         const bool onTheWay = std::abs(readings[i - 1].beyond) > band || std::abs(readings[i].beyond) > band;
         if (readings[i].gapBefore && onTheWay)
@@ -85,9 +81,8 @@ void markGaps(std::vector<StepReading>& readings) {
 }
 
 /// `middle`: the centre of the band, measured from the goal.
-[[nodiscard]] ResponseMetrics::Result<Measured> settlingOf(const std::vector<StepReading>& readings,
-                                                           double middle, double band, double lastPart,
-                                                           double timeDoubt) {
+[[nodiscard]] Figure settlingOf(const std::vector<StepReading>& readings, double middle, double band,
+                                double lastPart, double timeDoubt) {
     const auto outside = [=](const StepReading& reading) { return std::abs(reading.beyond - middle) > band; };
     const auto last = std::find_if(readings.rbegin(), readings.rend(), outside);
     if (last == readings.rend())
@@ -95,15 +90,13 @@ void markGaps(std::vector<StepReading>& readings) {
     if (last->seconds >= lastPart)
         return tl::unexpected(Unmeasured::NeverSettled);
     const StepReading& inside = *(last - 1);  // iterating backwards, so this is the next reading
-    ResponseMetrics::Result<Measured> settled =
-        crossing(*last, inside, last->beyond > middle ? middle + band : middle - band);
+    Figure settled = crossing(*last, inside, last->beyond > middle ? middle + band : middle - band);
     if (settled)
         settled->doubt += timeDoubt;
     return settled;
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> steadyErrorOf(std::span<const ResponsePoint> points,
-                                                              double goal, double lastPart) {
+[[nodiscard]] Figure steadyErrorOf(std::span<const ResponsePoint> points, double goal, double lastPart) {
     auto mean = meanOf(points, &ResponsePoint::position, lastPart, std::numeric_limits<double>::infinity(),
                        kHalfCount);
     if (mean)
@@ -111,9 +104,8 @@ void markGaps(std::vector<StepReading>& readings) {
     return mean;
 }
 
-[[nodiscard]] ResponseMetrics::Result<Measured> settlingAtRestOf(const std::vector<StepReading>& readings,
-                                                                 double step, double band, double lastPart,
-                                                                 double timeDoubt) {
+[[nodiscard]] Figure settlingAtRestOf(const std::vector<StepReading>& readings, double step, double band,
+                                      double lastPart, double timeDoubt) {
     double sum = 0.0;
     std::size_t count = 0;
     for (auto reading = readings.rbegin(); reading != readings.rend() && reading->seconds >= lastPart;
@@ -129,8 +121,8 @@ void markGaps(std::vector<StepReading>& readings) {
 
 }  // namespace
 
-ResponseMetrics::Result<Measured> meanOf(std::span<const ResponsePoint> points, double ResponsePoint::*value,
-                                         double from, double to, double leastDoubt) {
+Figure meanOf(std::span<const ResponsePoint> points, double ResponsePoint::*value, double from, double to,
+              double leastDoubt) {
     double sum = 0.0, lowest = 0.0, highest = 0.0;
     std::size_t count = 0;
     for (const ResponsePoint& point : points) {

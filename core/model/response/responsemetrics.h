@@ -37,6 +37,9 @@ enum class Unmeasured : std::uint8_t {
     NoConstantVelocity,  ///< the move was too short to reach its velocity
 };
 
+/// A figure, or why there is none.
+using Figure = tl::expected<Measured, Unmeasured>;
+
 /// The figures that characterize a step response. The last part of a record is its last fifth.
 ///
 /// Doubts. A crossing lies somewhere between two samples; linear interpolation is off by at most half their
@@ -46,24 +49,20 @@ enum class Unmeasured : std::uint8_t {
 /// that of a mean is half the range of its samples, and at least half a count. Between samples that lie
 /// several usual intervals apart, the motor may have reversed unseen, so nothing is measured there.
 struct ResponseMetrics {
-    template <typename T>
-    using Result = tl::expected<T, Unmeasured>;
-
-    Result<Measured> rise;       ///< s, from 10 % to 90 % of the step
-    Result<Measured> overshoot;  ///< % of the step, beyond its goal
-    Result<Measured> settling;   ///< s, until it stays within the band around the goal
+    Figure rise;       ///< s, from 10 % to 90 % of the step
+    Figure overshoot;  ///< % of the step, beyond its goal
+    Figure settling;   ///< s, until it stays within the band around the goal
     /// s, until it stays within a band of the same width around its position in the last part; that position
     /// is off the goal where friction holds a motor whose loop has no integral.
-    Result<Measured> settlingAtRest;
-    Result<Measured> steadyError;  ///< counts: goal minus the mean position of the last part
-    double interval = 0.0;         ///< s, mean interval between samples
+    Figure settlingAtRest;
+    Figure steadyError;     ///< counts: goal minus the mean position of the last part
+    double interval = 0.0;  ///< s, mean interval between samples
 };
 
 /// The mean of one value of the points from one time to another, in seconds. Its doubt is half the range of
 /// these values, at least `leastDoubt`.
-[[nodiscard]] ResponseMetrics::Result<Measured> meanOf(std::span<const ResponsePoint> points,
-                                                       double ResponsePoint::*value, double from, double to,
-                                                       double leastDoubt);
+[[nodiscard]] Figure meanOf(std::span<const ResponsePoint> points, double ResponsePoint::*value, double from,
+                            double to, double leastDoubt);
 
 /// `points` must be in order of time; those before the step are ignored. `from` and `goal` must differ.
 /// `band`: counts on either side of the goal. `timeDoubt`: s, possible error of the time between two points.

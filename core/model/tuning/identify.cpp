@@ -482,16 +482,15 @@ struct Found {
     double missed = 0.0, expected = 0.0, weighted = 0.0, next = 0.0, count = 0.0;
     for (std::size_t run = 0; run < records.size(); ++run) {
         Loop loop = fit.loop(x, run);
-        FittedRun fitted;
-        fitted.start = Fit::of(x, run, kStart) * kTick;
-        fitted.integral = fit.start(x, run).integral;
+        const double start = Fit::of(x, run, kStart) * kTick;
+        std::vector<ResponsePoint> fitted;
         for (const ResponsePoint& point : records[run].run->points)
-            fitted.points.push_back({point.seconds, loop.at(point.seconds - fitted.start).position});
-        const std::size_t before = fitted.points.size() - records[run].readings.size();
+            fitted.push_back({point.seconds, loop.at(point.seconds - start).position});
+        const std::size_t before = fitted.size() - records[run].readings.size();
         double last = 0.0;
         for (std::size_t i = 0; i < records[run].readings.size(); ++i) {
             const Reading& reading = records[run].readings[i];
-            const double miss = reading.position - fitted.points[before + i].position;
+            const double miss = reading.position - fitted[before + i].position;
             missed += miss * miss;
             expected += reading.spread * reading.spread;
             weighted += miss * miss * reading.weight * reading.weight;

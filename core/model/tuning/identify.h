@@ -28,18 +28,12 @@ enum class IdentifyFailure : std::uint8_t {
     TimeConstantUnclear,  ///< tau cannot be determined, for the same reason
 };
 
-/// A run, and the response of the identified motor to it.
-struct FittedRun {
-    std::vector<ResponsePoint> points;  ///< at the times of the run's own points, one for each
-    double start = 0.0;     ///< s after ResponseTaken::at; the time when the chip's command jumped
-    double integral = 0.0;  ///< counts; the running sum over 256 before the step
-};
-
 struct Identified {
     MotorModel motor;
-    std::vector<FittedRun> runs;  ///< one for each given run
-    double missed = 0.0;          ///< counts rms, measured minus fitted
-    double expected = 0.0;        ///< counts rms explained by encoder and times
+    /// For each given run, the response of the motor at the times of its points.
+    std::vector<std::vector<ResponsePoint>> runs;
+    double missed = 0.0;    ///< counts rms, measured minus fitted
+    double expected = 0.0;  ///< counts rms explained by encoder and times
 };
 
 inline constexpr std::size_t kFewestSamples = 20;
