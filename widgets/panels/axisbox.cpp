@@ -17,7 +17,10 @@
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/boxparts.h"
+#include "widgets/panels/directioncheckbox.h"
+#include "widgets/panels/travelbox.h"
 #include "widgets/panels/unitdialog.h"
+#include "widgets/panels/workbox.h"
 
 namespace nmc {
 
@@ -51,25 +54,6 @@ AxisBox::AxisBox(ModuleContext& context, QWidget* parent)
     build();
     connectControls();
     m_context.whenSeen(this, [this] { showModule(); });
-}
-
-void AxisBox::addBelow(QWidget* box) {
-    qobject_cast<QFormLayout*>(layout())->addRow(box);
-}
-
-void AxisBox::addBelowUnit(QWidget* box) {
-    auto* form = qobject_cast<QFormLayout*>(layout());
-    int row = 0;
-    QFormLayout::ItemRole role{};
-    form->getWidgetPosition(m_symbol, &row, &role);
-    form->insertRow(row + 1, box);
-    // The Tab order has the box where it is shown.
-    QWidget* before = m_symbol;
-    for (QWidget* control : box->findChildren<QWidget*>())
-        if ((control->focusPolicy() & Qt::TabFocus) != 0) {
-            setTabOrder(before, control);
-            before = control;
-        }
 }
 
 NumberField* AxisBox::addNumber(QFormLayout* form, const QString& label, const QString& objectName,
@@ -136,6 +120,8 @@ void AxisBox::build() {
                              this);
     form->addRow(tr("Symbol"), m_symbol);
     m_symbolLabel = qobject_cast<QLabel*>(form->labelForField(m_symbol));
+    if (m_type == ModuleType::Servo)  // where a user looks in the first session
+        form->addRow(new DirectionCheckBox(m_context, this));
     m_holdCap = form::newQuantity(
         {.kind = QuantityField::Kind::Velocity,
          .name = m_type == ModuleType::Servo ? u"holdCapField"_s : u"stepperAxisHoldCapField"_s,
@@ -159,6 +145,8 @@ void AxisBox::build() {
     form->addRow(tr("A/D unit"), m_analogUnit);
     m_hint = form::newParagraph(m_context.named(u"axisHint"_s), {}, this);
     form->addRow(m_hint);
+    form->addRow(new WorkBox(m_context, this));
+    form->addRow(new TravelBox(m_context, this));
 }
 
 void AxisBox::workOutUnit() {

@@ -17,8 +17,8 @@ namespace nmc {
 class NumberField;
 class QuantityField;
 
-/// Name, unit, jog speed cap and A/D scale of an axis. Nothing here is sent: changing the unit keeps every
-/// physical value.
+/// Name, unit, jog speed cap and A/D scale of an axis, and the boxes for its direction, its work offsets and
+/// its travel. Its own fields send nothing: changing the unit keeps every physical value.
 class AxisBox : public QWidget {
     Q_OBJECT
 
@@ -26,11 +26,6 @@ public:
     /// The object names of a stepper's controls begin with "stepper"; its jog speed cap is set with its other
     /// speeds.
     AxisBox(ModuleContext& context, QWidget* parent);
-
-    /// Adds another box below the fields.
-    void addBelow(QWidget* box);
-    /// Adds another box below name and unit, where a user looks in the first session.
-    void addBelowUnit(QWidget* box);
 
 private:
     void build();

@@ -10,7 +10,6 @@
 #include "widgets/panels/amplifierbox.h"
 #include "widgets/panels/axisbox.h"
 #include "widgets/panels/detailsbox.h"
-#include "widgets/panels/directioncheckbox.h"
 #include "widgets/panels/expertbox.h"
 #include "widgets/panels/firststeps.h"
 #include "widgets/panels/gainsbox.h"
@@ -22,8 +21,6 @@
 #include "widgets/panels/movebybox.h"
 #include "widgets/panels/panelhead.h"
 #include "widgets/panels/pwmbox.h"
-#include "widgets/panels/travelbox.h"
-#include "widgets/panels/workbox.h"
 
 namespace nmc {
 
@@ -50,11 +47,7 @@ ServoPanel::ServoPanel(const PanelView& view, Requests& requests) : ModulePage(v
     m_pages->addTab(new IoBox(m_context, this), tr("Limits && I/O"));
     m_pages->addTab(new HomingBox(m_context, this), Common::tr("Homing"));
     m_pages->addTab(new PwmBox(m_context, this), Common::tr("PWM"));
-    auto* axis = new AxisBox(m_context, this);
-    axis->addBelowUnit(new DirectionCheckBox(m_context, axis));
-    axis->addBelow(new WorkBox(m_context, axis));
-    axis->addBelow(new TravelBox(m_context, axis));
-    m_pages->addTab(axis, Common::tr("Axis"));
+    m_pages->addTab(new AxisBox(m_context, this), Common::tr("Axis"));
     if (isSc(m_context.state().info.identity))
         m_pages->addTab(new AmplifierBox(m_context, this), Common::tr("Amplifier"));
     m_pages->addTab(new DetailsBox(m_context, this), Common::tr("Details"));

@@ -17,8 +17,6 @@
 #include "widgets/panels/stepperiobox.h"
 #include "widgets/panels/steppermotionbox.h"
 #include "widgets/panels/stepperparametersbox.h"
-#include "widgets/panels/travelbox.h"
-#include "widgets/panels/workbox.h"
 
 namespace nmc {
 
@@ -42,10 +40,7 @@ StepperPanel::StepperPanel(const PanelView& view, Requests& requests) : ModulePa
     pages->addTab(new StepperParametersBox(m_context, this), Common::tr("Parameters"));
     pages->addTab(new StepperIoBox(m_context, this), tr("I/O"));
     pages->addTab(new HomingBox(m_context, this), Common::tr("Homing"));
-    auto* axis = new AxisBox(m_context, this);
-    axis->addBelow(new WorkBox(m_context, axis));
-    axis->addBelow(new TravelBox(m_context, axis));
-    pages->addTab(axis, Common::tr("Axis"));
+    pages->addTab(new AxisBox(m_context, this), Common::tr("Axis"));
     pages->addTab(new StepperDetailsBox(m_context, this), Common::tr("Details"));
     pages->addTab(new ExpertBox(m_context, this), Common::tr("Expert"));
     layOut(head, left, pages);
