@@ -11,11 +11,6 @@ namespace {
 
 constexpr const char* kBusy = "accessibleBusy";
 
-class Alert : public QAccessibleWidget {
-public:
-    explicit Alert(QWidget* widget) : QAccessibleWidget(widget, QAccessible::AlertMessage) {}
-};
-
 class Panel : public QAccessibleWidget {
 public:
     explicit Panel(QWidget* widget) : QAccessibleWidget(widget, QAccessible::Grouping) {}
@@ -27,20 +22,15 @@ public:
     }
 };
 
-/// Replaces Qt 6.4's own interface, which reads beyond its list and crashes the program when it is asked for
-/// a child that has just gone, such as a scroll bar. This one has no such children.
-class ScrollArea : public QAccessibleWidget {
-public:
-    explicit ScrollArea(QWidget* widget) : QAccessibleWidget(widget, QAccessible::Client) {}
-};
-
 QAccessibleInterface* interfaceOf(const QString& className, QObject* object) {
     if (className == QLatin1String("nmc::Banner"))
-        return new Alert(static_cast<QWidget*>(object));
+        return new QAccessibleWidget(static_cast<QWidget*>(object), QAccessible::AlertMessage);
     if (className == QLatin1String("nmc::ModulePanel") || className == QLatin1String("nmc::FirstSteps"))
         return new Panel(static_cast<QWidget*>(object));
+    // Replaces Qt 6.4's own interface, which reads beyond its list and crashes the program when it is asked
+    // for a child that has just gone, such as a scroll bar. This one has no such children.
     if (className == QLatin1String("QScrollArea"))
-        return new ScrollArea(static_cast<QWidget*>(object));
+        return new QAccessibleWidget(static_cast<QWidget*>(object));
     return nullptr;
 }
 

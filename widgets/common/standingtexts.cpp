@@ -9,6 +9,9 @@ namespace nmc::texts {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+/// A limit switch closed unexpectedly while the motor was moving. `limit`: 1 or 2.
 Message limitClosed(const ModuleState& module, int limit) {
     const ModuleIndex index = module.info.index;
     Message m{.key = ofModule(u"limit%1"_s.arg(limit), index), .module = index};
@@ -35,6 +38,7 @@ Message limitClosed(const ModuleState& module, int limit) {
     return m;
 }
 
+/// PIC-STEP: the E-stop input is active; the motor stays on.
 Message estopActive(ModuleIndex module) {
     return {.key = ofModule(u"estopActive"_s, module),
             .module = module,
@@ -44,6 +48,7 @@ Message estopActive(ModuleIndex module) {
             .body = Texts::tr("Release the input. This does not start a motion.")};
 }
 
+/// An armed limit stop has stopped the motor, or switched it off.
 Message limitStopTripped(ModuleIndex module, const HomeWatch& watch) {
     const QString number = moduleNumber(module);
     return {
@@ -57,6 +62,7 @@ Message limitStopTripped(ModuleIndex module, const HomeWatch& watch) {
             "A limit stop acts once. Move the motor off the switch, then arm or disarm the limit stop on the Homing page.")};
 }
 
+/// The servo should hold its motor, but the motor oscillates.
 Message swings(const ModuleState& module) {
     const ModuleIndex index = module.info.index;
     Message m{
@@ -71,8 +77,6 @@ Message swings(const ModuleState& module) {
         m.actions.append({MessageAction::GainsBefore, Texts::tr("Restore previous gains")});
     return m;
 }
-
-namespace {
 
 /// Tests a sticky bit, which is at the same place in the auxiliary byte of every version.
 bool hasWrapped(const ModuleState& module) {

@@ -84,14 +84,6 @@ namespace texts {
 [[nodiscard]] Message powerLost(ModuleIndex module);
 /// PIC-SERVO: the motor current was limited.
 [[nodiscard]] Message currentLimited(ModuleIndex module);
-/// The servo should hold its motor, but the motor oscillates.
-[[nodiscard]] Message swings(const ModuleState& module);
-/// A limit switch closed unexpectedly while the motor was moving. `limit`: 1 or 2.
-[[nodiscard]] Message limitClosed(const ModuleState& module, int limit);
-/// An armed limit stop has stopped the motor, or switched it off.
-[[nodiscard]] Message limitStopTripped(ModuleIndex module, const HomeWatch& watch);
-/// PIC-STEP: the E-stop input is active; the motor stays on.
-[[nodiscard]] Message estopActive(ModuleIndex module);
 /// A PIC-STEP has switched its motor off; `activity` is the cause, and each cause has its own message.
 [[nodiscard]] Message amplifierWentOff(ModuleIndex module, Activity activity);
 [[nodiscard]] Message holdExpired(ModuleIndex module);

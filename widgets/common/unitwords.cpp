@@ -33,7 +33,7 @@ QString nativeVelocityUnit(const AxisScale& scale) {
 }
 
 QString nativeAccelerationUnit(const AxisScale& scale) {
-    return scale.steps() ? Texts::tr("steps/s²") : unitAcceleration();
+    return scale.steps() ? Texts::tr("steps/s²") : Texts::tr("counts/tick²");
 }
 
 }  // namespace

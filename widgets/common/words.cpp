@@ -397,8 +397,4 @@ QString unitVelocity() {
     return Texts::tr("counts/tick");
 }
 
-QString unitAcceleration() {
-    return Texts::tr("counts/tick²");
-}
-
 }  // namespace nmc::texts

@@ -54,6 +54,5 @@ void setModuleNames(const QStringList& names);
 [[nodiscard]] QString unitCounts();
 [[nodiscard]] QString unitSteps();
 [[nodiscard]] QString unitVelocity();
-[[nodiscard]] QString unitAcceleration();
 
 }  // namespace nmc::texts

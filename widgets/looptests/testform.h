@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "model/intent/intent.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/panels/panelview.h"
 

@@ -3,7 +3,6 @@
 
 #include <QGroupBox>
 #include <functional>
-#include <optional>
 
 #include "widgets/panels/modulecontext.h"
 

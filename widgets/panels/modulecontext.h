@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "model/intent/intent.h"
 #include "widgets/panels/panelview.h"
 
 class QWidget;

@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 
-#include "model/intent/intent.h"
 #include "model/module/modulescale.h"
 #include "model/procedure/procedure.h"
 #include "model/settings/axisscale.h"
@@ -25,9 +24,6 @@ struct PanelView {
     std::optional<double> age{};            ///< s; age of a state that is older than it should be
     std::optional<ModuleIndex> namesake{};  ///< another module of the chain with the same axis name
 
-    [[nodiscard]] std::optional<Refusal> whyNot(IntentKind kind) const {
-        return connected ? nmc::whyNot(kind, module) : std::optional(Refusal::NotConnected);
-    }
     [[nodiscard]] AxisScale scale() const { return scaleOf(module, settings); }
 };
 

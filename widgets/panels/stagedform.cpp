@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QLabel>
-#include <algorithm>
 #include <utility>
 
 #include "widgets/common/look.h"

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QPointer>
 #include <QSignalBlocker>
-#include <utility>
 
 #include "model/machinefile/machinelayout.h"
 #include "model/module/servodefaults.h"

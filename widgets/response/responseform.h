@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/intent/intent.h"
 #include "model/response/movemetrics.h"
 #include "widgets/common/quantityfield.h"
 #include "widgets/panels/panelview.h"
