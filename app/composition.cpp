@@ -199,7 +199,7 @@ void Composition::wireConnection() {
                 m_positions.leaveOut(missing);
                 m_runs.leaveOut(missing);
                 for (const ModuleIndex module : missing)
-                    m_messages.end(texts::key::silent(module));
+                    m_messages.end(texts::ofModule(texts::key::kSilent, module));
             });
     connect(&m_connection, &Connection::reported, &m_messages, &MessageController::report);
     connect(&m_connection, &Connection::reportedOfChain, &m_messages, &MessageController::reportOfChain);

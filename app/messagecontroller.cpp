@@ -42,7 +42,7 @@ MessageController::MessageController(MainWindow& window, const BusStore& store,
         report(texts::positionRemembered(offer, scaleOf(*m_store.module(offer.module))));
     });
     connect(&positions, &PositionKeeper::over, this,
-            [this](ModuleIndex module) { end(texts::key::position(module)); });
+            [this](ModuleIndex module) { end(texts::ofModule(texts::key::kPosition, module)); });
 }
 
 void MessageController::keepLog(const QString& line) {
@@ -57,7 +57,7 @@ AxisScale MessageController::scaleOf(const ModuleState& module) const {
 
 void MessageController::showEnd(const ProcedureReport& procedure) {
     if (!procedure.over())
-        return end(texts::key::procedure(procedure.module));
+        return end(texts::ofModule(texts::key::kProcedure, procedure.module));
     const ModuleState* module = m_store.module(procedure.module);
     if (module == nullptr)
         return;
@@ -79,7 +79,7 @@ void MessageController::look() {
         const bool stands =
             standing.connection == link.connection && std::ranges::find(all, key, &Message::key) != all.end();
         // Nothing is known about a chain that is gone: a motor that may be moving may still be.
-        if (stands || (link.modules.empty() && key == texts::key::silent(standing.module)))
+        if (stands || (link.modules.empty() && key == texts::ofModule(texts::key::kSilent, standing.module)))
             return false;
         end(key);
         return true;

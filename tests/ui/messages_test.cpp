@@ -222,12 +222,12 @@ TEST_F(Messages, AnEntryOfAnotherDaySaysTheDay) {
 TEST_F(Messages, NewestIsFirst) {
     window->showMessage(texts::garbled(ModuleIndex(0)));
     window->showMessage(texts::powerLost(ModuleIndex(1)));
-    EXPECT_EQ(list()->rows().at(0)->message().key, texts::key::power(ModuleIndex(1)));
+    EXPECT_EQ(list()->rows().at(0)->message().key, texts::ofModule(u"power"_s, ModuleIndex(1)));
 }
 
 TEST_F(Messages, SayWhenItIsOverAndStartANewRowWhenItComesAgain) {
     window->showMessage(texts::powerLost(ModuleIndex(0)));
-    window->endMessage(texts::key::power(ModuleIndex(0)));
+    window->endMessage(texts::ofModule(u"power"_s, ModuleIndex(0)));
     EXPECT_TRUE(list()->rows().at(0)->over());
     EXPECT_TRUE(list()->rows().at(0)->findChild<QLabel*>(u"messageTime"_s)->text().contains(u"ended at"_s));
     EXPECT_FALSE(find(u"banner"_s)->isVisible());
@@ -239,7 +239,7 @@ TEST_F(Messages, BannerShowsTheWorstThatIsNotOver) {
     window->showMessage(texts::tripped(ModuleIndex(0), 400));
     window->showMessage(texts::powerLost(ModuleIndex(1)));
     EXPECT_EQ(text(u"bannerHeadline"_s), texts::tripped(ModuleIndex(0), 400).headline);
-    window->endMessage(texts::key::tripped(ModuleIndex(0)));
+    window->endMessage(texts::ofModule(u"tripped"_s, ModuleIndex(0)));
     EXPECT_EQ(text(u"bannerHeadline"_s), texts::powerLost(ModuleIndex(1)).headline);
 }
 

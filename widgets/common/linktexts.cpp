@@ -91,7 +91,7 @@ Message fewerThanExpected(int found, int expected, const QString& lastName) {
 
 Message moduleMissing(ModuleIndex module, int answering) {
     return {
-        .key = key::silent(module),
+        .key = ofModule(key::kSilent, module),
         .module = module,
         .severity = Severity::Fault,
         .headline = Texts::tr("Module %1 of this chain does not answer. Motor state unknown.")
@@ -230,7 +230,7 @@ Message moduleUnresponsive(ModuleIndex module, double secondsSinceAnswer, bool w
     // An answer that came too late may have been its last a moment ago.
     const QString since = readout(std::max(0.1, std::round(secondsSinceAnswer * 10) / 10), 2);
     return {
-        .key = key::silent(module),
+        .key = ofModule(key::kSilent, module),
         .module = module,
         .severity = Severity::Fault,
         .headline =
@@ -265,7 +265,7 @@ Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
     } else {
         actions.prepend(scanAgain());
     }
-    return {.key = key::restarted(restarted.module),
+    return {.key = ofModule(u"restarted"_s, restarted.module),
             .module = restarted.module,
             .severity = Severity::Fault,
             .headline = Texts::tr("Module %1 restarted: its position and gains are lost.").arg(number),
@@ -275,7 +275,7 @@ Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
 
 Message readdressed(const bus::Readdressed& readdressed) {
     return {
-        .key = key::restarted(readdressed.module.index),
+        .key = ofModule(u"restarted"_s, readdressed.module.index),
         .module = readdressed.module.index,
         .severity = Severity::Normal,
         .headline =
@@ -321,7 +321,7 @@ Message notReaddressed(const bus::ReaddressFailed& failed) {
 }
 
 Message refused(const bus::CommandRefused& refused) {
-    return {.key = key::refused(refused.module),
+    return {.key = ofModule(u"refused"_s, refused.module),
             .module = refused.module,
             .severity = Severity::Attention,
             .headline = Texts::tr("Module %1 received a garbled command and did not carry it out.")
@@ -331,7 +331,7 @@ Message refused(const bus::CommandRefused& refused) {
 
 Message garbled(ModuleIndex module) {
     return {
-        .key = key::garbled(module),
+        .key = ofModule(u"garbled"_s, module),
         .module = module,
         .severity = Severity::Attention,
         .headline = Texts::tr("The answer from module %1 was garbled.").arg(moduleNumber(module)),

@@ -24,7 +24,7 @@ Message positionRemembered(const PositionMemory::Offer& offer, const AxisScale& 
     const RememberedPosition& last = offer.remembered;
     const QString when = QLocale().toString(QDateTime::fromSecsSinceEpoch(last.seen), QLocale::ShortFormat);
     return {
-        .key = key::position(offer.module),
+        .key = ofModule(key::kPosition, offer.module),
         .module = offer.module,
         .headline = Texts::tr("Module %1 was %2 from home when last seen.")
                         .arg(moduleNumber(offer.module), position(scale, last.fromHome)),
@@ -38,10 +38,6 @@ Message positionRemembered(const PositionMemory::Offer& offer, const AxisScale& 
         .actions = {{MessageAction::TakePosition, Texts::tr("Restore home")},
                     {MessageAction::ForgetPosition, Texts::tr("Discard")}},
         .stands = true};
-}
-
-QString key::position(ModuleIndex module) {
-    return ofModule(u"position"_s, module);
 }
 
 }  // namespace nmc::texts

@@ -13,8 +13,4 @@ namespace nmc::texts {
 /// Where an axis was last seen, with the offer to restore home from it.
 [[nodiscard]] Message positionRemembered(const PositionMemory::Offer& offer, const AxisScale& scale);
 
-namespace key {
-[[nodiscard]] QString position(ModuleIndex module);
-}
-
 }  // namespace nmc::texts

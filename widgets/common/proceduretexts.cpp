@@ -155,7 +155,7 @@ QString homingStage(ProcedureStage stage) {
 
 std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisScale& scale) {
     const QString who = moduleName(report.module);
-    Message message{.key = key::procedure(report.module), .module = report.module};
+    Message message{.key = ofModule(key::kProcedure, report.module), .module = report.module};
     if (report.stage == ProcedureStage::Failed && report.failure) {
         Words words;
         if (report.kind == ProcedureKind::Homing)

@@ -30,8 +30,6 @@ class Texts {
 [[nodiscard]] inline QString plainNumber(double number) {
     return QString::number(number, 'g', 12);
 }
-/// The key of a message about one module.
-[[nodiscard]] QString ofModule(const QString& what, ModuleIndex module);
 /// The words of a message.
 struct Words {
     QString headline;

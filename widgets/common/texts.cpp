@@ -121,7 +121,7 @@ Message tripped(ModuleIndex module, std::optional<int> limit, TripCause cause) {
     const QString number = moduleNumber(module);
     const bool atLimit = cause == TripCause::OffAtLimit1 || cause == TripCause::OffAtLimit2;
     return {
-        .key = key::tripped(module),
+        .key = ofModule(u"tripped"_s, module),
         .module = module,
         .severity = Severity::Fault,
         .headline =
@@ -142,7 +142,7 @@ Message tripped(ModuleIndex module, std::optional<int> limit, TripCause cause) {
 
 Message powerLost(ModuleIndex module) {
     return {
-        .key = key::power(module),
+        .key = ofModule(u"power"_s, module),
         .module = module,
         .severity = Severity::Attention,
         .headline = Texts::tr("Module %1 has no motor power, so its servo is off.").arg(moduleNumber(module)),
@@ -151,7 +151,7 @@ Message powerLost(ModuleIndex module) {
 
 Message currentLimited(ModuleIndex module) {
     return {
-        .key = key::current(module),
+        .key = ofModule(u"current"_s, module),
         .module = module,
         .severity = Severity::Attention,
         .headline = Texts::tr("Overcurrent: module %1 limits its motor current.").arg(moduleNumber(module)),
@@ -161,9 +161,9 @@ Message currentLimited(ModuleIndex module) {
 
 Message amplifierWentOff(ModuleIndex module, Activity activity) {
     const QString number = moduleNumber(module);
-    Message message{.key = key::tripped(module), .module = module, .severity = Severity::Fault};
+    Message message{.key = ofModule(u"tripped"_s, module), .module = module, .severity = Severity::Fault};
     if (activity == Activity::PowerLost) {
-        message.key = key::power(module);
+        message.key = ofModule(u"power"_s, module);
         message.severity = Severity::Attention;
         message.headline = Texts::tr("Module %1 has no motor power, so its motor is off.").arg(number);
         message.body = Texts::tr("It stays off when power returns.");
@@ -261,34 +261,8 @@ QString simulatorAnswered(const QString& line) {
     return Texts::tr("Answer to: %1").arg(line);
 }
 
-namespace key {
-QString silent(ModuleIndex module) {
-    return ofModule(u"silent"_s, module);
-}
-QString refused(ModuleIndex module) {
-    return ofModule(u"refused"_s, module);
-}
-QString garbled(ModuleIndex module) {
-    return ofModule(u"garbled"_s, module);
-}
-QString procedure(ModuleIndex module) {
-    return ofModule(u"procedure"_s, module);
-}
-QString tripped(ModuleIndex module) {
-    return ofModule(u"tripped"_s, module);
-}
-QString power(ModuleIndex module) {
-    return ofModule(u"power"_s, module);
-}
-QString current(ModuleIndex module) {
-    return ofModule(u"current"_s, module);
-}
-QString restarted(ModuleIndex module) {
-    return ofModule(u"restarted"_s, module);
-}
-QString endedWhileMoving(const QString& file) {
+QString key::endedWhileMoving(const QString& file) {
     return u"endedWhileMoving."_s + file;
 }
-}  // namespace key
 
 }  // namespace nmc::texts

@@ -243,6 +243,8 @@ namespace texts {
 [[nodiscard]] QString readOnlyWithoutPort();
 [[nodiscard]] QString noDisplay();
 
+/// The key of a message about one module.
+[[nodiscard]] QString ofModule(const QString& what, ModuleIndex module);
 /// Keys of messages that end, for MainWindow::endMessage().
 namespace key {
 inline const QString kQuestion = QStringLiteral("question");
@@ -253,15 +255,6 @@ inline const QString kSlowAdapter = QStringLiteral("slowAdapter");
 inline const QString kLink = QStringLiteral("link");
 inline const QString kBadLink = QStringLiteral("badLink");
 inline const QString kUnaddressed = QStringLiteral("unaddressed");
-[[nodiscard]] QString silent(ModuleIndex module);
-[[nodiscard]] QString refused(ModuleIndex module);
-[[nodiscard]] QString garbled(ModuleIndex module);
-/// How the module's last procedure ended, until the next one begins.
-[[nodiscard]] QString procedure(ModuleIndex module);
-[[nodiscard]] QString tripped(ModuleIndex module);
-[[nodiscard]] QString power(ModuleIndex module);
-[[nodiscard]] QString current(ModuleIndex module);
-[[nodiscard]] QString restarted(ModuleIndex module);
 inline const QString kStop = QStringLiteral("stop");
 inline const QString kStopWaits = QStringLiteral("stopWaits");
 inline const QString kGone = QStringLiteral("gone");
@@ -275,6 +268,12 @@ inline const QString kOpenedRecording = QStringLiteral("openedRecording");
 inline const QString kExported = QStringLiteral("exported");
 inline const QString kRuns = QStringLiteral("runs");
 inline const QString kRunsNotKept = QStringLiteral("runsNotKept");
+// The next ones are about one module: ofModule() adds its number.
+inline const QString kSilent = QStringLiteral("silent");
+/// How the module's last procedure ended, until the next one begins.
+inline const QString kProcedure = QStringLiteral("procedure");
+/// The offer to restore home from where the axis was last seen.
+inline const QString kPosition = QStringLiteral("position");
 }  // namespace key
 
 }  // namespace texts
