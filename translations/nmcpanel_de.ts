@@ -7031,6 +7031,98 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Path points left</source>
         <translation>Verbleibende Bahnpunkte</translation>
     </message>
+    <message>
+        <source>The module is sending step pulses.</source>
+        <translation>Schrittimpulse kommen.</translation>
+    </message>
+    <message>
+        <source>The driver is enabled (AMP_EN is high).</source>
+        <translation>Der Treiber ist eingeschaltet (AMP_EN ist High).</translation>
+    </message>
+    <message>
+        <source>Motor power is present (PWR_SENSE is high).</source>
+        <translation>Die Motorversorgung ist vorhanden (PWR_SENSE ist High).</translation>
+    </message>
+    <message>
+        <source>The motor has reached its commanded speed.</source>
+        <translation>Der Motor hat die verlangte Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Runs with a ramp: velocity profile mode.</source>
+        <translation>Läuft mit Rampe: Geschwindigkeitsprofil.</translation>
+    </message>
+    <message>
+        <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
+        <translation>Fährt mit Rampe zu einer Position: Trapezprofil.</translation>
+    </message>
+    <message>
+        <source>High stops the motor, unless it is ignored.</source>
+        <translation>High stoppt den Motor, wenn der Eingang nicht ignoriert wird.</translation>
+    </message>
+    <message>
+        <source>General purpose input.</source>
+        <translation>Eingang zur freien Verwendung.</translation>
+    </message>
+    <message>
+        <source>For homing.</source>
+        <translation>Für die Referenzfahrt.</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>trapezoidal profile</source>
+        <translation>Trapezprofil</translation>
+    </message>
+    <message>
+        <source>velocity profile</source>
+        <translation>Geschwindigkeitsprofil</translation>
+    </message>
+    <message>
+        <source>unprofiled, with stop</source>
+        <translation>ohne Profil, mit Stopp</translation>
+    </message>
+    <message>
+        <source>unprofiled, without stop</source>
+        <translation>ohne Profil, ohne Stopp</translation>
+    </message>
+    <message>
+        <source>moving, commanded by another program</source>
+        <translation>bewegt sich nach dem Befehl eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>&amp;Zero here</source>
+        <translation>Hie&amp;r nullen</translation>
+    </message>
+    <message>
+        <source>Inputs byte</source>
+        <translation>Eingangsbyte</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Betriebsart</translation>
+    </message>
+    <message>
+        <source>Timer count</source>
+        <translation>Timerwert</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>, inputs %1</source>
+        <translation>, Eingänge %1</translation>
+    </message>
+    <message>
+        <source>High blocks counting up, unless it is ignored.</source>
+        <translation>High sperrt das Aufwärtszählen, außer wenn ignoriert.</translation>
+    </message>
+    <message>
+        <source>High blocks counting down, unless it is ignored.</source>
+        <translation>High sperrt das Abwärtszählen, außer wenn ignoriert.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::DifferencesDialog</name>
@@ -12455,101 +12547,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Status bits over time</source>
         <translation>Statusbits über der Zeit</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::StepperDetailsBox</name>
-    <message>
-        <source>The module is sending step pulses.</source>
-        <translation>Schrittimpulse kommen.</translation>
-    </message>
-    <message>
-        <source>The driver is enabled (AMP_EN is high).</source>
-        <translation>Der Treiber ist eingeschaltet (AMP_EN ist High).</translation>
-    </message>
-    <message>
-        <source>Motor power is present (PWR_SENSE is high).</source>
-        <translation>Die Motorversorgung ist vorhanden (PWR_SENSE ist High).</translation>
-    </message>
-    <message>
-        <source>The motor has reached its commanded speed.</source>
-        <translation>Der Motor hat die verlangte Geschwindigkeit.</translation>
-    </message>
-    <message>
-        <source>Runs with a ramp: velocity profile mode.</source>
-        <translation>Läuft mit Rampe: Geschwindigkeitsprofil.</translation>
-    </message>
-    <message>
-        <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
-        <translation>Fährt mit Rampe zu einer Position: Trapezprofil.</translation>
-    </message>
-    <message>
-        <source>High stops the motor, unless it is ignored.</source>
-        <translation>High stoppt den Motor, wenn der Eingang nicht ignoriert wird.</translation>
-    </message>
-    <message>
-        <source>General purpose input.</source>
-        <translation>Eingang zur freien Verwendung.</translation>
-    </message>
-    <message>
-        <source>For homing.</source>
-        <translation>Für die Referenzfahrt.</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>steht</translation>
-    </message>
-    <message>
-        <source>trapezoidal profile</source>
-        <translation>Trapezprofil</translation>
-    </message>
-    <message>
-        <source>velocity profile</source>
-        <translation>Geschwindigkeitsprofil</translation>
-    </message>
-    <message>
-        <source>unprofiled, with stop</source>
-        <translation>ohne Profil, mit Stopp</translation>
-    </message>
-    <message>
-        <source>unprofiled, without stop</source>
-        <translation>ohne Profil, ohne Stopp</translation>
-    </message>
-    <message>
-        <source>moving, commanded by another program</source>
-        <translation>bewegt sich nach dem Befehl eines anderen Programms</translation>
-    </message>
-    <message>
-        <source>&amp;Zero here</source>
-        <translation>Hie&amp;r nullen</translation>
-    </message>
-    <message>
-        <source>Inputs byte</source>
-        <translation>Eingangsbyte</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>Betriebsart</translation>
-    </message>
-    <message>
-        <source>Timer count</source>
-        <translation>Timerwert</translation>
-    </message>
-    <message>
-        <source>%1 = %2</source>
-        <translation>%1 = %2</translation>
-    </message>
-    <message>
-        <source>, inputs %1</source>
-        <translation>, Eingänge %1</translation>
-    </message>
-    <message>
-        <source>High blocks counting up, unless it is ignored.</source>
-        <translation>High sperrt das Aufwärtszählen, außer wenn ignoriert.</translation>
-    </message>
-    <message>
-        <source>High blocks counting down, unless it is ignored.</source>
-        <translation>High sperrt das Abwärtszählen, außer wenn ignoriert.</translation>
     </message>
 </context>
 <context>

@@ -7031,6 +7031,98 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Path points left</source>
         <translation>Puntos de trayectoria restantes</translation>
     </message>
+    <message>
+        <source>The module is sending step pulses.</source>
+        <translation>Llegan pulsos de paso.</translation>
+    </message>
+    <message>
+        <source>The driver is enabled (AMP_EN is high).</source>
+        <translation>El driver está habilitado (AMP_EN está alto).</translation>
+    </message>
+    <message>
+        <source>Motor power is present (PWR_SENSE is high).</source>
+        <translation>Hay alimentación del motor (PWR_SENSE está alto).</translation>
+    </message>
+    <message>
+        <source>The motor has reached its commanded speed.</source>
+        <translation>El motor ha alcanzado la velocidad de consigna.</translation>
+    </message>
+    <message>
+        <source>Runs with a ramp: velocity profile mode.</source>
+        <translation>Gira con rampa: modo de perfil de velocidad.</translation>
+    </message>
+    <message>
+        <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
+        <translation>Va a una posición con rampa: modo de perfil trapezoidal.</translation>
+    </message>
+    <message>
+        <source>High stops the motor, unless it is ignored.</source>
+        <translation>El nivel alto detiene el motor, salvo que se ignore.</translation>
+    </message>
+    <message>
+        <source>General purpose input.</source>
+        <translation>Entrada de uso general.</translation>
+    </message>
+    <message>
+        <source>For homing.</source>
+        <translation>Sirve para el referenciado.</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>parado</translation>
+    </message>
+    <message>
+        <source>trapezoidal profile</source>
+        <translation>perfil trapezoidal</translation>
+    </message>
+    <message>
+        <source>velocity profile</source>
+        <translation>perfil de velocidad</translation>
+    </message>
+    <message>
+        <source>unprofiled, with stop</source>
+        <translation>sin perfil, con parada</translation>
+    </message>
+    <message>
+        <source>unprofiled, without stop</source>
+        <translation>sin perfil, sin parada</translation>
+    </message>
+    <message>
+        <source>moving, commanded by another program</source>
+        <translation>en movimiento, por orden de otro programa</translation>
+    </message>
+    <message>
+        <source>&amp;Zero here</source>
+        <translation>Cero a&amp;quí</translation>
+    </message>
+    <message>
+        <source>Inputs byte</source>
+        <translation>Byte de entradas</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modo</translation>
+    </message>
+    <message>
+        <source>Timer count</source>
+        <translation>Valor del temporizador</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>, inputs %1</source>
+        <translation>, entradas %1</translation>
+    </message>
+    <message>
+        <source>High blocks counting up, unless it is ignored.</source>
+        <translation>El nivel alto bloquea la cuenta hacia arriba, salvo que se ignore.</translation>
+    </message>
+    <message>
+        <source>High blocks counting down, unless it is ignored.</source>
+        <translation>El nivel alto bloquea la cuenta hacia abajo, salvo que se ignore.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::DifferencesDialog</name>
@@ -12455,101 +12547,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Status bits over time</source>
         <translation>Bits de estado a lo largo del tiempo</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::StepperDetailsBox</name>
-    <message>
-        <source>The module is sending step pulses.</source>
-        <translation>Llegan pulsos de paso.</translation>
-    </message>
-    <message>
-        <source>The driver is enabled (AMP_EN is high).</source>
-        <translation>El driver está habilitado (AMP_EN está alto).</translation>
-    </message>
-    <message>
-        <source>Motor power is present (PWR_SENSE is high).</source>
-        <translation>Hay alimentación del motor (PWR_SENSE está alto).</translation>
-    </message>
-    <message>
-        <source>The motor has reached its commanded speed.</source>
-        <translation>El motor ha alcanzado la velocidad de consigna.</translation>
-    </message>
-    <message>
-        <source>Runs with a ramp: velocity profile mode.</source>
-        <translation>Gira con rampa: modo de perfil de velocidad.</translation>
-    </message>
-    <message>
-        <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
-        <translation>Va a una posición con rampa: modo de perfil trapezoidal.</translation>
-    </message>
-    <message>
-        <source>High stops the motor, unless it is ignored.</source>
-        <translation>El nivel alto detiene el motor, salvo que se ignore.</translation>
-    </message>
-    <message>
-        <source>General purpose input.</source>
-        <translation>Entrada de uso general.</translation>
-    </message>
-    <message>
-        <source>For homing.</source>
-        <translation>Sirve para el referenciado.</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>parado</translation>
-    </message>
-    <message>
-        <source>trapezoidal profile</source>
-        <translation>perfil trapezoidal</translation>
-    </message>
-    <message>
-        <source>velocity profile</source>
-        <translation>perfil de velocidad</translation>
-    </message>
-    <message>
-        <source>unprofiled, with stop</source>
-        <translation>sin perfil, con parada</translation>
-    </message>
-    <message>
-        <source>unprofiled, without stop</source>
-        <translation>sin perfil, sin parada</translation>
-    </message>
-    <message>
-        <source>moving, commanded by another program</source>
-        <translation>en movimiento, por orden de otro programa</translation>
-    </message>
-    <message>
-        <source>&amp;Zero here</source>
-        <translation>Cero a&amp;quí</translation>
-    </message>
-    <message>
-        <source>Inputs byte</source>
-        <translation>Byte de entradas</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>Modo</translation>
-    </message>
-    <message>
-        <source>Timer count</source>
-        <translation>Valor del temporizador</translation>
-    </message>
-    <message>
-        <source>%1 = %2</source>
-        <translation>%1 = %2</translation>
-    </message>
-    <message>
-        <source>, inputs %1</source>
-        <translation>, entradas %1</translation>
-    </message>
-    <message>
-        <source>High blocks counting up, unless it is ignored.</source>
-        <translation>El nivel alto bloquea la cuenta hacia arriba, salvo que se ignore.</translation>
-    </message>
-    <message>
-        <source>High blocks counting down, unless it is ignored.</source>
-        <translation>El nivel alto bloquea la cuenta hacia abajo, salvo que se ignore.</translation>
     </message>
 </context>
 <context>

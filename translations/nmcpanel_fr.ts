@@ -7031,6 +7031,98 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Path points left</source>
         <translation>Points de trajectoire restants</translation>
     </message>
+    <message>
+        <source>The module is sending step pulses.</source>
+        <translation>Des impulsions de pas arrivent.</translation>
+    </message>
+    <message>
+        <source>The driver is enabled (AMP_EN is high).</source>
+        <translation>Le driver est actif (AMP_EN est à l’état haut).</translation>
+    </message>
+    <message>
+        <source>Motor power is present (PWR_SENSE is high).</source>
+        <translation>L’alimentation moteur est présente (PWR_SENSE est à l’état haut).</translation>
+    </message>
+    <message>
+        <source>The motor has reached its commanded speed.</source>
+        <translation>Le moteur a atteint sa vitesse de consigne.</translation>
+    </message>
+    <message>
+        <source>Runs with a ramp: velocity profile mode.</source>
+        <translation>Marche avec rampe&#xa0;: mode profil de vitesse.</translation>
+    </message>
+    <message>
+        <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
+        <translation>Déplacement vers une position avec rampe&#xa0;: mode profil trapézoïdal.</translation>
+    </message>
+    <message>
+        <source>High stops the motor, unless it is ignored.</source>
+        <translation>L’état haut arrête le moteur, sauf si l’entrée est ignorée.</translation>
+    </message>
+    <message>
+        <source>General purpose input.</source>
+        <translation>Entrée à usage général.</translation>
+    </message>
+    <message>
+        <source>For homing.</source>
+        <translation>Pour la prise d’origine.</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>à l’arrêt</translation>
+    </message>
+    <message>
+        <source>trapezoidal profile</source>
+        <translation>profil trapézoïdal</translation>
+    </message>
+    <message>
+        <source>velocity profile</source>
+        <translation>profil de vitesse</translation>
+    </message>
+    <message>
+        <source>unprofiled, with stop</source>
+        <translation>sans profil, avec arrêt</translation>
+    </message>
+    <message>
+        <source>unprofiled, without stop</source>
+        <translation>sans profil, sans arrêt</translation>
+    </message>
+    <message>
+        <source>moving, commanded by another program</source>
+        <translation>en mouvement, commandé par un autre programme</translation>
+    </message>
+    <message>
+        <source>&amp;Zero here</source>
+        <translation>&amp;Zéro ici</translation>
+    </message>
+    <message>
+        <source>Inputs byte</source>
+        <translation>Octet des entrées</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Timer count</source>
+        <translation>Valeur du timer</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>, inputs %1</source>
+        <translation>, entrées %1</translation>
+    </message>
+    <message>
+        <source>High blocks counting up, unless it is ignored.</source>
+        <translation>L’état haut bloque le comptage vers le haut, sauf si l’entrée est ignorée.</translation>
+    </message>
+    <message>
+        <source>High blocks counting down, unless it is ignored.</source>
+        <translation>L’état haut bloque le comptage vers le bas, sauf si l’entrée est ignorée.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::DifferencesDialog</name>
@@ -12455,101 +12547,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Status bits over time</source>
         <translation>Bits d’état dans le temps</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::StepperDetailsBox</name>
-    <message>
-        <source>The module is sending step pulses.</source>
-        <translation>Des impulsions de pas arrivent.</translation>
-    </message>
-    <message>
-        <source>The driver is enabled (AMP_EN is high).</source>
-        <translation>Le driver est actif (AMP_EN est à l’état haut).</translation>
-    </message>
-    <message>
-        <source>Motor power is present (PWR_SENSE is high).</source>
-        <translation>L’alimentation moteur est présente (PWR_SENSE est à l’état haut).</translation>
-    </message>
-    <message>
-        <source>The motor has reached its commanded speed.</source>
-        <translation>Le moteur a atteint sa vitesse de consigne.</translation>
-    </message>
-    <message>
-        <source>Runs with a ramp: velocity profile mode.</source>
-        <translation>Marche avec rampe&#xa0;: mode profil de vitesse.</translation>
-    </message>
-    <message>
-        <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
-        <translation>Déplacement vers une position avec rampe&#xa0;: mode profil trapézoïdal.</translation>
-    </message>
-    <message>
-        <source>High stops the motor, unless it is ignored.</source>
-        <translation>L’état haut arrête le moteur, sauf si l’entrée est ignorée.</translation>
-    </message>
-    <message>
-        <source>General purpose input.</source>
-        <translation>Entrée à usage général.</translation>
-    </message>
-    <message>
-        <source>For homing.</source>
-        <translation>Pour la prise d’origine.</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>à l’arrêt</translation>
-    </message>
-    <message>
-        <source>trapezoidal profile</source>
-        <translation>profil trapézoïdal</translation>
-    </message>
-    <message>
-        <source>velocity profile</source>
-        <translation>profil de vitesse</translation>
-    </message>
-    <message>
-        <source>unprofiled, with stop</source>
-        <translation>sans profil, avec arrêt</translation>
-    </message>
-    <message>
-        <source>unprofiled, without stop</source>
-        <translation>sans profil, sans arrêt</translation>
-    </message>
-    <message>
-        <source>moving, commanded by another program</source>
-        <translation>en mouvement, commandé par un autre programme</translation>
-    </message>
-    <message>
-        <source>&amp;Zero here</source>
-        <translation>&amp;Zéro ici</translation>
-    </message>
-    <message>
-        <source>Inputs byte</source>
-        <translation>Octet des entrées</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>Mode</translation>
-    </message>
-    <message>
-        <source>Timer count</source>
-        <translation>Valeur du timer</translation>
-    </message>
-    <message>
-        <source>%1 = %2</source>
-        <translation>%1 = %2</translation>
-    </message>
-    <message>
-        <source>, inputs %1</source>
-        <translation>, entrées %1</translation>
-    </message>
-    <message>
-        <source>High blocks counting up, unless it is ignored.</source>
-        <translation>L’état haut bloque le comptage vers le haut, sauf si l’entrée est ignorée.</translation>
-    </message>
-    <message>
-        <source>High blocks counting down, unless it is ignored.</source>
-        <translation>L’état haut bloque le comptage vers le bas, sauf si l’entrée est ignorée.</translation>
     </message>
 </context>
 <context>

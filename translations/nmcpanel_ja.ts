@@ -7014,6 +7014,98 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Path points left</source>
         <translation>残りのパス点数</translation>
     </message>
+    <message>
+        <source>The module is sending step pulses.</source>
+        <translation>ステップパルスが出力されています。</translation>
+    </message>
+    <message>
+        <source>The driver is enabled (AMP_EN is high).</source>
+        <translation>ドライバーが有効です（AMP_ENがHigh）。</translation>
+    </message>
+    <message>
+        <source>Motor power is present (PWR_SENSE is high).</source>
+        <translation>モーター電源があります（PWR_SENSEがHigh）。</translation>
+    </message>
+    <message>
+        <source>The motor has reached its commanded speed.</source>
+        <translation>モーターが指令速度に達しています。</translation>
+    </message>
+    <message>
+        <source>Runs with a ramp: velocity profile mode.</source>
+        <translation>加減速のある運転：速度プロファイルモード。</translation>
+    </message>
+    <message>
+        <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
+        <translation>加減速のある位置への移動：台形プロファイルモード。</translation>
+    </message>
+    <message>
+        <source>High stops the motor, unless it is ignored.</source>
+        <translation>無視されていなければ、Highでモーターが停止します。</translation>
+    </message>
+    <message>
+        <source>General purpose input.</source>
+        <translation>汎用入力です。</translation>
+    </message>
+    <message>
+        <source>For homing.</source>
+        <translation>原点復帰用です。</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>trapezoidal profile</source>
+        <translation>台形プロファイル</translation>
+    </message>
+    <message>
+        <source>velocity profile</source>
+        <translation>速度プロファイル</translation>
+    </message>
+    <message>
+        <source>unprofiled, with stop</source>
+        <translation>プロファイルなし、停止あり</translation>
+    </message>
+    <message>
+        <source>unprofiled, without stop</source>
+        <translation>プロファイルなし、停止なし</translation>
+    </message>
+    <message>
+        <source>moving, commanded by another program</source>
+        <translation>別のプログラムの指令で動作中</translation>
+    </message>
+    <message>
+        <source>&amp;Zero here</source>
+        <translation>現在位置を0に(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Inputs byte</source>
+        <translation>入力バイト</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>モード</translation>
+    </message>
+    <message>
+        <source>Timer count</source>
+        <translation>タイマー値</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>, inputs %1</source>
+        <translation>、入力%1</translation>
+    </message>
+    <message>
+        <source>High blocks counting up, unless it is ignored.</source>
+        <translation>無視されていなければ、Highでカウントの増える方向を禁止します。</translation>
+    </message>
+    <message>
+        <source>High blocks counting down, unless it is ignored.</source>
+        <translation>無視されていなければ、Highでカウントの減る方向を禁止します。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::DifferencesDialog</name>
@@ -12435,101 +12527,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Status bits over time</source>
         <translation>ステータスビットの推移</translation>
-    </message>
-</context>
-<context>
-    <name>nmc::StepperDetailsBox</name>
-    <message>
-        <source>The module is sending step pulses.</source>
-        <translation>ステップパルスが出力されています。</translation>
-    </message>
-    <message>
-        <source>The driver is enabled (AMP_EN is high).</source>
-        <translation>ドライバーが有効です（AMP_ENがHigh）。</translation>
-    </message>
-    <message>
-        <source>Motor power is present (PWR_SENSE is high).</source>
-        <translation>モーター電源があります（PWR_SENSEがHigh）。</translation>
-    </message>
-    <message>
-        <source>The motor has reached its commanded speed.</source>
-        <translation>モーターが指令速度に達しています。</translation>
-    </message>
-    <message>
-        <source>Runs with a ramp: velocity profile mode.</source>
-        <translation>加減速のある運転：速度プロファイルモード。</translation>
-    </message>
-    <message>
-        <source>Moves to a position with a ramp: trapezoidal profile mode.</source>
-        <translation>加減速のある位置への移動：台形プロファイルモード。</translation>
-    </message>
-    <message>
-        <source>High stops the motor, unless it is ignored.</source>
-        <translation>無視されていなければ、Highでモーターが停止します。</translation>
-    </message>
-    <message>
-        <source>General purpose input.</source>
-        <translation>汎用入力です。</translation>
-    </message>
-    <message>
-        <source>For homing.</source>
-        <translation>原点復帰用です。</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>trapezoidal profile</source>
-        <translation>台形プロファイル</translation>
-    </message>
-    <message>
-        <source>velocity profile</source>
-        <translation>速度プロファイル</translation>
-    </message>
-    <message>
-        <source>unprofiled, with stop</source>
-        <translation>プロファイルなし、停止あり</translation>
-    </message>
-    <message>
-        <source>unprofiled, without stop</source>
-        <translation>プロファイルなし、停止なし</translation>
-    </message>
-    <message>
-        <source>moving, commanded by another program</source>
-        <translation>別のプログラムの指令で動作中</translation>
-    </message>
-    <message>
-        <source>&amp;Zero here</source>
-        <translation>現在位置を0に(&amp;Z)</translation>
-    </message>
-    <message>
-        <source>Inputs byte</source>
-        <translation>入力バイト</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>モード</translation>
-    </message>
-    <message>
-        <source>Timer count</source>
-        <translation>タイマー値</translation>
-    </message>
-    <message>
-        <source>%1 = %2</source>
-        <translation>%1 = %2</translation>
-    </message>
-    <message>
-        <source>, inputs %1</source>
-        <translation>、入力%1</translation>
-    </message>
-    <message>
-        <source>High blocks counting up, unless it is ignored.</source>
-        <translation>無視されていなければ、Highでカウントの増える方向を禁止します。</translation>
-    </message>
-    <message>
-        <source>High blocks counting down, unless it is ignored.</source>
-        <translation>無視されていなければ、Highでカウントの減る方向を禁止します。</translation>
     </message>
 </context>
 <context>

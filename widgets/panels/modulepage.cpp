@@ -26,7 +26,6 @@
 #include "widgets/panels/homingbox.h"
 #include "widgets/panels/movebybox.h"
 #include "widgets/panels/stagedform.h"
-#include "widgets/panels/stepperdetailsbox.h"
 #include "widgets/panels/stepperiobox.h"
 
 namespace nmc {
@@ -239,8 +238,7 @@ void ModulePage::lockPages() {
             return rights->homing;
         if (page.findChild<const StepperIoBox*>() != nullptr)
             return rights->outputs;
-        return page.findChild<const DetailsBox*>() != nullptr ||
-               page.findChild<const StepperDetailsBox*>() != nullptr;
+        return page.findChild<const DetailsBox*>() != nullptr;
     };
     for (int i = 0; i < m_pages->count(); ++i)
         if (QWidget* page = m_pages->widget(i); page != m_motions)

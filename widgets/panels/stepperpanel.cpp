@@ -8,12 +8,12 @@
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/panels/axisbox.h"
+#include "widgets/panels/detailsbox.h"
 #include "widgets/panels/expertbox.h"
 #include "widgets/panels/homingbox.h"
 #include "widgets/panels/jogbox.h"
 #include "widgets/panels/movebybox.h"
 #include "widgets/panels/panelhead.h"
-#include "widgets/panels/stepperdetailsbox.h"
 #include "widgets/panels/stepperiobox.h"
 #include "widgets/panels/steppermotionbox.h"
 #include "widgets/panels/stepperparametersbox.h"
@@ -41,7 +41,7 @@ StepperPanel::StepperPanel(const PanelView& view, Requests& requests) : ModulePa
     pages->addTab(new StepperIoBox(m_context, this), tr("I/O"));
     pages->addTab(new HomingBox(m_context, this), Common::tr("Homing"));
     pages->addTab(new AxisBox(m_context, this), Common::tr("Axis"));
-    pages->addTab(new StepperDetailsBox(m_context, this), Common::tr("Details"));
+    pages->addTab(new DetailsBox(m_context, this), Common::tr("Details"));
     pages->addTab(new ExpertBox(m_context, this), Common::tr("Expert"));
     layOut(head, left, pages);
 }
