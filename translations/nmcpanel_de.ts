@@ -12907,9 +12907,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>speed %1</source>
         <translation>Geschwindigkeit %1</translation>
     </message>
-</context>
-<context>
-    <name>nmc::StepperRampBox</name>
     <message>
         <source>The acceleration time</source>
         <translation>Die Beschleunigungszeit</translation>

@@ -12907,9 +12907,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>speed %1</source>
         <translation>velocidad %1</translation>
     </message>
-</context>
-<context>
-    <name>nmc::StepperRampBox</name>
     <message>
         <source>The acceleration time</source>
         <translation>El tiempo de aceleración</translation>

@@ -12907,9 +12907,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>speed %1</source>
         <translation>vitesse %1</translation>
     </message>
-</context>
-<context>
-    <name>nmc::StepperRampBox</name>
     <message>
         <source>The acceleration time</source>
         <translation>Le temps d’accélération</translation>

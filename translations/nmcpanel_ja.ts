@@ -12887,9 +12887,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>speed %1</source>
         <translation>速度%1</translation>
     </message>
-</context>
-<context>
-    <name>nmc::StepperRampBox</name>
     <message>
         <source>The acceleration time</source>
         <translation>加速時間の値</translation>

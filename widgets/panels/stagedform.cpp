@@ -264,11 +264,11 @@ void StagedForm::fitInto(int width) {
     }
 }
 
-void StagedForm::showMark(QLabel* label, Mark mark, bool narrow) {
+void StagedForm::showMark(QLabel* label, Mark mark) const {
     const QString words = mark == Mark::Unknown ? Common::tr("? unknown")
                           : mark == Mark::Sent  ? tr("✓ sent")
                                                 : tr("● not sent");
-    look::setText(label, narrow ? words.section(u' ', 0, 0) : words);
+    look::setText(label, m_narrow ? words.section(u' ', 0, 0) : words);
     if (label->toolTip() != words)
         label->setToolTip(words);
     if (const bool bold = mark == Mark::Edited; label->font().bold() != bold) {
@@ -293,11 +293,9 @@ void StagedForm::refreshRow(std::size_t number) {
     const bool kept = m_kept && m_kept->at(number);
     const bool empty =
         check ? value == 0 && !kept : !value && (field.number == nullptr || field.number->text().isEmpty());
-    showMark(field.state,
-             !sent && empty           ? Mark::Unknown
-             : value && value == sent ? Mark::Sent
-                                      : Mark::Edited,
-             m_narrow);
+    showMark(field.state, !sent && empty           ? Mark::Unknown
+                          : value && value == sent ? Mark::Sent
+                                                   : Mark::Edited);
 }
 
 void StagedForm::refreshUndo() {

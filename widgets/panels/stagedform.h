@@ -29,10 +29,6 @@ public:
     /// Adapts to a width in pixels: if it is small, marks replace words.
     virtual void fitInto(int width);
 
-    /// Whether a value was sent: a shape followed by words, or the shape alone.
-    enum class Mark : std::uint8_t { Unknown, Sent, Edited };
-    static void showMark(QLabel* label, Mark mark, bool narrow);
-
 protected:
     /// One value for each field, in the order in which they were added; empty: unknown, or not a valid
     /// number.
@@ -104,6 +100,10 @@ protected:
     /// Records an edit by the user: of one field, or of several if `field` is empty.
     void edited(std::optional<std::size_t> field);
     void refresh();
+
+    enum class Mark : std::uint8_t { Unknown, Sent, Edited };
+    /// Shows whether a value was sent, as a shape followed by words, or as the shape alone.
+    void showMark(QLabel* label, Mark mark) const;
 
     [[nodiscard]] ModuleContext& context() const { return m_context; }
     [[nodiscard]] bool narrow() const { return m_narrow; }

@@ -5,12 +5,13 @@
 #include <QLabel>
 
 #include "model/intent/stepperplan.h"
+#include "model/module/stepperdefaults.h"
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/boxparts.h"
 #include "widgets/panels/command.h"
-#include "widgets/panels/stepperrampbox.h"
 #include "widgets/panels/stepperwords.h"
 
 namespace nmc {
@@ -50,13 +51,12 @@ StepperParametersBox::StepperParametersBox(ModuleContext& context, QWidget* pare
                               if (const auto parameters = this->parameters())
                                   this->context().ask(stepperintent::SetParameters{*parameters});
                           });
-    m_ramp = new StepperRampBox(context, this);
     grid->addWide(new FlowLayout(look::gridUnit(this),
                                  {start->button(), undoCommand()->button(), redoCommand()->button(),
                                   revertCommand()->button(), m_apply->button()}));
     grid->addWide(hint());
     grid->addGap(1);
-    grid->addWide(m_ramp);
+    addRamp(grid);
     grid->end();
     m_minimumSpeed->setScale(context.scale());
     begin(*m_apply);
@@ -138,6 +138,48 @@ void StepperParametersBox::addFields(FormGrid* grid) {
         tr("motor switches off, too"));
 }
 
+/// Adds what is not a parameter of the chip but applies to every motion: the acceleration time, and the speed
+/// cap of hold to move. Both are kept in the settings; an edit sends nothing.
+void StepperParametersBox::addRamp(FormGrid* grid) {
+    auto* box = new QWidget(this);
+    m_time = form::newNumber(
+        {.name = u"stepperAccelerationTimeField"_s,
+         .accessible = Common::tr("Acceleration time"),
+         .words = tr("The acceleration time"),
+         .min = static_cast<double>(stepper::kAccelerationTimeRange.min),
+         .max = static_cast<double>(stepper::kAccelerationTimeRange.max),
+         .digits = 8,
+         .meaning = tr(
+             "How long a ramp stays at each speed, in units of 0.25 ms; smaller is steeper. Sent with the next motion that has a ramp, and used by smooth stops after it.")},
+        box);
+    m_acceleration = look::newMutedLabel({}, box, u"stepperAccelerationRemark"_s);
+    m_timeState = look::newMutedLabel({}, box, u"stepperAccelerationTimeState"_s);
+    m_cap = form::newQuantity(
+        {.kind = QuantityField::Kind::Velocity,
+         .name = u"stepperHoldCapField"_s,
+         .accessible = Common::tr("Max jog speed"),
+         .step = 100,
+         .meaning = tr("Jog is never faster than this. Set a speed that you can react to.")},
+        box);
+    auto* ramp = new FormGrid(box, 5, {.sides = 0, .ends = 0, .across = 1});
+    ramp->addWide(form::newHeading(tr("With every motion"), box));
+    ramp->addRow(Common::tr("Acceleration time"), m_time,
+                 {new QLabel(tr("× 0.25 ms"), box), m_acceleration, m_timeState});
+    ramp->addRow(Common::tr("Max jog speed"), m_cap);
+    ramp->setColumnStretch(3, 0);
+    ramp->setColumnStretch(4, 1);
+    grid->addWide(box);
+    connect(m_time, &NumberField::edited, this, [this] {
+        if (const auto time = m_time->value())
+            context().edit([time](AxisSettings& axis) { axis.accelerationTime = *time; });
+        refreshRamp();
+    });
+    connect(m_cap, &QuantityField::nativeEdited, this, [this] {
+        if (const auto cap = m_cap->native())
+            context().edit([cap](AxisSettings& axis) { axis.motion.holdCap = *cap; });
+    });
+}
+
 // ---- contents of the fields ----
 
 /// The speed mode in its field; 1x while none is selected.
@@ -193,8 +235,27 @@ void StepperParametersBox::keep() {
 
 // ---- display ----
 
-void StepperParametersBox::arrange() {
-    m_ramp->setNarrow(narrow());
+void StepperParametersBox::showRamp() {
+    const StepperState& stepper = context().state().stepper;
+    const AxisSettings& settings = context().settings();
+    m_cap->setScale(context().scale());
+    m_cap->setNativeRange(stepperdefaults::slowestProfile(stepper, settings),
+                          stepperdefaults::speedMode(stepper, settings).fastest());
+    showUnlessTyped(m_time, stepperdefaults::accelerationTime(settings));
+    const double cap = stepperdefaults::holdCap(stepper, settings);
+    if (!m_cap->hasFocus() && m_cap->native() != cap)
+        m_cap->showNative(cap);
+    refreshRamp();
+}
+
+void StepperParametersBox::refreshRamp() {
+    const StepperState& stepper = context().state().stepper;
+    const StepperSpeed mode = stepperdefaults::speedMode(stepper, context().settings());
+    const auto time = m_time->value();
+    look::setText(m_acceleration, time ? texts::acceleration(mode, static_cast<int>(*time), m_cap->scale())
+                                       : m_time->problemText());
+    const auto loaded = stepper.accelerationTime;
+    showMark(m_timeState, !loaded ? Mark::Unknown : *loaded == time ? Mark::Sent : Mark::Edited);
 }
 
 QString StepperParametersBox::remark(std::size_t field, const std::optional<int>& value) const {
@@ -215,6 +276,7 @@ QString StepperParametersBox::remark(std::size_t field, const std::optional<int>
 }
 
 void StepperParametersBox::refreshRest() {
+    showRamp();
     m_minimumSpeed->setScale(context().scale());
     setSpeedRange();
     const auto ignored = [this](Parameter parameter) { return field(parameter).value() == 1; };

@@ -8,8 +8,6 @@
 
 namespace nmc {
 
-class StepperRampBox;
-
 /// The parameters of one PIC-STEP, which Apply sends all at once, and what applies to all its motions.
 class StepperParametersBox : public StagedForm {
     Q_OBJECT
@@ -35,9 +33,11 @@ private:
     void keep() override;
     [[nodiscard]] QString remark(std::size_t field, const std::optional<int>& value) const override;
     void refreshRest() override;
-    void arrange() override;
 
     void addFields(FormGrid* grid);
+    void addRamp(FormGrid* grid);
+    void showRamp();
+    void refreshRamp();
     [[nodiscard]] StepperSpeed speeds() const;
     void setSpeedRange();
     [[nodiscard]] static std::optional<Values> valuesOf(
@@ -48,7 +48,10 @@ private:
     QComboBox* m_speedMode = nullptr;
     QuantityField* m_minimumSpeed = nullptr;
     Command* m_apply = nullptr;
-    StepperRampBox* m_ramp = nullptr;
+    NumberField* m_time = nullptr;  ///< acceleration time
+    QLabel* m_acceleration = nullptr;
+    QLabel* m_timeState = nullptr;
+    QuantityField* m_cap = nullptr;
 };
 
 }  // namespace nmc
