@@ -12613,45 +12613,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepperModeChoice</name>
-    <message>
-        <source>Move</source>
-        <translation>Fahrt</translation>
-    </message>
-    <message>
-        <source>Moves to a position with ramps (trapezoidal profile mode).</source>
-        <translation>Fährt mit Rampen zu einer Position (Modus Trapezprofil).</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Dauerlauf</translation>
-    </message>
-    <message>
-        <source>Ramps to a speed and keeps it until stopped (velocity profile mode).</source>
-        <translation>Fährt über eine Rampe auf eine Geschwindigkeit und behält sie bis zum Stopp (Modus Geschwindigkeitsprofil).</translation>
-    </message>
-    <message>
-        <source>Move without ramp</source>
-        <translation>Fahrt ohne Rampe</translation>
-    </message>
-    <message>
-        <source>Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).</source>
-        <translation>Fährt mit konstanter Geschwindigkeit ohne Rampen zu einer Position. Bei zu hoher Geschwindigkeit verliert der Motor Schritte (ohne Profil, mit Stopp).</translation>
-    </message>
-    <message>
-        <source>Run without ramp</source>
-        <translation>Dauerlauf ohne Rampe</translation>
-    </message>
-    <message>
-        <source>Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).</source>
-        <translation>Läuft mit konstanter Geschwindigkeit ohne Rampe bis zum Stopp. Bei zu hoher Geschwindigkeit verliert der Motor Schritte (ohne Profil, ohne Stopp).</translation>
-    </message>
-    <message>
-        <source>Kind of motion</source>
-        <translation>Art der Bewegung</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperMotionBox</name>
     <message>
         <source>b&amp;y this distance</source>
@@ -12748,6 +12709,42 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Moves to home with a ramp, at the travel speed.</source>
         <translation>Fährt mit Rampe zur Referenz, mit der Fahrgeschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Fahrt</translation>
+    </message>
+    <message>
+        <source>Moves to a position with ramps (trapezoidal profile mode).</source>
+        <translation>Fährt mit Rampen zu einer Position (Modus Trapezprofil).</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Dauerlauf</translation>
+    </message>
+    <message>
+        <source>Ramps to a speed and keeps it until stopped (velocity profile mode).</source>
+        <translation>Fährt über eine Rampe auf eine Geschwindigkeit und behält sie bis zum Stopp (Modus Geschwindigkeitsprofil).</translation>
+    </message>
+    <message>
+        <source>Move without ramp</source>
+        <translation>Fahrt ohne Rampe</translation>
+    </message>
+    <message>
+        <source>Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).</source>
+        <translation>Fährt mit konstanter Geschwindigkeit ohne Rampen zu einer Position. Bei zu hoher Geschwindigkeit verliert der Motor Schritte (ohne Profil, mit Stopp).</translation>
+    </message>
+    <message>
+        <source>Run without ramp</source>
+        <translation>Dauerlauf ohne Rampe</translation>
+    </message>
+    <message>
+        <source>Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).</source>
+        <translation>Läuft mit konstanter Geschwindigkeit ohne Rampe bis zum Stopp. Bei zu hoher Geschwindigkeit verliert der Motor Schritte (ohne Profil, ohne Stopp).</translation>
+    </message>
+    <message>
+        <source>Kind of motion</source>
+        <translation>Art der Bewegung</translation>
     </message>
 </context>
 <context>

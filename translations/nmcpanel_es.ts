@@ -12613,45 +12613,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
 </context>
 <context>
-    <name>nmc::StepperModeChoice</name>
-    <message>
-        <source>Move</source>
-        <translation>Movimiento</translation>
-    </message>
-    <message>
-        <source>Moves to a position with ramps (trapezoidal profile mode).</source>
-        <translation>Va a una posición con rampas (modo de perfil trapezoidal).</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Marcha</translation>
-    </message>
-    <message>
-        <source>Ramps to a speed and keeps it until stopped (velocity profile mode).</source>
-        <translation>Sube en rampa hasta una velocidad y la conserva hasta que se le ordene parar (modo de perfil de velocidad).</translation>
-    </message>
-    <message>
-        <source>Move without ramp</source>
-        <translation>Movimiento sin rampa</translation>
-    </message>
-    <message>
-        <source>Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).</source>
-        <translation>Va a una posición a velocidad constante, sin rampas. Si la velocidad es excesiva, el motor pierde pasos (sin perfil, con parada).</translation>
-    </message>
-    <message>
-        <source>Run without ramp</source>
-        <translation>Marcha sin rampa</translation>
-    </message>
-    <message>
-        <source>Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).</source>
-        <translation>Gira a velocidad constante, sin rampa, hasta que se le ordene parar. Si la velocidad es excesiva, el motor pierde pasos (sin perfil, sin parada).</translation>
-    </message>
-    <message>
-        <source>Kind of motion</source>
-        <translation>Tipo de movimiento</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperMotionBox</name>
     <message>
         <source>b&amp;y this distance</source>
@@ -12748,6 +12709,42 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Moves to home with a ramp, at the travel speed.</source>
         <translation>Va a la referencia con rampa, a la velocidad de avance.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Moves to a position with ramps (trapezoidal profile mode).</source>
+        <translation>Va a una posición con rampas (modo de perfil trapezoidal).</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Marcha</translation>
+    </message>
+    <message>
+        <source>Ramps to a speed and keeps it until stopped (velocity profile mode).</source>
+        <translation>Sube en rampa hasta una velocidad y la conserva hasta que se le ordene parar (modo de perfil de velocidad).</translation>
+    </message>
+    <message>
+        <source>Move without ramp</source>
+        <translation>Movimiento sin rampa</translation>
+    </message>
+    <message>
+        <source>Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).</source>
+        <translation>Va a una posición a velocidad constante, sin rampas. Si la velocidad es excesiva, el motor pierde pasos (sin perfil, con parada).</translation>
+    </message>
+    <message>
+        <source>Run without ramp</source>
+        <translation>Marcha sin rampa</translation>
+    </message>
+    <message>
+        <source>Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).</source>
+        <translation>Gira a velocidad constante, sin rampa, hasta que se le ordene parar. Si la velocidad es excesiva, el motor pierde pasos (sin perfil, sin parada).</translation>
+    </message>
+    <message>
+        <source>Kind of motion</source>
+        <translation>Tipo de movimiento</translation>
     </message>
 </context>
 <context>

@@ -12613,45 +12613,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     </message>
 </context>
 <context>
-    <name>nmc::StepperModeChoice</name>
-    <message>
-        <source>Move</source>
-        <translation>Déplacement</translation>
-    </message>
-    <message>
-        <source>Moves to a position with ramps (trapezoidal profile mode).</source>
-        <translation>Se déplace vers une position avec rampes (mode profil trapézoïdal).</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>Marche</translation>
-    </message>
-    <message>
-        <source>Ramps to a speed and keeps it until stopped (velocity profile mode).</source>
-        <translation>Monte en rampe jusqu’à une vitesse et la garde jusqu’à l’ordre d’arrêt (mode profil de vitesse).</translation>
-    </message>
-    <message>
-        <source>Move without ramp</source>
-        <translation>Déplacement sans rampe</translation>
-    </message>
-    <message>
-        <source>Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).</source>
-        <translation>Se déplace vers une position à vitesse constante, sans rampes. À une vitesse trop élevée, le moteur perd des pas (sans profil, avec arrêt).</translation>
-    </message>
-    <message>
-        <source>Run without ramp</source>
-        <translation>Marche sans rampe</translation>
-    </message>
-    <message>
-        <source>Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).</source>
-        <translation>Tourne à vitesse constante, sans rampe, jusqu’à l’ordre d’arrêt. À une vitesse trop élevée, le moteur perd des pas (sans profil, sans arrêt).</translation>
-    </message>
-    <message>
-        <source>Kind of motion</source>
-        <translation>Type de mouvement</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperMotionBox</name>
     <message>
         <source>b&amp;y this distance</source>
@@ -12748,6 +12709,42 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Moves to home with a ramp, at the travel speed.</source>
         <translation>Va à l’origine avec une rampe, à la vitesse de déplacement.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacement</translation>
+    </message>
+    <message>
+        <source>Moves to a position with ramps (trapezoidal profile mode).</source>
+        <translation>Se déplace vers une position avec rampes (mode profil trapézoïdal).</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Marche</translation>
+    </message>
+    <message>
+        <source>Ramps to a speed and keeps it until stopped (velocity profile mode).</source>
+        <translation>Monte en rampe jusqu’à une vitesse et la garde jusqu’à l’ordre d’arrêt (mode profil de vitesse).</translation>
+    </message>
+    <message>
+        <source>Move without ramp</source>
+        <translation>Déplacement sans rampe</translation>
+    </message>
+    <message>
+        <source>Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).</source>
+        <translation>Se déplace vers une position à vitesse constante, sans rampes. À une vitesse trop élevée, le moteur perd des pas (sans profil, avec arrêt).</translation>
+    </message>
+    <message>
+        <source>Run without ramp</source>
+        <translation>Marche sans rampe</translation>
+    </message>
+    <message>
+        <source>Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).</source>
+        <translation>Tourne à vitesse constante, sans rampe, jusqu’à l’ordre d’arrêt. À une vitesse trop élevée, le moteur perd des pas (sans profil, sans arrêt).</translation>
+    </message>
+    <message>
+        <source>Kind of motion</source>
+        <translation>Type de mouvement</translation>
     </message>
 </context>
 <context>

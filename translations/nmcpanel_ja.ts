@@ -12593,45 +12593,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     </message>
 </context>
 <context>
-    <name>nmc::StepperModeChoice</name>
-    <message>
-        <source>Move</source>
-        <translation>移動</translation>
-    </message>
-    <message>
-        <source>Moves to a position with ramps (trapezoidal profile mode).</source>
-        <translation>加減速のある位置への移動です（台形プロファイルモード）。</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>運転</translation>
-    </message>
-    <message>
-        <source>Ramps to a speed and keeps it until stopped (velocity profile mode).</source>
-        <translation>指定速度まで加減速し、停止操作をするまでその速度を保ちます（速度プロファイルモード）。</translation>
-    </message>
-    <message>
-        <source>Move without ramp</source>
-        <translation>加減速なし移動</translation>
-    </message>
-    <message>
-        <source>Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).</source>
-        <translation>加減速なしの一定速度で位置へ移動します。速度が高すぎると、モーターが脱調します（プロファイルなし、停止あり）。</translation>
-    </message>
-    <message>
-        <source>Run without ramp</source>
-        <translation>加減速なし運転</translation>
-    </message>
-    <message>
-        <source>Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).</source>
-        <translation>停止操作をするまで、加減速なしの一定速度で運転します。速度が高すぎると、モーターが脱調します（プロファイルなし、停止なし）。</translation>
-    </message>
-    <message>
-        <source>Kind of motion</source>
-        <translation>動作の種類</translation>
-    </message>
-</context>
-<context>
     <name>nmc::StepperMotionBox</name>
     <message>
         <source>b&amp;y this distance</source>
@@ -12728,6 +12689,42 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Moves to home with a ramp, at the travel speed.</source>
         <translation>加減速しながら、「移動速度」で原点へ移動します。</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Moves to a position with ramps (trapezoidal profile mode).</source>
+        <translation>加減速のある位置への移動です（台形プロファイルモード）。</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>運転</translation>
+    </message>
+    <message>
+        <source>Ramps to a speed and keeps it until stopped (velocity profile mode).</source>
+        <translation>指定速度まで加減速し、停止操作をするまでその速度を保ちます（速度プロファイルモード）。</translation>
+    </message>
+    <message>
+        <source>Move without ramp</source>
+        <translation>加減速なし移動</translation>
+    </message>
+    <message>
+        <source>Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).</source>
+        <translation>加減速なしの一定速度で位置へ移動します。速度が高すぎると、モーターが脱調します（プロファイルなし、停止あり）。</translation>
+    </message>
+    <message>
+        <source>Run without ramp</source>
+        <translation>加減速なし運転</translation>
+    </message>
+    <message>
+        <source>Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).</source>
+        <translation>停止操作をするまで、加減速なしの一定速度で運転します。速度が高すぎると、モーターが脱調します（プロファイルなし、停止なし）。</translation>
+    </message>
+    <message>
+        <source>Kind of motion</source>
+        <translation>動作の種類</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/steppermotionbox.h"
 
+#include <QButtonGroup>
 #include <QCheckBox>
+#include <QRadioButton>
 #include <cmath>
 
 #include "model/intent/pace.h"
@@ -9,6 +11,7 @@
 #include "model/intent/travel.h"
 #include "model/module/stepperdefaults.h"
 #include "widgets/common/elidedlabel.h"
+#include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
@@ -27,16 +30,45 @@ StepperMotionBox::StepperMotionBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(Common::tr("Motion"), parent), m_context(context) {
     look::name(this, u"stepperMotionBox"_s, Common::tr("Motion"));
     auto* grid = new FormGrid(this);
-    m_mode = new StepperModeChoice(this);
-    grid->addWide(m_mode);
+    buildMode(grid);
     grid->addGap(0.5);
     buildFields(grid);
     buildButtons(grid);
     connectControls();
-    m_mode->showMode(StepperModeChoice::Mode::Trapezoid);
+    showMode(Mode::Trapezoid);
     m_goal->setScale(m_context.scale());
     m_goal->showNative(0);
     m_context.whenSeen(this, [this] { showModule(); });
+}
+
+void StepperMotionBox::buildMode(FormGrid* grid) {
+    auto* choice = new QWidget(this);
+    look::name(choice, u"stepperModeChoice"_s, tr("Kind of motion"));
+    auto* row = new FlowLayout(look::gridUnit(this) * 2, choice);
+    m_modes = new QButtonGroup(this);
+    const auto add = [&](Mode mode, const form::Check& check) {
+        auto* button = form::newRadio(check, choice);
+        row->addWidget(button);
+        m_modes->addButton(button, static_cast<int>(mode));
+    };
+    add(Mode::Trapezoid, {.name = u"stepperModeTrapezoidal"_s,
+                          .text = tr("Move"),
+                          .meaning = tr("Moves to a position with ramps (trapezoidal profile mode).")});
+    add(Mode::Profile,
+        {.name = u"stepperModeProfile"_s,
+         .text = tr("Run"),
+         .meaning = tr("Ramps to a speed and keeps it until stopped (velocity profile mode).")});
+    add(Mode::TimedMove,
+        {.name = u"stepperModeTimedMove"_s,
+         .text = tr("Move without ramp"),
+         .meaning = tr(
+             "Moves to a position at constant speed, without ramps. At too high a speed the motor loses steps (unprofiled, with stop).")});
+    add(Mode::TimedRun,
+        {.name = u"stepperModeTimedRun"_s,
+         .text = tr("Run without ramp"),
+         .meaning = tr(
+             "Runs at constant speed, without a ramp, until stopped. At too high a speed the motor loses steps (unprofiled, without stop).")});
+    grid->addWide(choice);
 }
 
 void StepperMotionBox::buildFields(FormGrid* grid) {
@@ -126,7 +158,7 @@ void StepperMotionBox::buildButtons(FormGrid* grid) {
 }
 
 void StepperMotionBox::connectControls() {
-    connect(m_mode, &StepperModeChoice::chosen, this, &StepperMotionBox::chooseMode);
+    connect(m_modes, &QButtonGroup::idClicked, this, &StepperMotionBox::chooseMode);
     connect(m_goal, &QuantityField::nativeEdited, this, &StepperMotionBox::refresh);
     connect(m_goal, &NumberField::returnPressed, m_go, &Command::act);
     connect(m_relative, &QCheckBox::toggled, this, [this] {
@@ -138,8 +170,16 @@ void StepperMotionBox::connectControls() {
     connect(&m_context, &ModuleContext::lookedForAnew, this, &StepperMotionBox::lookedForAnew);
 }
 
+StepperMotionBox::Mode StepperMotionBox::mode() const {
+    return static_cast<Mode>(m_modes->checkedId());
+}
+
+void StepperMotionBox::showMode(Mode mode) {
+    m_modes->button(static_cast<int>(mode))->setChecked(true);
+}
+
 double MotionSettings::*StepperMotionBox::speedSetting() const {
-    return m_mode->hasGoal() ? &MotionSettings::velocity : &MotionSettings::runVelocity;
+    return hasGoal() ? &MotionSettings::velocity : &MotionSettings::runVelocity;
 }
 
 void StepperMotionBox::chooseMode() {
@@ -149,7 +189,7 @@ void StepperMotionBox::chooseMode() {
 }
 
 void StepperMotionBox::lookedForAnew() {
-    m_mode->showMode(StepperModeChoice::Mode::Trapezoid);
+    showMode(Mode::Trapezoid);
     m_goal->showNative(0);
     m_relative->setChecked(false);
     m_loadOnly->setChecked(false);
@@ -160,11 +200,11 @@ void StepperMotionBox::lookedForAnew() {
 void StepperMotionBox::showSpeed() {
     const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
     const double set = m_context.settings().motion.*speedSetting();
-    const double fallback = m_mode->hasGoal() ? stepperdefaults::kMove : stepperdefaults::kRun;
+    const double fallback = hasGoal() ? stepperdefaults::kMove : stepperdefaults::kRun;
     m_shownSpeed = set;
     m_shownSpeeds = speeds;
-    const double slowest = m_mode->profiled() ? speeds.slowest() : speeds.slowestTimed();
-    const double chip = m_mode->profiled() ? speeds.fastest() : speeds.fastestTimed();
+    const double slowest = profiled() ? speeds.slowest() : speeds.slowestTimed();
+    const double chip = profiled() ? speeds.fastest() : speeds.fastestTimed();
     const double fastest = std::max(slowest, stepperdefaults::atMost(chip, m_context.settings()));
     m_shownFastest = m_context.settings().travel.fastest;
     m_speed->setNativeRange(slowest, fastest);
@@ -205,28 +245,28 @@ void StepperMotionBox::showModule() {
 std::optional<StepperMotion> StepperMotionBox::motion(bool reverse) const {
     const auto goal = m_goal->native();
     const auto speed = m_speed->native();
-    if (!speed || (m_mode->hasGoal() && !goal))
+    if (!speed || (hasGoal() && !goal))
         return std::nullopt;
     const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
     const auto position = static_cast<std::int32_t>(goal.value_or(0));
     const std::uint8_t acceleration = stepperdefaults::accelerationTime(m_context.settings());
-    switch (m_mode->mode()) {
-        case StepperModeChoice::Mode::Trapezoid:
+    switch (mode()) {
+        case Mode::Trapezoid:
             return steppermotion::Trapezoid{position, m_relative->isChecked(), speeds.speedFor(*speed),
                                             acceleration};
-        case StepperModeChoice::Mode::Profile:
+        case Mode::Profile:
             return steppermotion::VelocityProfile{speeds.speedFor(*speed), acceleration,
                                                   m_context.chipReverse(reverse)};
-        case StepperModeChoice::Mode::TimedMove:
+        case Mode::TimedMove:
             return steppermotion::UnprofiledMove{position, m_relative->isChecked(), speeds.timerFor(*speed)};
-        case StepperModeChoice::Mode::TimedRun:
+        case Mode::TimedRun:
             return steppermotion::UnprofiledRun{speeds.timerFor(*speed), m_context.chipReverse(reverse)};
     }
     return std::nullopt;
 }
 
 QString StepperMotionBox::whyNoMovesBy() const {
-    return m_mode->hasGoal() ? m_speed->problemText() : QString();
+    return hasGoal() ? m_speed->problemText() : QString();
 }
 
 std::optional<Intent> StepperMotionBox::movesBy(const Rounds& moves) const {
@@ -257,13 +297,13 @@ QString StepperMotionBox::reasonFor(bool reverse) const {
         return wanted ? texts::refusal(*refusal, intent::Move{*wanted}, m_context.state(), m_context.scale())
                       : texts::refusal(*refusal);
     }
-    if (m_mode->hasGoal() && m_goal->problem() != NumberField::Problem::None)
+    if (hasGoal() && m_goal->problem() != NumberField::Problem::None)
         return m_goal->problemText();
     return m_speed->problemText();
 }
 
 std::optional<std::int32_t> StepperMotionBox::nearest() const {
-    const auto wanted = m_mode->hasGoal() ? motion(false) : std::nullopt;
+    const auto wanted = hasGoal() ? motion(false) : std::nullopt;
     const auto problem = wanted ? travelProblem(intent::Move{*wanted}, m_context.state()) : std::nullopt;
     if (!problem || problem->refusal != Refusal::BeyondTravel)
         return std::nullopt;
@@ -307,7 +347,7 @@ QString StepperMotionBox::outcome() const {
     if (!speed)
         return m_speed->problemText();
     const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
-    if (!m_mode->profiled())
+    if (!profiled())
         return texts::timedSpeed(speeds, speeds.timerFor(*speed), m_speed->scale());
     const auto& parameters = m_context.state().stepper.parameters;
     return texts::profiledSpeed(speeds, speeds.speedFor(*speed),
@@ -323,8 +363,8 @@ QString StepperMotionBox::forecast() const {
     const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
     const int minimum = module.stepper.parameters->minimumProfileSpeed;
     const int acceleration = stepperdefaults::accelerationTime(m_context.settings());
-    if (!m_mode->hasGoal()) {
-        if (!m_mode->profiled())
+    if (!hasGoal()) {
+        if (!profiled())
             return tr("At constant speed, without a ramp.");
         const int units = std::max(0, speeds.speedFor(*speed) - minimum);
         return tr("Takes %1 s from standstill.").arg(texts::readout(units * acceleration * 0.00025, 3));
@@ -334,7 +374,7 @@ QString StepperMotionBox::forecast() const {
     if (!goal || !position || module.moving())
         return {};
     const double way = m_relative->isChecked() ? *goal : *goal - *position;
-    if (m_mode->profiled())
+    if (profiled())
         return texts::forecast(forecastMove(speeds, minimum, speeds.speedFor(*speed), acceleration, way),
                                m_speed->scale());
     const double rate = speeds.ofCount(speeds.timerFor(*speed).count);
@@ -354,9 +394,9 @@ void StepperMotionBox::refreshCommand(Command& command, bool reverse, const QStr
 void StepperMotionBox::refreshCommands() {
     const bool load = m_loadOnly->isChecked();
     const QString later = tr("Loads the motion without starting it.");
-    m_go->setVisible(m_mode->hasGoal());
-    m_runReverse->setVisible(!m_mode->hasGoal());
-    m_runForward->setVisible(!m_mode->hasGoal());
+    m_go->setVisible(hasGoal());
+    m_runReverse->setVisible(!hasGoal());
+    m_runForward->setVisible(!hasGoal());
     refreshCommand(*m_go, false, load ? Common::tr("Load") : Common::tr("&Go"),
                    load ? later : Common::tr("Moves to the position, then holds."));
     refreshCommand(*m_runReverse, true, load ? tr("Load &reverse") : Common::tr("Run &reverse"),
@@ -373,20 +413,20 @@ void StepperMotionBox::refreshCommands() {
 }
 
 void StepperMotionBox::refresh() {
-    const QString unused = m_mode->hasGoal() ? QString() : tr("A run has no goal.");
-    m_goal->setMeaning(m_mode->hasGoal() ? tr("The goal of the move. Press Enter to start.") : unused);
-    m_goal->setEnabled(m_mode->hasGoal());
+    const QString unused = hasGoal() ? QString() : tr("A run has no goal.");
+    m_goal->setMeaning(hasGoal() ? tr("The goal of the move. Press Enter to start.") : unused);
+    m_goal->setEnabled(hasGoal());
     look::setPossible(m_relative, unused, tr("The distance counts from where the motor is at the start."));
     look::setText(m_outcome, outcome());
     look::setText(
-        m_ramp, m_mode->profiled()
+        m_ramp, profiled()
                     ? texts::ramp(stepperdefaults::speedMode(m_context.state().stepper, m_context.settings()),
                                   stepperdefaults::accelerationTime(m_context.settings()), m_speed->scale())
                     : tr("No ramp."));
     look::setText(m_forecast, forecast());
     refreshCommands();
     offerNearest();
-    QString hint = m_mode->hasGoal() ? m_goal->problemText() : QString();
+    QString hint = hasGoal() ? m_goal->problemText() : QString();
     if (hint.isEmpty())
         hint = m_speed->problemText();
     if (hint.isEmpty() && m_context.connected())

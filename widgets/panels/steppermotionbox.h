@@ -7,8 +7,8 @@
 #include "module/stepperspeed.h"
 #include "widgets/panels/modulecontext.h"
 #include "widgets/panels/movebybox.h"
-#include "widgets/panels/steppermodechoice.h"
 
+class QButtonGroup;
 class QCheckBox;
 class QLabel;
 
@@ -34,10 +34,19 @@ signals:
     void modeChosen();
 
 private:
+    enum class Mode : std::uint8_t { Trapezoid, Profile, TimedMove, TimedRun };
+
+    void buildMode(FormGrid* grid);
     void buildFields(FormGrid* grid);
     void buildButtons(FormGrid* grid);
     void connectControls();
 
+    [[nodiscard]] Mode mode() const;
+    /// Emits nothing.
+    void showMode(Mode mode);
+    /// True if the motion has a ramp.
+    [[nodiscard]] bool profiled() const { return mode() == Mode::Trapezoid || mode() == Mode::Profile; }
+    [[nodiscard]] bool hasGoal() const { return mode() == Mode::Trapezoid || mode() == Mode::TimedMove; }
     /// The part of the settings that the speed field shows now.
     [[nodiscard]] double MotionSettings::*speedSetting() const;
     void chooseMode();
@@ -65,7 +74,7 @@ private:
     void refreshCommands();
 
     ModuleContext& m_context;
-    StepperModeChoice* m_mode = nullptr;
+    QButtonGroup* m_modes = nullptr;
     QuantityField* m_goal = nullptr;
     QCheckBox* m_relative = nullptr;
     QuantityField* m_speed = nullptr;
