@@ -111,26 +111,14 @@ QColor severityFill(Severity severity, const QPalette& palette) {
 }
 
 QColor onSeverityFill(Severity severity, const QPalette& palette) {
-    switch (severity) {
-        case Severity::Normal:
-            return palette.color(QPalette::Active, QPalette::Window);
-        case Severity::Attention:
-        case Severity::Fault:
-            return Qt::black;
-    }
-    return {};
+    return severity == Severity::Normal ? palette.color(QPalette::Active, QPalette::Window) : Qt::black;
 }
 
 QColor severityTint(Severity severity, const QPalette& palette) {
     const QColor window = palette.color(QPalette::Active, QPalette::Window);
-    switch (severity) {
-        case Severity::Normal:
-            return mixed(window, palette.color(QPalette::Active, QPalette::WindowText), 0.04F);
-        case Severity::Attention:
-        case Severity::Fault:
-            return mixed(window, severityFill(severity, palette), isDark(palette) ? 0.20F : 0.22F);
-    }
-    return window;
+    if (severity == Severity::Normal)
+        return mixed(window, palette.color(QPalette::Active, QPalette::WindowText), 0.04F);
+    return mixed(window, severityFill(severity, palette), isDark(palette) ? 0.20F : 0.22F);
 }
 
 QColor traceColour(int trace, const QPalette& palette) {

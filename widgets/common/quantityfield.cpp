@@ -186,29 +186,16 @@ int QuantityField::decimalsWanted() const {
 }
 
 QString QuantityField::unitText() const {
-    switch (m_kind) {
-        case Kind::Position:
-        case Kind::Distance:
-            return texts::unitOf(m_scale);
-        case Kind::Velocity:
-            return texts::velocityUnitOf(m_scale);
-        case Kind::Acceleration:
-            return texts::accelerationUnitOf(m_scale);
-    }
-    return {};
+    if (m_kind <= Kind::Distance)
+        return texts::unitOf(m_scale);
+    return m_kind == Kind::Velocity ? texts::velocityUnitOf(m_scale) : texts::accelerationUnitOf(m_scale);
 }
 
 QString QuantityField::otherText(double native) const {
-    switch (m_kind) {
-        case Kind::Position:
-        case Kind::Distance:
-            return texts::otherPosition(m_scale, native);
-        case Kind::Velocity:
-            return texts::otherVelocity(m_scale, native);
-        case Kind::Acceleration:
-            return texts::otherAcceleration(m_scale, native);
-    }
-    return {};
+    if (m_kind <= Kind::Distance)
+        return texts::otherPosition(m_scale, native);
+    return m_kind == Kind::Velocity ? texts::otherVelocity(m_scale, native)
+                                    : texts::otherAcceleration(m_scale, native);
 }
 
 }  // namespace nmc

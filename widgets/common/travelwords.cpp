@@ -9,26 +9,6 @@ namespace nmc::texts {
 
 using namespace Qt::StringLiterals;
 
-namespace {
-
-TravelPlace fromOtherSide(TravelPlace place) {
-    switch (place) {
-        case TravelPlace::Within:
-            break;
-        case TravelPlace::AtLowest:
-            return TravelPlace::AtHighest;
-        case TravelPlace::AtHighest:
-            return TravelPlace::AtLowest;
-        case TravelPlace::BelowLowest:
-            return TravelPlace::AboveHighest;
-        case TravelPlace::AboveHighest:
-            return TravelPlace::BelowLowest;
-    }
-    return place;
-}
-
-}  // namespace
-
 QString travelProblem(const TravelProblem& problem, const Zero& zero, const AxisScale& scale) {
     if (problem.refusal == Refusal::TooFast)
         return (problem.ofChip
@@ -98,8 +78,8 @@ QString travelState(const ModuleState& module, const AxisScale& scale) {
 QString travelSign(const ModuleState& module, const AxisScale& scale) {
     if (travelForce(module) == TravelForce::HomeUnknown)
         return u"▲ "_s + Texts::tr("Travel limits not in force");
-    const TravelPlace place = travelPlace(module);
-    switch (scale.reversed() ? fromOtherSide(place) : place) {
+    const auto place = static_cast<int>(travelPlace(module));
+    switch (static_cast<TravelPlace>(scale.reversed() ? -place : place)) {
         case TravelPlace::Within:
             break;
         case TravelPlace::AtLowest:

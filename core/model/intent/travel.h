@@ -32,8 +32,8 @@ using TravelRange = bus::TravelLimits;
 /// The position at which a motion in this direction must end; empty: there is no limit ahead.
 [[nodiscard]] std::optional<std::int32_t> travelEnd(const ModuleState& module, bool reverse);
 
-/// The motor's place relative to its limits.
-enum class TravelPlace : std::uint8_t { Within, AtLowest, AtHighest, BelowLowest, AboveHighest };
+/// The motor's place relative to its limits; on a reversed axis, the user sees the negative of it.
+enum class TravelPlace : std::int8_t { BelowLowest = -2, AtLowest, Within, AtHighest, AboveHighest };
 /// Within if no limits are in force. At* allows for a servo at rest, which swings by a few counts about its
 /// limit.
 [[nodiscard]] TravelPlace travelPlace(const ModuleState& module);
