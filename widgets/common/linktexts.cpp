@@ -90,15 +90,13 @@ Message fewerThanExpected(int found, int expected, const QString& lastName) {
 }
 
 Message moduleMissing(ModuleIndex module, int answering) {
-    return {
-        .key = ofModule(key::kSilent, module),
-        .module = module,
-        .severity = Severity::Fault,
-        .headline = Texts::tr("Module %1 of this chain does not answer. Motor state unknown.")
-                        .arg(moduleNumber(module)),
-        .body = Texts::tr(
-            "Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it and its settings."),
-        .actions = {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(answering)}}};
+    return about(
+        key::kSilent, module,
+        {Texts::tr("Module %1 of this chain does not answer. Motor state unknown.").arg(moduleNumber(module)),
+         Texts::tr(
+             "Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it and its settings."),
+         Severity::Fault},
+        {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(answering)}});
 }
 
 Message chainNotAccepted() {
@@ -229,21 +227,17 @@ Message badLink(const bus::HealthChanged& health) {
 Message moduleUnresponsive(ModuleIndex module, double secondsSinceAnswer, bool wasMoving) {
     // An answer that came too late may have been its last a moment ago.
     const QString since = readout(std::max(0.1, std::round(secondsSinceAnswer * 10) / 10), 2);
-    return {
-        .key = ofModule(key::kSilent, module),
-        .module = module,
-        .severity = Severity::Fault,
-        .headline =
-            wasMoving
-                ? Texts::tr("Module %1 has not answered for %2 s. Motor state unknown: it was moving.")
-                      .arg(moduleNumber(module))
-                      .arg(since)
-                : Texts::tr(
-                      "Module %1 has not answered for %2 s. Motor state unknown; it was stopped when last seen.")
-                      .arg(moduleNumber(module))
-                      .arg(since),
-        .body = Texts::tr(
-            "Use the hardware stop if needed. Check its power and the plug next to it; the panel keeps trying.")};
+    return about(
+        key::kSilent, module,
+        {(wasMoving
+              ? Texts::tr("Module %1 has not answered for %2 s. Motor state unknown: it was moving.")
+              : Texts::tr(
+                    "Module %1 has not answered for %2 s. Motor state unknown; it was stopped when last seen."))
+             .arg(moduleNumber(module))
+             .arg(since),
+         Texts::tr(
+             "Use the hardware stop if needed. Check its power and the plug next to it; the panel keeps trying."),
+         Severity::Fault});
 }
 
 Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
@@ -265,24 +259,21 @@ Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
     } else {
         actions.prepend(scanAgain());
     }
-    return {.key = ofModule(u"restarted"_s, restarted.module),
-            .module = restarted.module,
-            .severity = Severity::Fault,
-            .headline = Texts::tr("Module %1 restarted: its position and gains are lost.").arg(number),
-            .body = body.join(u' '),
-            .actions = actions};
+    return about(u"restarted"_s, restarted.module,
+                 {Texts::tr("Module %1 restarted: its position and gains are lost.").arg(number),
+                  body.join(u' '), Severity::Fault},
+                 actions);
 }
 
 Message readdressed(const bus::Readdressed& readdressed) {
-    return {
-        .key = ofModule(u"restarted"_s, readdressed.module.index),
-        .module = readdressed.module.index,
-        .severity = Severity::Normal,
-        .headline =
-            Texts::tr(
-                "Module %1 has its address again. Its motor is off, its position is 0, and it has no gains.")
-                .arg(moduleNumber(readdressed.module.index)),
-        .body = Texts::tr("The other modules are unchanged. Apply its gains and home it before you use it.")};
+    const ModuleIndex module = readdressed.module.index;
+    return about(
+        u"restarted"_s, module,
+        {Texts::tr(
+             "Module %1 has its address again. Its motor is off, its position is 0, and it has no gains.")
+             .arg(moduleNumber(module)),
+         Texts::tr("The other modules are unchanged. Apply its gains and home it before you use it."),
+         Severity::Normal});
 }
 
 Message addressChanged(const bus::AddressChanged& changed) {
@@ -321,22 +312,18 @@ Message notReaddressed(const bus::ReaddressFailed& failed) {
 }
 
 Message refused(const bus::CommandRefused& refused) {
-    return {.key = ofModule(u"refused"_s, refused.module),
-            .module = refused.module,
-            .severity = Severity::Attention,
-            .headline = Texts::tr("Module %1 received a garbled command and did not carry it out.")
-                            .arg(moduleNumber(refused.module)),
-            .body = Texts::tr("Sending again (%1 of 3). Usually noise on the cable.").arg(refused.attempt)};
+    return about(u"refused"_s, refused.module,
+                 {Texts::tr("Module %1 received a garbled command and did not carry it out.")
+                      .arg(moduleNumber(refused.module)),
+                  Texts::tr("Sending again (%1 of 3). Usually noise on the cable.").arg(refused.attempt)});
 }
 
 Message garbled(ModuleIndex module) {
-    return {
-        .key = ofModule(u"garbled"_s, module),
-        .module = module,
-        .severity = Severity::Attention,
-        .headline = Texts::tr("The answer from module %1 was garbled.").arg(moduleNumber(module)),
-        .body = Texts::tr(
-            "The command may or may not have been carried out; the panel is reading the position again.")};
+    return about(
+        u"garbled"_s, module,
+        {Texts::tr("The answer from module %1 was garbled.").arg(moduleNumber(module)),
+         Texts::tr(
+             "The command may or may not have been carried out; the panel is reading the position again.")});
 }
 
 }  // namespace nmc::texts

@@ -151,52 +151,48 @@ QString homingStage(ProcedureStage stage) {
     return {};
 }
 
+/// `who`: "Module 1".
+Words failed(const ProcedureReport& report, const QString& who, const AxisScale& scale) {
+    const ProcedureFailure failure = *report.failure;
+    const Severity severity = freeOrUnknown(failure) ? Severity::Fault : Severity::Attention;
+    if (report.kind == ProcedureKind::Homing)
+        return homingFailed(report, who, scale);
+    if (isTest(report.kind))
+        return testFailed(report, who);
+    if (report.kind == ProcedureKind::DirectionCheck)
+        return directionFailed(failure, who);
+    if (report.kind == ProcedureKind::Repeatability)
+        return {Texts::tr("%1 did not finish its approaches.").arg(who), repeatabilityFailure(failure),
+                severity};
+    if (report.kind == ProcedureKind::FollowPath)
+        return {Texts::tr("%1 has not finished its path.").arg(who), pathFailure(failure), severity};
+    return {Texts::tr("%1 did not finish its moves.").arg(who), procedureFailure(failure)};
+}
+
 }  // namespace
 
 std::optional<Message> procedureEnded(const ProcedureReport& report, const AxisScale& scale) {
     const QString who = moduleName(report.module);
-    Message message{.key = ofModule(key::kProcedure, report.module), .module = report.module};
-    if (report.stage == ProcedureStage::Failed && report.failure) {
-        Words words;
-        if (report.kind == ProcedureKind::Homing)
-            words = homingFailed(report, who, scale);
-        else if (isTest(report.kind))
-            words = testFailed(report, who);
-        else if (report.kind == ProcedureKind::DirectionCheck)
-            words = directionFailed(*report.failure, who);
-        else if (report.kind == ProcedureKind::Repeatability)
-            words = {Texts::tr("%1 did not finish its approaches.").arg(who),
-                     repeatabilityFailure(*report.failure),
-                     freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};
-        else if (report.kind == ProcedureKind::FollowPath)
-            words = {Texts::tr("%1 has not finished its path.").arg(who), pathFailure(*report.failure),
-                     freeOrUnknown(*report.failure) ? Severity::Fault : Severity::Attention};
-        else
-            words = {Texts::tr("%1 did not finish its moves.").arg(who), procedureFailure(*report.failure)};
-        message.headline = words.headline;
-        message.body = words.body;
-        message.severity = words.severity;
-        return message;
-    }
-    if (report.stage == ProcedureStage::Done && report.kind == ProcedureKind::DirectionCheck &&
-        report.direction) {
-        message.headline = directionHeadline(*report.direction, who);
-        message.body = directionFound(*report.direction);
-        message.severity =
-            report.direction->verdict == DirectionVerdict::Right ? Severity::Normal : Severity::Attention;
-        return message;
-    }
-    if (report.stage == ProcedureStage::Done && report.kind == ProcedureKind::TryGains && !report.kept) {
-        message.headline = Texts::tr("The previous gains of %1 are restored: the trial has ended.").arg(who);
-        return message;
-    }
-    if (report.stage != ProcedureStage::Done || report.kind != ProcedureKind::Homing || !report.home)
+    const auto ended = [&report](const Words& words) { return about(key::kProcedure, report.module, words); };
+    if (report.stage == ProcedureStage::Failed && report.failure)
+        return ended(failed(report, who, scale));
+    if (report.stage != ProcedureStage::Done)
         return std::nullopt;
-    message.headline = Texts::tr("%1 found home at %2.").arg(who, position(scale, *report.home));
-    if (report.offHome != 0)
-        message.body = Texts::tr("It is at rest %1 from home; its position there is 0.")
-                           .arg(distance(scale, std::abs(report.offHome)));
-    return message;
+    if (report.kind == ProcedureKind::DirectionCheck && report.direction)
+        return ended(
+            {directionHeadline(*report.direction, who), directionFound(*report.direction),
+             report.direction->verdict == DirectionVerdict::Right ? Severity::Normal : Severity::Attention});
+    if (report.kind == ProcedureKind::TryGains && !report.kept)
+        return ended({Texts::tr("The previous gains of %1 are restored: the trial has ended.").arg(who),
+                      {},
+                      Severity::Normal});
+    if (report.kind != ProcedureKind::Homing || !report.home)
+        return std::nullopt;
+    return ended({Texts::tr("%1 found home at %2.").arg(who, position(scale, *report.home)),
+                  report.offHome == 0 ? QString()
+                                      : Texts::tr("It is at rest %1 from home; its position there is 0.")
+                                            .arg(distance(scale, std::abs(report.offHome))),
+                  Severity::Normal});
 }
 
 QString procedureStage(const ProcedureReport& report) {

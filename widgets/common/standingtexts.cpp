@@ -14,68 +14,60 @@ namespace {
 /// A limit switch closed unexpectedly while the motor was moving. `limit`: 1 or 2.
 Message limitClosed(const ModuleState& module, int limit) {
     const ModuleIndex index = module.info.index;
-    Message m{.key = ofModule(u"limit%1"_s.arg(limit), index), .module = index};
-    m.severity = Severity::Attention;
+    const QString what = u"limit%1"_s.arg(limit);
     const QString number = moduleNumber(index);
     const bool stopped = module.isStepper() ? module.stepper.ended() == Activity::StoppedByLimit
                                             : module.limitEnds(limit == 1 ? 1 : -1);
-    if (module.isStepper() || stopped) {
-        m.headline = (stopped ? Texts::tr("Limit switch %1 of module %2 stopped its motor.")
-                              : Texts::tr("Limit switch %1 of module %2 closed while its motor was moving."))
-                         .arg(limit)
-                         .arg(number);
-        m.body = Texts::tr(
-            "While the switch is closed, the module blocks this direction. Move the motor the other way.");
-    } else {
-        m.headline =
-            Texts::tr("Limit switch %1 of module %2 closed while its motor was moving, but does not stop it.")
-                .arg(limit)
-                .arg(number);
-        m.body = Texts::tr(
-            "A PIC-SERVO stops at a limit switch only while a limit stop is armed. Stop the motor, then move it the other way. Arm a limit stop on the Homing page.");
-        m.actions = {{MessageAction::StopAll, Common::tr("STOP ALL")}};
-    }
-    return m;
+    if (module.isStepper() || stopped)
+        return about(
+            what, index,
+            {(stopped ? Texts::tr("Limit switch %1 of module %2 stopped its motor.")
+                      : Texts::tr("Limit switch %1 of module %2 closed while its motor was moving."))
+                 .arg(limit)
+                 .arg(number),
+             Texts::tr(
+                 "While the switch is closed, the module blocks this direction. Move the motor the other way.")});
+    return about(
+        what, index,
+        {Texts::tr("Limit switch %1 of module %2 closed while its motor was moving, but does not stop it.")
+             .arg(limit)
+             .arg(number),
+         Texts::tr(
+             "A PIC-SERVO stops at a limit switch only while a limit stop is armed. Stop the motor, then move it the other way. Arm a limit stop on the Homing page.")},
+        {{MessageAction::StopAll, Common::tr("STOP ALL")}});
 }
 
 /// PIC-STEP: the E-stop input is active; the motor stays on.
 Message estopActive(ModuleIndex module) {
-    return {.key = ofModule(u"estopActive"_s, module),
-            .module = module,
-            .severity = Severity::Attention,
-            .headline = Texts::tr("The E-stop input of module %1 is active: its motor is on but cannot move.")
-                            .arg(moduleNumber(module)),
-            .body = Texts::tr("Release the input. This does not start a motion.")};
+    return about(u"estopActive"_s, module,
+                 {Texts::tr("The E-stop input of module %1 is active: its motor is on but cannot move.")
+                      .arg(moduleNumber(module)),
+                  Texts::tr("Release the input. This does not start a motion.")});
 }
 
 /// An armed limit stop has stopped the motor, or switched it off.
 Message limitStopTripped(ModuleIndex module, const HomeWatch& watch) {
-    const QString number = moduleNumber(module);
-    return {
-        .key = ofModule(u"limitStop"_s, module),
-        .module = module,
-        .severity = Severity::Attention,
-        .headline = watch.switchesOff()
-                        ? Texts::tr("The limit stop of module %1 switched its motor off.").arg(number)
-                        : Texts::tr("The limit stop of module %1 stopped its motor.").arg(number),
-        .body = Texts::tr(
-            "A limit stop acts once. Move the motor off the switch, then arm or disarm the limit stop on the Homing page.")};
+    return about(
+        u"limitStop"_s, module,
+        {(watch.switchesOff() ? Texts::tr("The limit stop of module %1 switched its motor off.")
+                              : Texts::tr("The limit stop of module %1 stopped its motor."))
+             .arg(moduleNumber(module)),
+         Texts::tr(
+             "A limit stop acts once. Move the motor off the switch, then arm or disarm the limit stop on the Homing page.")});
 }
 
 /// The servo should hold its motor, but the motor oscillates.
 Message swings(const ModuleState& module) {
     const ModuleIndex index = module.info.index;
-    Message m{
-        .key = ofModule(u"swings"_s, index),
-        .module = index,
-        .severity = Severity::Attention,
-        .headline = Texts::tr("Module %1 oscillates while it holds its position.").arg(moduleNumber(index)),
-        .body = Texts::tr(
-            "Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them."),
-        .actions = {{MessageAction::SwitchOff, Common::tr("Motor off")}}};
+    QList<Message::Action> actions{{MessageAction::SwitchOff, Common::tr("Motor off")}};
     if (module.gainsBefore)
-        m.actions.append({MessageAction::GainsBefore, Texts::tr("Restore previous gains")});
-    return m;
+        actions.append({MessageAction::GainsBefore, Texts::tr("Restore previous gains")});
+    return about(
+        u"swings"_s, index,
+        {Texts::tr("Module %1 oscillates while it holds its position.").arg(moduleNumber(index)),
+         Texts::tr(
+             "Its servo is not stable with these gains. Lower Kp and Ki, or raise Kd, and apply them.")},
+        actions);
 }
 
 /// Tests a sticky bit, which is at the same place in the auxiliary byte of every version.
@@ -86,13 +78,11 @@ bool hasWrapped(const ModuleState& module) {
 
 Message wrapped(const ModuleState& module) {
     const ModuleIndex index = module.info.index;
-    return {
-        .key = ofModule(u"wrapped"_s, index),
-        .module = index,
-        .severity = Severity::Attention,
-        .headline = Texts::tr("The position counter of module %1 has wrapped.").arg(moduleNumber(index)),
-        .body = Texts::tr(
-            "The 32-bit counter has overflowed and continues at the other end of its range. Earlier positions and travel limits no longer match: find home, then clear the sticky bits on the Details page.")};
+    return about(
+        u"wrapped"_s, index,
+        {Texts::tr("The position counter of module %1 has wrapped.").arg(moduleNumber(index)),
+         Texts::tr(
+             "The 32-bit counter has overflowed and continues at the other end of its range. Earlier positions and travel limits no longer match: find home, then clear the sticky bits on the Details page.")});
 }
 
 /// For a servo, the cause is known from a status bit; for a stepper, from its present state.

@@ -109,47 +109,40 @@ QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
 }
 
 Message holdExpired(ModuleIndex module) {
-    return {
-        .key = ofModule(u"hold"_s, module),
-        .module = module,
-        .severity = Severity::Attention,
-        .headline = Texts::tr("Module %1 was commanded to stop jogging: nothing held it for over 250 ms.")
-                        .arg(moduleNumber(module)),
-        .body = Texts::tr(
-            "The computer was busy, or the program that jogs it has stopped calling. Press and hold again.")};
+    return about(
+        u"hold"_s, module,
+        {Texts::tr("Module %1 was commanded to stop jogging: nothing held it for over 250 ms.")
+             .arg(moduleNumber(module)),
+         Texts::tr(
+             "The computer was busy, or the program that jogs it has stopped calling. Press and hold again.")});
 }
 
 Message motionSuspect(const bus::MotionSuspect& suspect) {
-    const QString number = moduleNumber(suspect.module);
-    const QString position = grouped(suspect.position);
-    Message m{
-        .key = ofModule(u"suspect"_s, suspect.module), .module = suspect.module, .severity = Severity::Fault};
+    const auto suspicion = [&suspect](const QString& headline, const QString& body) {
+        return about(
+            u"suspect"_s, suspect.module,
+            {headline.arg(moduleNumber(suspect.module), grouped(suspect.position)), body, Severity::Fault});
+    };
     switch (suspect.reason) {
         case bus::MotionSuspect::Reason::WrongWay:
-            m.headline =
+            return suspicion(
                 Texts::tr(
-                    "Module %1 was commanded to switch off: one answer reported a move in the wrong direction, to %2 counts.")
-                    .arg(number, position);
-            m.body = Texts::tr(
-                "If it did, encoder or motor wires are swapped, or the gains make it oscillate. If it did not, the answer was wrong: check the cable.");
-            break;
+                    "Module %1 was commanded to switch off: one answer reported a move in the wrong direction, to %2 counts."),
+                Texts::tr(
+                    "If it did, encoder or motor wires are swapped, or the gains make it oscillate. If it did not, the answer was wrong: check the cable."));
         case bus::MotionSuspect::Reason::Overshot:
-            m.headline =
+            return suspicion(
                 Texts::tr(
-                    "Module %1 was commanded to stop: one answer reported that it went past its goal, to %2 counts.")
-                    .arg(number, position);
-            m.body = Texts::tr(
-                "Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If it did not, the answer was wrong: check the cable.");
-            break;
+                    "Module %1 was commanded to stop: one answer reported that it went past its goal, to %2 counts."),
+                Texts::tr(
+                    "Check the position before the next move. If it went there, the command was corrupted in transit, or the gains cause a large overshoot. If it did not, the answer was wrong: check the cable."));
         case bus::MotionSuspect::Reason::Frozen:
-            m.headline =
+            return suspicion(
                 Texts::tr(
-                    "Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.")
-                    .arg(number, position);
-            m.body = Texts::tr("Motor state unknown. Look at the motor; stop all if in doubt.");
-            break;
+                    "Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts."),
+                Texts::tr("Motor state unknown. Look at the motor; stop all if in doubt."));
     }
-    return m;
+    return {};
 }
 
 Message foreignTraffic(const bus::ForeignTraffic& traffic) {
@@ -165,15 +158,13 @@ Message foreignTraffic(const bus::ForeignTraffic& traffic) {
 }
 
 Message foreignMotion(const bus::ForeignMotion& motion) {
-    return {
-        .key = ofModule(u"foreign"_s, motion.module),
-        .module = motion.module,
-        .severity = Severity::Fault,
-        .headline =
-            Texts::tr("Module %1 moves without a command from this panel.").arg(moduleNumber(motion.module)),
-        .body = Texts::tr(
-            "Another host on this line started it, or a load drives it. The panel does not stop it unless you do; the other host may start it again."),
-        .actions = {{MessageAction::StopAll, Common::tr("STOP ALL")}}};
+    return about(
+        u"foreign"_s, motion.module,
+        {Texts::tr("Module %1 moves without a command from this panel.").arg(moduleNumber(motion.module)),
+         Texts::tr(
+             "Another host on this line started it, or a load drives it. The panel does not stop it unless you do; the other host may start it again."),
+         Severity::Fault},
+        {{MessageAction::StopAll, Common::tr("STOP ALL")}});
 }
 
 }  // namespace nmc::texts

@@ -36,6 +36,9 @@ struct Words {
     QString body;
     Severity severity = Severity::Attention;
 };
+/// A message about one module; `what` makes its key.
+[[nodiscard]] Message about(const QString& what, ModuleIndex module, const Words& words,
+                            const QList<Message::Action>& actions = {});
 /// True if the motor is free to turn, or its state is unknown.
 [[nodiscard]] constexpr bool freeOrUnknown(ProcedureFailure failure) {
     using enum ProcedureFailure;

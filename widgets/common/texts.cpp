@@ -34,6 +34,16 @@ QString ofModule(const QString& what, ModuleIndex module) {
     return what + u'.' + QString::number(module.value() + 1);
 }
 
+Message about(const QString& what, ModuleIndex module, const Words& words,
+              const QList<Message::Action>& actions) {
+    return {.key = ofModule(what, module),
+            .module = module,
+            .severity = words.severity,
+            .headline = words.headline,
+            .body = words.body,
+            .actions = actions};
+}
+
 QString movingSentence(const std::vector<ModuleIndex>& moving) {
     if (moving.empty())
         return Texts::tr("Motor state unknown; no motor was moving when last seen.");
@@ -45,43 +55,41 @@ QString movingSentence(const std::vector<ModuleIndex>& moving) {
         .arg(listOf(names));
 }
 
-Message operationFailed(const bus::OperationFinished& finished) {
-    const QString number = moduleNumber(finished.module);
-    Message m{.key = ofModule(u"operation"_s, finished.module),
-              .module = finished.module,
-              .severity = Severity::Attention};
-    m.details = Texts::tr("Command byte %1").arg(finished.commandByte, 2, 16, QChar(u'0')).toUpper();
-    switch (finished.outcome) {
+namespace {
+
+/// `number`: of the module.
+Words outcomeWords(bus::Outcome outcome, const QString& number) {
+    switch (outcome) {
         case bus::Outcome::Done:
-            m.severity = Severity::Normal;
-            m.headline = Texts::tr("Module %1: done.").arg(number);
-            break;
+            return {Texts::tr("Module %1: done.").arg(number), {}, Severity::Normal};
         case bus::Outcome::Refused:
-            m.headline =
-                Texts::tr("Module %1 received the command garbled and did not carry it out.").arg(number);
-            m.body = Texts::tr("Sent 3 times; later commands were not sent. Usually noise on the cable.");
-            break;
+            return {Texts::tr("Module %1 received the command garbled and did not carry it out.").arg(number),
+                    Texts::tr("Sent 3 times; later commands were not sent. Usually noise on the cable.")};
         case bus::Outcome::NoAnswer:
-            m.severity = Severity::Fault;
-            m.headline = Texts::tr("Module %1 did not answer the command. Motor state unknown.").arg(number);
-            m.body = Texts::tr(
-                "The command may or may not have been carried out; later commands were not sent. Look at the motor; stop all if in doubt.");
-            break;
+            return {
+                Texts::tr("Module %1 did not answer the command. Motor state unknown.").arg(number),
+                Texts::tr(
+                    "The command may or may not have been carried out; later commands were not sent. Look at the motor; stop all if in doubt."),
+                Severity::Fault};
         case bus::Outcome::Forbidden:
-            m.headline =
-                Texts::tr("Module %1 cannot do this in its present state. Nothing was sent.").arg(number);
-            m.body = Texts::tr("Stop the motor, then try again.");
-            break;
+            return {Texts::tr("Module %1 cannot do this in its present state. Nothing was sent.").arg(number),
+                    Texts::tr("Stop the motor, then try again.")};
         case bus::Outcome::Cancelled:
-            m.severity = Severity::Normal;
-            m.headline = Texts::tr("A stop replaced the command for module %1.").arg(number);
-            break;
+            return {
+                Texts::tr("A stop replaced the command for module %1.").arg(number), {}, Severity::Normal};
         case bus::Outcome::QueueFull:
-            m.headline =
-                Texts::tr("Too many commands are waiting. Nothing was sent to module %1.").arg(number);
-            m.body = Texts::tr("Wait until they are carried out, or press STOP ALL to discard them.");
-            break;
+            return {Texts::tr("Too many commands are waiting. Nothing was sent to module %1.").arg(number),
+                    Texts::tr("Wait until they are carried out, or press STOP ALL to discard them.")};
     }
+    return {};
+}
+
+}  // namespace
+
+Message operationFailed(const bus::OperationFinished& finished) {
+    Message m =
+        about(u"operation"_s, finished.module, outcomeWords(finished.outcome, moduleNumber(finished.module)));
+    m.details = Texts::tr("Command byte %1").arg(finished.commandByte, 2, 16, QChar(u'0')).toUpper();
     return m;
 }
 
@@ -120,95 +128,77 @@ QString tripAdvice(TripCause cause) {
 Message tripped(ModuleIndex module, std::optional<int> limit, TripCause cause) {
     const QString number = moduleNumber(module);
     const bool atLimit = cause == TripCause::OffAtLimit1 || cause == TripCause::OffAtLimit2;
-    return {
-        .key = ofModule(u"tripped"_s, module),
-        .module = module,
-        .severity = Severity::Fault,
-        .headline =
-            atLimit ? Texts::tr("Limit switch %1 closed, and module %2 switched its motor off.")
-                          .arg(cause == TripCause::OffAtLimit1 ? 1 : 2)
-                          .arg(number)
-            : limit
-                ? Texts::tr(
-                      "Module %1 switched its servo off because the motor was more than %2 counts from where it should be.")
+    const QString headline =
+        atLimit ? Texts::tr("Limit switch %1 closed, and module %2 switched its motor off.")
+                      .arg(cause == TripCause::OffAtLimit1 ? 1 : 2)
                       .arg(number)
-                      .arg(*limit)
-                : Texts::tr(
-                      "Module %1 switched its servo off because the motor was too far from where it should be.")
-                      .arg(number),
-        .body = tripAdvice(cause),
-        .actions = {{MessageAction::ClearAndStayOff, Texts::tr("Clear and stay off")}}};
+        : limit
+            ? Texts::tr(
+                  "Module %1 switched its servo off because the motor was more than %2 counts from where it should be.")
+                  .arg(number)
+                  .arg(*limit)
+            : Texts::tr(
+                  "Module %1 switched its servo off because the motor was too far from where it should be.")
+                  .arg(number);
+    return about(u"tripped"_s, module, {headline, tripAdvice(cause), Severity::Fault},
+                 {{MessageAction::ClearAndStayOff, Texts::tr("Clear and stay off")}});
 }
 
 Message powerLost(ModuleIndex module) {
-    return {
-        .key = ofModule(u"power"_s, module),
-        .module = module,
-        .severity = Severity::Attention,
-        .headline = Texts::tr("Module %1 has no motor power, so its servo is off.").arg(moduleNumber(module)),
-        .body = Texts::tr("It stays off when power returns.")};
+    return about(u"power"_s, module,
+                 {Texts::tr("Module %1 has no motor power, so its servo is off.").arg(moduleNumber(module)),
+                  Texts::tr("It stays off when power returns.")});
 }
 
 Message currentLimited(ModuleIndex module) {
-    return {
-        .key = ofModule(u"current"_s, module),
-        .module = module,
-        .severity = Severity::Attention,
-        .headline = Texts::tr("Overcurrent: module %1 limits its motor current.").arg(moduleNumber(module)),
-        .body = Texts::tr(
-            "The motor may fail to reach its goal or hold its load. Check for a jam or too heavy a load, or raise the limit. This message stays until you clear the sticky bits.")};
+    return about(
+        u"current"_s, module,
+        {Texts::tr("Overcurrent: module %1 limits its motor current.").arg(moduleNumber(module)),
+         Texts::tr(
+             "The motor may fail to reach its goal or hold its load. Check for a jam or too heavy a load, or raise the limit. This message stays until you clear the sticky bits.")});
 }
 
 Message amplifierWentOff(ModuleIndex module, Activity activity) {
     const QString number = moduleNumber(module);
-    Message message{.key = ofModule(u"tripped"_s, module), .module = module, .severity = Severity::Fault};
-    if (activity == Activity::PowerLost) {
-        message.key = ofModule(u"power"_s, module);
-        message.severity = Severity::Attention;
-        message.headline = Texts::tr("Module %1 has no motor power, so its motor is off.").arg(number);
-        message.body = Texts::tr("It stays off when power returns.");
-    } else if (activity == Activity::Overheated) {
-        message.key = ofModule(u"overheated"_s, module);
-        message.headline = Texts::tr("Module %1 is too hot and switched its motor off.").arg(number);
-        message.body = Texts::tr(
-            "The A/D value fell below the thermal limit. Let the motor cool down; then check the currents and the limit on the Parameters page.");
-    } else if (activity == Activity::EstopActive) {
-        message.key = ofModule(u"estop"_s, module);
-        message.severity = Severity::Attention;
-        message.headline =
-            Texts::tr("Module %1 switched its motor off because its E-stop input is active.").arg(number);
-        message.body = Texts::tr("It stays off when the input is released.");
-    } else if (activity == Activity::StoppedByLimit) {
-        message.key = ofModule(u"limitOff"_s, module);
-        message.severity = Severity::Attention;
-        message.headline =
-            Texts::tr("Module %1 switched its motor off because a limit switch is active.").arg(number);
-        message.body = Texts::tr("Enable it again, then move in the other direction.");
-    } else {
-        message.headline = Texts::tr("Module %1 switched its motor off by itself.").arg(number);
-        message.body = Texts::tr("The cause is unknown. Check its power and inputs, then enable it again.");
-    }
-    return message;
+    if (activity == Activity::PowerLost)
+        return about(u"power"_s, module,
+                     {Texts::tr("Module %1 has no motor power, so its motor is off.").arg(number),
+                      Texts::tr("It stays off when power returns.")});
+    if (activity == Activity::Overheated)
+        return about(
+            u"overheated"_s, module,
+            {Texts::tr("Module %1 is too hot and switched its motor off.").arg(number),
+             Texts::tr(
+                 "The A/D value fell below the thermal limit. Let the motor cool down; then check the currents and the limit on the Parameters page."),
+             Severity::Fault});
+    if (activity == Activity::EstopActive)
+        return about(
+            u"estop"_s, module,
+            {Texts::tr("Module %1 switched its motor off because its E-stop input is active.").arg(number),
+             Texts::tr("It stays off when the input is released.")});
+    if (activity == Activity::StoppedByLimit)
+        return about(
+            u"limitOff"_s, module,
+            {Texts::tr("Module %1 switched its motor off because a limit switch is active.").arg(number),
+             Texts::tr("Enable it again, then move in the other direction.")});
+    return about(u"tripped"_s, module,
+                 {Texts::tr("Module %1 switched its motor off by itself.").arg(number),
+                  Texts::tr("The cause is unknown. Check its power and inputs, then enable it again."),
+                  Severity::Fault});
 }
 
 Message stoppedBeforeLimit(ModuleIndex module) {
-    return {
-        .key = ofModule(u"travel"_s, module),
-        .module = module,
-        .severity = Severity::Attention,
-        .headline = Texts::tr("Module %1 was commanded to stop just before its travel limit.")
-                        .arg(moduleNumber(module)),
-        .body = Texts::tr(
-            "The chip does not end this kind of motion by itself, so the panel did. Check the position before you continue.")};
+    return about(
+        u"travel"_s, module,
+        {Texts::tr("Module %1 was commanded to stop just before its travel limit.").arg(moduleNumber(module)),
+         Texts::tr(
+             "The chip does not end this kind of motion by itself, so the panel did. Check the position before you continue.")});
 }
 
 Message notPossible(ModuleIndex module, const QString& reason) {
-    return {
-        .key = ofModule(u"notPossible"_s, module),
-        .module = module,
-        .severity = Severity::Attention,
-        .headline = Texts::tr("Module %1 cannot do this now; nothing was sent.").arg(moduleNumber(module)),
-        .body = reason};
+    return about(
+        u"notPossible"_s, module,
+        {Texts::tr("Module %1 cannot do this now; nothing was sent.").arg(moduleNumber(module)), reason});
 }
 
 QString closing(int movingMotors) {
