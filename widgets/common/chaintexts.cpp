@@ -36,21 +36,19 @@ QString membersSentence(const bus::GroupFinished& finished) {
     return parts.join(u' ');
 }
 
-Message startFailed(const bus::GroupFinished& finished, quint8 group) {
-    Message m{.key = u"group%1"_s.arg(group), .severity = Severity::Fault};
+Words startFailed(const bus::GroupFinished& finished, quint8 group) {
     const auto started = those(finished, bus::MemberOutcome::Done).size();
-    m.headline =
+    return {
         finished.stopped
             ? Texts::tr("%1 of %2 modules of group %3 started. All of them were commanded to stop.")
                   .arg(QString::number(started), QString::number(finished.members.size()), groupNumber(group))
         : started == 0 && those(finished, bus::MemberOutcome::NotDone).size() == finished.members.size()
             ? Texts::tr("No module of group %1 started. Nothing was moved.").arg(groupNumber(group))
-            : Texts::tr("Not all modules of group %1 confirmed their start.").arg(groupNumber(group));
-    m.body =
+            : Texts::tr("Not all modules of group %1 confirmed their start.").arg(groupNumber(group)),
         membersSentence(finished) + u' ' +
-        Texts::tr(
-            "Look at the motors. The start is never repeated: load the moves again, then start the group again. Usually noise on the cable.");
-    return m;
+            Texts::tr(
+                "Look at the motors. The start is never repeated: load the moves again, then start the group again. Usually noise on the cable."),
+        Severity::Fault};
 }
 
 /// In the text returned, %1 is the group.
@@ -73,64 +71,90 @@ QString notByAll(bus::GroupCommand::Action action) {
     return Texts::tr("Not all modules of group %1 confirmed the command.");
 }
 
-Message withheld(const bus::GroupFinished& finished, quint8 group) {
-    Message m{.key = u"group%1"_s.arg(group), .severity = Severity::Attention};
+Words withheld(const bus::GroupFinished& finished, const bus::GroupCommand& command) {
     const auto modules = those(finished, bus::MemberOutcome::Withheld);
-    if (modules.empty()) {
-        m.headline = Texts::tr("Group %1 is empty. Nothing was sent.").arg(groupNumber(group));
-        m.body = Texts::tr("Add modules to the group first.");
-        return m;
+    if (modules.empty())
+        return {Texts::tr("Group %1 is empty. Nothing was sent.").arg(groupNumber(command.group)),
+                Texts::tr("Add modules to the group first.")};
+    return {
+        Texts::tr("Module %2 blocks the command to group %1. Nothing was sent.")
+            .arg(groupNumber(command.group), listOfModules(modules)),
+        command.action == bus::GroupCommand::Action::StartMotion
+            ? Texts::tr(
+                  "A group starts only when every member answers, has confirmed its load and can start, and the group of every module is known. Load this module again, or set its group again.")
+            : Texts::tr(
+                  "A group command requires that every member answers and can carry it out in its present state, and that the group of every module is known. Command the modules one by one, or set this module's group again.")};
+}
+
+Words commandFailed(const bus::GroupFinished& finished, const bus::GroupCommand& command) {
+    using bus::Outcome;
+    const QString number = groupNumber(command.group);
+    if (finished.outcome == Outcome::Forbidden)
+        return withheld(finished, command);
+    if (finished.outcome == Outcome::Cancelled)
+        return {Texts::tr("A stop replaced the command to group %1.").arg(number),
+                Texts::tr("All motors were commanded to stop.")};
+    if (finished.outcome == Outcome::QueueFull)
+        return {Texts::tr("Too many commands are waiting. Nothing was sent to group %1.").arg(number),
+                Texts::tr("Wait until they are carried out, or press STOP ALL to discard them.")};
+    if (command.action == bus::GroupCommand::Action::StartMotion)
+        return startFailed(finished, command.group);
+    return {notByAll(command.action).arg(number),
+            membersSentence(finished) + u' ' + Texts::tr("No motor was moved.")};
+}
+
+/// Why all modules stay at the baud rate that they have, and what to do.
+QString whyRateKept(const bus::RateChangeFailed& failed) {
+    using Reason = bus::RateChangeFailed::Reason;
+    const QString modules = listOfModules(failed.modules);
+    switch (failed.reason) {
+        case Reason::NoSuchRate:
+            return Texts::tr("The modules do not support %1 Bd. Choose another baud rate.")
+                .arg(rate(failed.wanted));
+        case Reason::PortCannot:
+            return Texts::tr("This computer's port does not support %1 Bd. Choose another baud rate.")
+                .arg(rate(failed.wanted));
+        case Reason::NotNow:
+            return Texts::tr("A motor is moving, or about to move. Stop all motors, then try again.");
+        case Reason::Missing:
+            return Texts::tr("Module %1 does not answer and would be left behind. Connect again first.")
+                .arg(modules);
+        case Reason::GroupsUnknown:
+            return Texts::
+                tr("Another program may have changed the group of module %1, which would then miss the new baud rate. Set its group again, or restart the network.")
+                    .arg(modules);
+        case Reason::Leader:
+            return Texts::
+                tr("Module %1 is a group leader and would answer at the new baud rate. Make it an ordinary member first.")
+                    .arg(modules);
+        case Reason::NotHeard:
+            return Texts::
+                tr("Module %2 did not answer at %1 Bd, so all modules went back to the old rate. Try another baud rate, a shorter cable, or termination at both ends.")
+                    .arg(rate(failed.wanted), modules);
+        case Reason::Interrupted:
+            return Texts::tr("A stop took priority.");
     }
-    m.headline = Texts::tr("Module %2 blocks the command to group %1. Nothing was sent.")
-                     .arg(groupNumber(group), listOfModules(modules));
-    if (std::get<bus::GroupCommand>(finished.what).action != bus::GroupCommand::Action::StartMotion) {
-        m.body = Texts::tr(
-            "A group command requires that every member answers and can carry it out in its present state, and that the group of every module is known. Command the modules one by one, or set this module's group again.");
-        return m;
-    }
-    m.body = Texts::tr(
-        "A group starts only when every member answers, has confirmed its load and can start, and the group of every module is known. Load this module again, or set its group again.");
-    return m;
+    return {};
 }
 
 }  // namespace
 
 Message groupFailed(const bus::GroupFinished& finished) {
-    using bus::Outcome;
-    if (const auto* change = std::get_if<bus::GroupChange>(&finished.what)) {
-        const QString number = moduleNumber(change->module);
-        Message m{.key = ofModule(u"group"_s, change->module),
-                  .module = change->module,
-                  .severity = Severity::Attention};
-        m.headline =
-            finished.outcome == Outcome::NoAnswer
-                ? Texts::tr("Module %1 did not confirm its new group, so its group is unknown.").arg(number)
-                : Texts::tr("Could not change the group of module %1.").arg(number);
-        m.body = Texts::tr(
-            "Nothing was moved. A group has at most one leader, group FF has none, and the groups of all modules must be known. Check this, then try again.");
-        return m;
-    }
+    if (const auto* change = std::get_if<bus::GroupChange>(&finished.what))
+        return about(
+            u"group"_s, change->module,
+            {(finished.outcome == bus::Outcome::NoAnswer
+                  ? Texts::tr("Module %1 did not confirm its new group, so its group is unknown.")
+                  : Texts::tr("Could not change the group of module %1."))
+                 .arg(moduleNumber(change->module)),
+             Texts::tr(
+                 "Nothing was moved. A group has at most one leader, group FF has none, and the groups of all modules must be known. Check this, then try again.")});
     const auto& command = std::get<bus::GroupCommand>(finished.what);
-    if (finished.outcome == Outcome::Forbidden)
-        return withheld(finished, command.group);
-    if (finished.outcome == Outcome::Cancelled)
-        return {
-            .key = u"group%1"_s.arg(command.group),
-            .severity = Severity::Attention,
-            .headline = Texts::tr("A stop replaced the command to group %1.").arg(groupNumber(command.group)),
-            .body = Texts::tr("All motors were commanded to stop.")};
-    if (finished.outcome == Outcome::QueueFull)
-        return {.key = u"group%1"_s.arg(command.group),
-                .severity = Severity::Attention,
-                .headline = Texts::tr("Too many commands are waiting. Nothing was sent to group %1.")
-                                .arg(groupNumber(command.group)),
-                .body = Texts::tr("Wait until they are carried out, or press STOP ALL to discard them.")};
-    if (command.action == bus::GroupCommand::Action::StartMotion)
-        return startFailed(finished, command.group);
+    const Words words = commandFailed(finished, command);
     return {.key = u"group%1"_s.arg(command.group),
-            .severity = Severity::Attention,
-            .headline = notByAll(command.action).arg(groupNumber(command.group)),
-            .body = membersSentence(finished) + u' ' + Texts::tr("No motor was moved.")};
+            .severity = words.severity,
+            .headline = words.headline,
+            .body = words.body};
 }
 
 Message groupCommandedToStop(const bus::GroupFinished& finished) {
@@ -150,60 +174,24 @@ Message rateChanged(const bus::RateChanged& changed) {
 }
 
 Message rateNotChanged(const bus::RateChangeFailed& failed) {
-    using Reason = bus::RateChangeFailed::Reason;
-    Message m{.key = u"rate"_s, .severity = Severity::Attention};
-    m.headline = Texts::tr("Could not change the baud rate: the chain stays at %1 Bd. No motor was moved.")
-                     .arg(rate(failed.baud));
-    const QString modules = listOfModules(failed.modules);
-    switch (failed.reason) {
-        case Reason::NoSuchRate:
-            m.body = Texts::tr("The modules do not support %1 Bd. Choose another baud rate.")
-                         .arg(rate(failed.wanted));
-            break;
-        case Reason::PortCannot:
-            m.body = Texts::tr("This computer's port does not support %1 Bd. Choose another baud rate.")
-                         .arg(rate(failed.wanted));
-            break;
-        case Reason::NotNow:
-            m.body = Texts::tr("A motor is moving, or about to move. Stop all motors, then try again.");
-            break;
-        case Reason::Missing:
-            m.body = Texts::tr("Module %1 does not answer and would be left behind. Connect again first.")
-                         .arg(modules);
-            break;
-        case Reason::GroupsUnknown:
-            m.body =
+    if (!failed.lost.empty())
+        return {
+            .key = u"rate"_s,
+            .severity = Severity::Fault,
+            .headline =
+                Texts::tr("Module %1 has not answered since the baud rate changed. No motor was moving.")
+                    .arg(listOfModules(failed.lost)),
+            .body =
                 Texts::tr(
-                    "Another program may have changed the group of module %1, which would then miss the new baud rate. Set its group again, or restart the network.")
-                    .arg(modules);
-            break;
-        case Reason::Leader:
-            m.body =
-                Texts::tr(
-                    "Module %1 is a group leader and would answer at the new baud rate. Make it an ordinary member first.")
-                    .arg(modules);
-            break;
-        case Reason::NotHeard:
-            m.body =
-                Texts::tr(
-                    "Module %2 did not answer at %1 Bd, so all modules went back to the old rate. Try another baud rate, a shorter cable, or termination at both ends.")
-                    .arg(rate(failed.wanted), modules);
-            break;
-        case Reason::Interrupted:
-            m.body = Texts::tr("A stop took priority.");
-            break;
-    }
-    if (!failed.lost.empty()) {
-        m.severity = Severity::Fault;
-        m.headline = Texts::tr("Module %1 has not answered since the baud rate changed. No motor was moving.")
-                         .arg(listOfModules(failed.lost));
-        m.body =
-            Texts::tr(
-                "It may still be at %1 Bd; the others are at %2 Bd. Scan again. If the module is not found, restart the network: positions and gains are lost.")
-                .arg(rate(failed.wanted), rate(failed.baud));
-        m.actions = {scanAgain(), restartNetwork()};
-    }
-    return m;
+                    "It may still be at %1 Bd; the others are at %2 Bd. Scan again. If the module is not found, restart the network: positions and gains are lost.")
+                    .arg(rate(failed.wanted), rate(failed.baud)),
+            .actions = {scanAgain(), restartNetwork()}};
+    return {
+        .key = u"rate"_s,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("Could not change the baud rate: the chain stays at %1 Bd. No motor was moved.")
+                        .arg(rate(failed.baud)),
+        .body = whyRateKept(failed)};
 }
 
 }  // namespace nmc::texts

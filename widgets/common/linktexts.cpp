@@ -77,16 +77,17 @@ Message connectFailed(const bus::ConnectFailed& failed, const QString& port) {
 }
 
 Message fewerThanExpected(int found, int expected, const QString& lastName) {
-    Message m{.key = key::kPort, .severity = Severity::Attention};
-    m.headline = Common::tr("%1 of %2 modules answered.").arg(found).arg(expected);
     const QString last = lastName.isEmpty() ? Texts::tr("module %1").arg(found)
                                             : Texts::tr("module %1 \"%2\"").arg(found).arg(lastName);
-    m.body =
-        Texts::tr(
-            "Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two.")
-            .arg(last);
-    m.actions = {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(found)}};
-    return m;
+    return {
+        .key = key::kPort,
+        .severity = Severity::Attention,
+        .headline = Common::tr("%1 of %2 modules answered.").arg(found).arg(expected),
+        .body =
+            Texts::tr(
+                "Numbering starts at the far end, so look at the next module towards the PC after %1: its power first, then the plug between the two.")
+                .arg(last),
+        .actions = {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(found)}}};
 }
 
 Message moduleMissing(ModuleIndex module, int answering) {
