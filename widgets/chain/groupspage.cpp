@@ -318,7 +318,7 @@ void GroupsPage::askBeforeReset() {
                     .stayName = u"cancelGroupResetButton"_s},
                    {{tr("&Set positions to 0"), u"confirmGroupResetButton"_s,
                      [this] { command(bus::GroupCommand::Action::ResetPosition); }}},
-                   this);
+                   this, this);
 }
 
 void GroupsPage::changed(std::size_t row) {

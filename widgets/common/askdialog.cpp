@@ -38,9 +38,12 @@ std::vector<AskDialog*> openIn(const QWidget& window) {
 }
 }  // namespace
 
-AskDialog& AskDialog::ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window) {
-    delete window->findChild<AskDialog*>(question.name);
-    auto* dialog = new AskDialog(question, choices, window);
+AskDialog& AskDialog::ask(const Question& question, std::initializer_list<Choice> choices, QWidget* owner,
+                          QWidget* parent) {
+    if (parent == nullptr)
+        parent = owner->window();
+    delete parent->findChild<AskDialog*>(question.name);
+    auto* dialog = new AskDialog(question, choices, owner, parent);
     dialog->show();
     dialog->comeForward();
     return *dialog;
@@ -64,8 +67,10 @@ void AskDialog::reviewAll(const QWidget& window) {
         dialog->review();
 }
 
-AskDialog::AskDialog(const Question& question, std::initializer_list<Choice> choices, QWidget* window)
-    : QDialog(window),
+AskDialog::AskDialog(const Question& question, std::initializer_list<Choice> choices, QWidget* owner,
+                     QWidget* parent)
+    : QDialog(parent),
+      m_owner(owner),
       m_text(question.text),
       m_label(form::newHeading({}, this)),
       m_buttons(form::newLine(this, {nullptr}, form::kUsual)) {
@@ -109,7 +114,7 @@ void AskDialog::addChoice(const Choice& choice) {
 }
 
 bool AskDialog::review() {
-    const QString text = m_text();
+    const QString text = this->text();
     if (text.isEmpty()) {
         reject();
         return false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QPointer>
 #include <functional>
 #include <initializer_list>
 
@@ -34,24 +35,28 @@ public:
     };
 
     /// Opens the question, in place of one of this name that is already open: that one may be about something
-    /// else.
-    static AskDialog& ask(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
+    /// else. Its functions are called only while the owner exists; then it is withdrawn. `parent`: by default
+    /// the owner's window, because the page of a module is in no window while that of another one is shown.
+    static AskDialog& ask(const Question& question, std::initializer_list<Choice> choices, QWidget* owner,
+                          QWidget* parent = nullptr);
     ~AskDialog() override;
     /// An open question of this window, of its pages, or of windows that it has opened, while the user works
     /// in another window; null if there is none.
     [[nodiscard]] static AskDialog* waiting(const QWidget& window);
     void comeForward();
     /// The present text.
-    [[nodiscard]] QString text() const { return m_text(); }
+    [[nodiscard]] QString text() const { return m_owner != nullptr ? m_text() : QString(); }
     /// Call when something has changed that these questions may be about.
     static void reviewAll(const QWidget& window);
 
 private:
-    AskDialog(const Question& question, std::initializer_list<Choice> choices, QWidget* window);
+    AskDialog(const Question& question, std::initializer_list<Choice> choices, QWidget* owner,
+              QWidget* parent);
     void addChoice(const Choice& choice);
     /// Updates the text. Returns false if the question was withdrawn.
     bool review();
 
+    QPointer<QWidget> m_owner;
     std::function<QString()> m_text;
     QLabel* m_label;
     QHBoxLayout* m_buttons;

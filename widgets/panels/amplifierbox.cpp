@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QLabel>
-#include <QPointer>
 
 #include "widgets/common/askdialog.h"
 #include "widgets/common/flowlayout.h"
@@ -233,19 +232,15 @@ void AmplifierBox::question(const QString& name, const QString& title, const Com
                             const std::function<QString()>& text, const QString& verb,
                             const std::function<Intent()>& intent) {
     // While another module's page is shown, this one is in no window, and does not follow its module.
-    const auto shown = [self = QPointer(this), &of, text] {
-        return self && self->window()->isVisible() && of.isEnabled() ? text() : QString();
-    };
-    const auto go = [self = QPointer(this), intent] {
-        if (self)
-            self->context().ask(intent());
+    const auto shown = [this, &of, text] {
+        return window()->isVisible() && of.isEnabled() ? text() : QString();
     };
     AskDialog::ask({.name = name,
                     .title = title,
                     .text = shown,
                     .stay = Common::tr("Cancel"),
                     .stayName = name + u"Cancel"_s},
-                   {{verb, name + u"Go"_s, go}}, window());
+                   {{verb, name + u"Go"_s, [this, intent] { context().ask(intent()); }}}, this);
 }
 
 void AmplifierBox::apply() {

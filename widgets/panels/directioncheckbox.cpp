@@ -2,7 +2,6 @@
 #include "widgets/panels/directioncheckbox.h"
 
 #include <QLabel>
-#include <QPointer>
 #include <QVBoxLayout>
 
 #include "model/intent/directionplan.h"
@@ -67,19 +66,18 @@ QString DirectionCheckBox::question() const {
 
 void DirectionCheckBox::ask() {
     // The question stays as long as the Axis page is visible and the check is possible.
-    const auto text = [self = QPointer(this)] {
-        const bool stands = self && self->parentWidget()->isVisible() && self->whyNotNow().isEmpty();
-        return stands ? self->question() : QString();
+    const auto text = [this] {
+        const bool stands = parentWidget()->isVisible() && whyNotNow().isEmpty();
+        return stands ? question() : QString();
     };
-    const auto go = [self = QPointer(this)] {
-        if (self)
-            self->m_context.ask(intent::CheckDirection{directionReach(self->m_context.settings().unit)});
+    const auto go = [this] {
+        m_context.ask(intent::CheckDirection{directionReach(m_context.settings().unit)});
     };
     AskDialog::ask({.name = u"directionCheckDialog"_s,
                     .title = tr("Direction check"),
                     .text = text,
                     .stayName = u"stayDirectionCheckButton"_s},
-                   {{tr("&Pulse motor"), u"startDirectionCheckButton"_s, go}}, window());
+                   {{tr("&Pulse motor"), u"startDirectionCheckButton"_s, go}}, this);
 }
 
 /// Returns the state of the check, as a shape followed by words.

@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
-#include <QPointer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -373,24 +372,20 @@ void ExpertBox::refresh() {
 
 void ExpertBox::askBeforeReset() {
     // While another module's page is shown, this one is in no window, and does not follow its module.
-    const auto text = [self = QPointer(this), module = texts::moduleName(m_context.state().info.index)] {
-        const bool stands =
-            self && self->window()->isVisible() && !self->m_context.whyNot(IntentKind::ResetModule);
+    const auto text = [this, module = texts::moduleName(m_context.state().info.index)] {
+        const bool stands = window()->isVisible() && !m_context.whyNot(IntentKind::ResetModule);
         return stands
                    ? tr("Reset %1? Its motor switches off, and it loses its position, settings and group. The other modules are unchanged.")
                          .arg(module)
                    : QString();
     };
-    const auto go = [self = QPointer(this)] {
-        if (self)
-            self->m_context.ask(intent::ResetModule{});
-    };
+    const auto go = [this] { m_context.ask(intent::ResetModule{}); };
     AskDialog::ask({.name = u"resetModuleQuestion"_s,
                     .title = tr("Reset module"),
                     .text = text,
                     .stay = Common::tr("Cancel"),
                     .stayName = u"resetModuleCancel"_s},
-                   {{tr("Reset the module"), u"resetModuleGo"_s, go}}, window());
+                   {{tr("Reset the module"), u"resetModuleGo"_s, go}}, this);
 }
 
 }  // namespace nmc

@@ -2,7 +2,6 @@
 #include "widgets/panels/gainsbox.h"
 
 #include <QLabel>
-#include <QPointer>
 
 #include "model/intent/gainsplan.h"
 #include "model/settings/startinggains.h"
@@ -242,25 +241,21 @@ void GainsBox::apply() {
 void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList& steps) {
     // The question stays while the gains in the fields and those of the module are the ones that it compares,
     // and the Gains page is visible.
-    const auto text = [self = QPointer(this), gains, steps, before = context().state().gains] {
-        const bool stands = self && self->parentWidget()->isVisible() &&
-                            before == self->context().state().gains && self->gains() == gains &&
-                            self->context().state().servoOn() &&
-                            !self->context().whyNot(IntentKind::ApplyGains);
+    const auto text = [this, gains, steps, before = context().state().gains] {
+        const bool stands = parentWidget()->isVisible() && before == context().state().gains &&
+                            this->gains() == gains && context().state().servoOn() &&
+                            !context().whyNot(IntentKind::ApplyGains);
         return stands
                    ? tr("The servo is on, and this is a large change: %1. The motor may jump or oscillate.")
                          .arg(steps.join(u", "_s))
                    : QString();
     };
-    const auto go = [self = QPointer(this), gains] {
-        if (self)
-            self->context().ask(intent::ApplyGains{gains});
-    };
+    const auto go = [this, gains] { context().ask(intent::ApplyGains{gains}); };
     AskDialog::ask({.name = u"largeStepDialog"_s,
                     .title = tr("Gains while the servo is on"),
                     .text = text,
                     .stayName = u"cancelLargeStepButton"_s},
-                   {{tr("&Apply these gains"), u"applyLargeStepButton"_s, go}}, window());
+                   {{tr("&Apply these gains"), u"applyLargeStepButton"_s, go}}, this);
 }
 
 // ---- display ----

@@ -5,7 +5,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPointer>
 #include <QSignalBlocker>
 
 #include "model/settings/pinsof.h"
@@ -134,21 +133,16 @@ QString PinBox::nameOf(unsigned pin) const {
 }
 
 void PinBox::askBefore(unsigned pin, bool high) {
-    const auto text = [self = QPointer(this), pin, high] {
-        const bool stands = self && self->isVisible() && !self->m_context.whyNot(IntentKind::SetOutputs) &&
-                            self->output(pin) == !high;
+    const auto text = [this, pin, high] {
+        const bool stands = isVisible() && !m_context.whyNot(IntentKind::SetOutputs) && output(pin) == !high;
         if (!stands)
             return QString();
-        return high ? tr("Switch %1 on?").arg(self->nameOf(pin))
-                    : tr("Switch %1 off?").arg(self->nameOf(pin));
+        return high ? tr("Switch %1 on?").arg(nameOf(pin)) : tr("Switch %1 off?").arg(nameOf(pin));
     };
-    const auto go = [self = QPointer(this), pin, high] {
-        if (self)
-            self->m_context.ask(iointent::SetOutput{pin, high});
-    };
+    const auto go = [this, pin, high] { m_context.ask(iointent::SetOutput{pin, high}); };
     AskDialog::ask(
         {.name = u"outputDialog"_s, .title = tr("Output"), .text = text, .stayName = u"cancelOutputButton"_s},
-        {{high ? tr("&Switch on") : tr("&Switch off"), u"switchOutputButton"_s, go}}, window());
+        {{high ? tr("&Switch on") : tr("&Switch off"), u"switchOutputButton"_s, go}}, this);
 }
 
 void PinBox::showModule() {

@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QPointer>
 #include <QSignalBlocker>
 
 #include "model/machinefile/machinelayout.h"
@@ -228,19 +227,16 @@ void TravelBox::takePosition(Limit limit) {
 
 void TravelBox::askToDeclare() {
     // The question stays as long as the Axis page is visible and the command is possible.
-    const auto text = [self = QPointer(this)] {
-        const bool stands = self && self->parentWidget()->isVisible() && self->m_declare->isEnabled();
-        return stands ? texts::declareQuestion(self->m_context.state(), self->m_context.scale()) : QString();
+    const auto text = [this] {
+        const bool stands = parentWidget()->isVisible() && m_declare->isEnabled();
+        return stands ? texts::declareQuestion(m_context.state(), m_context.scale()) : QString();
     };
-    const auto go = [self = QPointer(this)] {
-        if (self)
-            self->m_context.ask(intent::DeclarePosition{true});
-    };
+    const auto go = [this] { m_context.ask(intent::DeclarePosition{true}); };
     AskDialog::ask({.name = u"declarePositionDialog"_s,
                     .title = tr("Confirm the position"),
                     .text = text,
                     .stayName = u"stayDeclareButton"_s},
-                   {{tr("Position &is right"), u"positionIsRightButton"_s, go}}, window());
+                   {{tr("Position &is right"), u"positionIsRightButton"_s, go}}, this);
 }
 
 void TravelBox::showField(QuantityField& field, std::optional<double> native) {

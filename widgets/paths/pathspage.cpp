@@ -409,7 +409,7 @@ void PathsPage::ask() {
                     .text = [this, path = m_path] { return path == m_path ? question() : QString(); },
                     .stayName = u"cancelPathButton"_s,
                     .textName = u"runPathText"_s},
-                   {{tr("&Run path"), u"runPathGo"_s, [this] { run(); }}}, this);
+                   {{tr("&Run path"), u"runPathGo"_s, [this] { run(); }}}, this, this);
 }
 
 /// Plans the path again, because the modules may have changed since the question was asked.

@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QPointer>
 #include <QPushButton>
 #include <utility>
 
@@ -338,18 +337,13 @@ QString ResponseForm::unsentGains() const {
 }
 
 void ResponseForm::askWhichGains(const intent::StepSeries& wanted, const std::vector<std::int32_t>& series) {
-    const auto ask = [self = QPointer(this), index = m_module->info.index,
-                      own = series.empty()](const intent::StepSeries& steps) {
-        return [self, index, steps, own] {
-            if (self)
-                self->ask(index, steps, own);
-        };
+    const ModuleIndex index = m_module->info.index;
+    const auto go = [this, index, own = series.empty()](const intent::StepSeries& steps) {
+        return [this, index, steps, own] { ask(index, steps, own); };
     };
-    const auto text = [self = QPointer(this), index = m_module->info.index, before = unsentGains(), series,
-                       wanted] {
-        const bool stands = self && self->m_module && self->m_module->info.index == index &&
-                            self->unsentGains() == before && self->entered(series) == wanted &&
-                            self->whyNotNow(series).isEmpty();
+    const auto text = [this, index, before = unsentGains(), series, wanted] {
+        const bool stands = m_module && m_module->info.index == index && unsentGains() == before &&
+                            entered(series) == wanted && whyNotNow(series).isEmpty();
         return stands ? tr("Some gains in the fields were not sent: %1. Which gains should the step use?")
                             .arg(before)
                       : QString();
@@ -362,9 +356,9 @@ void ResponseForm::askWhichGains(const intent::StepSeries& wanted, const std::ve
                     .stay = tr("&Cancel"),
                     .stayName = u"cancelStepButton"_s,
                     .goIsDefault = true},
-                   {{tr("&Apply and step"), u"applyAndStepButton"_s, ask(applied)},
-                    {tr("Step with &present gains"), u"stepWithoutButton"_s, ask(wanted)}},
-                   window());
+                   {{tr("&Apply and step"), u"applyAndStepButton"_s, go(applied)},
+                    {tr("Step with &present gains"), u"stepWithoutButton"_s, go(wanted)}},
+                   this);
 }
 
 }  // namespace nmc
