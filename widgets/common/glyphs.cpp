@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <utility>
 
 #include "widgets/common/look.h"
 
@@ -220,10 +221,8 @@ void paintBit(QPainter& painter, const QRectF& rect, std::optional<bool> set, co
 }
 
 void GlyphLabel::display(const Shown& shown) {
-    if (m_shown == shown)
-        return;
-    m_shown = shown;
-    update();
+    if (std::exchange(m_shown, shown) != shown)
+        update();
 }
 
 QSize GlyphLabel::sizeHint() const {

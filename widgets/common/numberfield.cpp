@@ -66,10 +66,8 @@ void NumberField::setRange(double min, double max) {
 }
 
 void NumberField::setRangeReason(const QString& reason) {
-    if (m_rangeReason == reason)
-        return;
-    m_rangeReason = reason;
-    judge();
+    if (std::exchange(m_rangeReason, reason) != reason)
+        judge();
 }
 
 void NumberField::setDecimals(int decimals) {
@@ -91,10 +89,8 @@ void NumberField::setWords(const QString& quantity, const QString& unit) {
 }
 
 void NumberField::setMeaning(const QString& meaning) {
-    if (m_meaning == meaning)
-        return;
-    m_meaning = meaning;
-    judge();
+    if (std::exchange(m_meaning, meaning) != meaning)
+        judge();
 }
 
 void NumberField::setUnavailable(const QString& why) {

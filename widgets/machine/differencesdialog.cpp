@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QTreeWidget>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
@@ -198,10 +199,8 @@ void DifferencesDialog::tickAll(bool ticked) {
 }
 
 void DifferencesDialog::showMoving(int motors) {
-    if (motors == m_moving)
-        return;
-    m_moving = motors;
-    summarise();
+    if (std::exchange(m_moving, motors) != motors)
+        summarise();
 }
 
 void DifferencesDialog::summarise() {

@@ -89,27 +89,23 @@ void HoldButton::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void HoldButton::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Space) {
-        event->accept();
-        if (event->isAutoRepeat())
-            return;
-        if (isHeld()) {
-            endHold();
-            return;
-        }
-        setDown(true);
-        begin();
-        return;
+    if (event->key() != Qt::Key_Space) {
+        endHold();
+        return QPushButton::keyPressEvent(event);
     }
-    endHold();
-    QPushButton::keyPressEvent(event);
+    event->accept();
+    if (event->isAutoRepeat())
+        return;
+    if (isHeld())
+        return endHold();
+    setDown(true);
+    begin();
 }
 
 void HoldButton::keyReleaseEvent(QKeyEvent* event) {
     if (event->key() != Qt::Key_Space) {
         endHold();
-        QPushButton::keyReleaseEvent(event);
-        return;
+        return QPushButton::keyReleaseEvent(event);
     }
     event->accept();
     if (event->isAutoRepeat())

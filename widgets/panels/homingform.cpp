@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QRadioButton>
 #include <QSignalBlocker>
+#include <utility>
 
 #include "model/intent/homingplan.h"
 #include "model/module/servodefaults.h"
@@ -223,10 +224,8 @@ void HomingForm::showChip(const AxisScale& scale, const ModuleIdentity& chip, do
 }
 
 void HomingForm::setLocked(bool locked) {
-    if (m_locked == locked)
-        return;
-    m_locked = locked;
-    refresh();
+    if (std::exchange(m_locked, locked) != locked)
+        refresh();
 }
 
 bool HomingForm::uses(Number value) const {

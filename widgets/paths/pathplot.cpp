@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/common/look.h"
 #include "widgets/common/plots.h"
@@ -44,10 +45,8 @@ void PathPlot::showNothing() {
 }
 
 void PathPlot::showProgress(double share) {
-    if (share == m_share)
-        return;
-    m_share = share;
-    update();
+    if (std::exchange(m_share, share) != share)
+        update();
 }
 
 void PathPlot::forgetPicture() {
