@@ -40,6 +40,7 @@
 #include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/escfilter.h"
+#include "widgets/mainwindow/inputfilters.h"
 #include "widgets/mainwindow/linkbar.h"
 #include "widgets/mainwindow/menus.h"
 #include "widgets/mainwindow/operatorlock.h"
@@ -47,13 +48,10 @@
 #include "widgets/mainwindow/paletteentries.h"
 #include "widgets/mainwindow/pendant.h"
 #include "widgets/mainwindow/pressfilter.h"
-#include "widgets/mainwindow/promptfilter.h"
-#include "widgets/mainwindow/repeatfilter.h"
 #include "widgets/mainwindow/ribbons.h"
 #include "widgets/mainwindow/settingskeys.h"
 #include "widgets/mainwindow/startpage.h"
 #include "widgets/mainwindow/tuningfiles.h"
-#include "widgets/mainwindow/wheelfilter.h"
 #include "widgets/messages/banner.h"
 #include "widgets/messages/messagelist.h"
 #include "widgets/messages/messagemodel.h"
@@ -98,7 +96,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
     look::adoptReadable(this);
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks |
                    QMainWindow::AllowTabbedDocks);
-    new WheelFilter(this);  // before the first combo box accepts the focus from the wheel
+    installInputFilters(this);  // before the first combo box accepts the focus from the wheel
     m_panel = new ModulePanel(*m_requests, this);
     setCentralWidget(m_panel);
     buildDocks();
@@ -177,8 +175,6 @@ void MainWindow::connectParts() {
     connect(new EscFilter(this), &EscFilter::pressed, this, &MainWindow::requestStop);
     connect(new PressFilter(m_bar->stopButton(), this), &PressFilter::pressed, this,
             &MainWindow::requestStop);
-    new PromptFilter(this);
-    new RepeatFilter(this);
     connect(new OtherWindows(this), &OtherWindows::opened, this, &MainWindow::endHold);
 
     connect(m_chain, &ChainView::moduleSelected, &m_session, &Session::select);
