@@ -28,12 +28,9 @@ DoctorPage::DoctorPage(Requests& requests, QWidget* parent) : QWidget(parent) {
 void DoctorPage::build(const Requests& requests) {
     m_glyph = new GlyphLabel(this);
     m_glyph->setFont(look::scaled(font(), 1.6));
-    m_finding = form::newHeading({}, this);
-    m_finding->setObjectName(u"chainFinding"_s);
-    m_finding->setWordWrap(true);
-    m_advice = new QLabel(this);
-    m_advice->setObjectName(u"chainAdvice"_s);
-    m_advice->setWordWrap(true);
+    m_finding = form::newParagraph(u"chainFinding"_s, {}, this);
+    form::setBold(m_finding);
+    m_advice = form::newParagraph(u"chainAdvice"_s, {}, this);
     m_table = new QTableWidget(0, Columns, this);
     look::name(m_table, u"chainTable"_s, tr("Modules expected and found, the farthest from the PC first"));
     m_table->setHorizontalHeaderLabels(

@@ -37,14 +37,11 @@ constexpr int kLastAddress = 0x7F;
 GroupsPage::GroupsPage(Requests& requests, QWidget* parent) : QWidget(parent), m_requests(requests) {
     look::name(this, u"groupsPage"_s, Common::tr("Groups"));
     const int unit = look::gridUnit(this);
-    auto* remark = look::newMutedLabel(
+    QLabel* remark = form::newRemark(
         tr("A module listens to one group besides its own address. All members carry out a group command in the same tick; the leader, if any, answers for them, and the panel then checks each member. Status requests go to single modules."),
         this);
-    remark->setWordWrap(true);
     m_none = look::newMutedLabel(tr("No modules yet: connect first."), this, u"noGroupsLabel"_s);
-    m_addressReason = new QLabel(this);
-    m_addressReason->setObjectName(u"addressReason"_s);
-    m_addressReason->setWordWrap(true);
+    m_addressReason = form::newParagraph(u"addressReason"_s, {}, this);
     m_addressReason->hide();
     m_grid = new QGridLayout;
     m_grid->setHorizontalSpacing(unit * 2);

@@ -8,6 +8,7 @@
 
 #include "model/intent/intent.h"
 #include "protocol/baud.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/requests.h"
@@ -30,14 +31,12 @@ RatePage::RatePage(Requests& requests, QWidget* parent)
       m_divisor(new NumberField(0, this)),
       m_other(new QLabel(this)),
       m_change(new QPushButton(tr("&Change baud rate"), this)),
-      m_reason(new QLabel(this)) {
+      m_reason(form::newParagraph(u"chainRateReason"_s, {}, this)) {
     look::name(this, u"ratePage"_s, Common::tr("Baud rate"));
     look::name(m_rate, u"chainRateBox"_s, tr("New baud rate of the chain"));
     m_rate->setToolTip(tr("The new baud rate of the whole chain."));
     look::name(m_change, u"changeRateButton"_s, tr("Change baud rate of the whole chain"));
     m_now->setObjectName(u"chainRateLabel"_s);
-    m_reason->setObjectName(u"chainRateReason"_s);
-    m_reason->setWordWrap(true);
     for (const BaudRow& row : kBaudRows)
         m_rate->addItem(tr("%1 Bd").arg(texts::grouped(row.nominal)), row.nominal);
     m_rate->addItem(tr("Other…"), kOther);
@@ -48,10 +47,9 @@ RatePage::RatePage(Requests& requests, QWidget* parent)
     m_divisor->setMeaning(tr(
         "The baud rate is 1 250 000 Bd / (divisor + 1). The panel first checks that this computer's port supports it to within 2 %."));
     m_other->setObjectName(u"chainDivisorRate"_s);
-    auto* remark = look::newMutedLabel(
+    QLabel* remark = form::newRemark(
         tr("Positions, gains and groups are kept. The panel checks every module at the new baud rate; if one does not answer, all modules go back to the old rate."),
         this);
-    remark->setWordWrap(true);
     const int unit = look::gridUnit(this);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(unit, unit, unit, unit);

@@ -140,6 +140,12 @@ QLabel* newParagraph(const QString& name, const QString& what, QWidget* box, int
     return label;
 }
 
+QLabel* newRemark(const QString& text, QWidget* box, const QString& name) {
+    QLabel* label = look::newMutedLabel(text, box, name);
+    label->setWordWrap(true);
+    return label;
+}
+
 void Item::addTo(QBoxLayout& line) const {
     if (m_widget != nullptr)
         line.addWidget(m_widget, m_stretch);

@@ -106,6 +106,8 @@ void setBold(QLabel* label);
 /// A label of plain text in as many lines as it needs. Without `what`, it is a remark that is read out only
 /// with its text. It keeps room for that many `lines`, so that nothing moves when its text changes.
 [[nodiscard]] QLabel* newParagraph(const QString& name, const QString& what, QWidget* box, int lines = 0);
+/// A muted label in as many lines as it needs.
+[[nodiscard]] QLabel* newRemark(const QString& text, QWidget* box, const QString& name = {});
 
 /// What a line, a column or a row of a grid is filled with: a widget, a layout, or nullptr for empty space.
 /// An item with a `stretch` factor takes up the remaining space, which in a grid is all remaining columns.

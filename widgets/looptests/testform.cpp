@@ -23,9 +23,8 @@ TestForm::TestForm(ProcedureKind kind, const Words& words, Requests& requests, Q
     m_start = new QPushButton(icons::tinted(u"player-play"_s), words.start, this);
     look::name(m_start, words.objectName + u"StartButton"_s, words.start);
     m_end = form::newPush({words.objectName + u"EndButton"_s, tr("End test")}, this);
-    m_state = look::newMutedLabel({}, this);
+    m_state = form::newRemark({}, this);
     look::nameText(m_state, words.objectName + u"State"_s, tr("Progress of the test"));
-    m_state->setWordWrap(true);
     m_state->setMinimumHeight(3 * fontMetrics().height());
     m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_hold = new HoldFirstButton(words.objectName + u"HoldButton"_s, m_requests, this);

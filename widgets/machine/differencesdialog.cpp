@@ -63,7 +63,7 @@ DifferencesDialog::DifferencesDialog(QWidget* parent)
     : QDialog(parent),
       m_text(form::newParagraph(u"differencesText"_s, {}, this)),
       m_table(new QTreeWidget(this)),
-      m_summary(new QLabel(this)),
+      m_summary(form::newParagraph(u"differencesSummary"_s, {}, this)),
       m_all(form::newPush({u"tickAllButton"_s, tr("&Select all"), tr("Select all")}, this)),
       m_none(form::newPush({u"tickNoneButton"_s, tr("Clear a&ll"), tr("Clear all")}, this)),
       m_apply(form::newPush({u"applyDifferencesButton"_s, tr("&Apply"), tr("Apply")}, this)),
@@ -79,8 +79,6 @@ DifferencesDialog::DifferencesDialog(QWidget* parent)
 }
 
 void DifferencesDialog::build() {
-    m_summary->setObjectName(u"differencesSummary"_s);
-    m_summary->setWordWrap(true);
     look::name(m_table, u"differencesTable"_s, tr("Differences from the present settings"));
     m_table->header()->setObjectName(u"differencesHeader"_s);
     m_table->setColumnCount(kColumns);

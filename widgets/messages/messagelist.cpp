@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/messages/messagerow.h"
@@ -27,9 +28,7 @@ MessageList::MessageList(const MessageModel& model, QWidget* parent) : QScrollAr
     m_layout = new QVBoxLayout(page);
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(0);
-    m_empty = look::newMutedLabel({}, page);
-    m_empty->setObjectName(u"noMessagesLabel"_s);
-    m_empty->setWordWrap(true);
+    m_empty = form::newRemark({}, page, u"noMessagesLabel"_s);
     m_empty->setMargin(look::gridUnit(this));
     m_layout->addWidget(m_empty);
     m_layout->addStretch(1);

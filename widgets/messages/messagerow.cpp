@@ -19,20 +19,15 @@ using namespace Qt::StringLiterals;
 MessageRow::MessageRow(const MessageEntry& entry, QWidget* parent)
     : QFrame(parent),
       m_glyph(new GlyphLabel(this)),
-      m_when(look::newMutedLabel({}, this)),
-      m_headline(form::newHeading({}, this)),
-      m_body(look::newMutedLabel({}, this)),
+      m_when(form::newRemark({}, this, u"messageTime"_s)),
+      m_headline(form::newParagraph(u"messageHeadline"_s, {}, this)),
+      m_body(form::newRemark({}, this, u"messageBody"_s)),
       m_actions(new FlowLayout(look::gridUnit(this))) {
     setObjectName(u"messageRow"_s);
-    m_when->setObjectName(u"messageTime"_s);
-    m_headline->setObjectName(u"messageHeadline"_s);
-    m_body->setObjectName(u"messageBody"_s);
     m_when->setFont(look::tabular(font()));
-    m_when->setWordWrap(true);
-    for (QLabel* label : {m_headline, m_body}) {
-        label->setWordWrap(true);
+    form::setBold(m_headline);
+    for (QLabel* label : {m_headline, m_body})
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
     auto* grid = new QGridLayout(this);
     const int unit = look::gridUnit(this);
     grid->setContentsMargins(unit, unit / 2, unit, unit / 2);

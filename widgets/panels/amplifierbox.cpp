@@ -139,13 +139,11 @@ void AmplifierBox::buildDrive(FormGrid& grid) {
 
 void AmplifierBox::buildSaved(FormGrid& grid) {
     QLabel* heading = form::newHeading(tr("Saved in the module, for power-up"), this);
-    auto* remark = look::newMutedLabel(
+    heading->setWordWrap(true);
+    grid.addWide(heading);
+    grid.addWide(form::newRemark(
         tr("Saves these choices, the settings above, the gains, the velocity and the acceleration as the module has them now. They come back at each power-up. 3-phase and antiphase come back after a reset, too. Both buttons restart the module: its motor switches off, and it needs its gains again."),
-        this);
-    for (QLabel* label : {heading, remark}) {
-        label->setWordWrap(true);
-        grid.addWide(label);
-    }
+        this));
     for (QCheckBox* box : {m_savesAddress, m_savesAmplifier, m_savesServo})
         grid.addWide(box);
     grid.addWide(new FlowLayout(look::gridUnit(this), {m_erase->button(), m_save->button()}));

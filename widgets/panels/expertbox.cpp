@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "widgets/common/askdialog.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
@@ -349,10 +350,8 @@ ExpertBox::ExpertBox(ModuleContext& context, QWidget* parent)
     const int unit = look::gridUnit(this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit / 2, unit / 2, unit / 2, unit / 2);
-    auto* note = look::newMutedLabel(
-        tr("Commands as in the data sheet, in native counts. STOP ALL and Esc work as usual."), this);
-    note->setWordWrap(true);
-    layout->addWidget(note);
+    layout->addWidget(form::newRemark(
+        tr("Commands as in the data sheet, in native counts. STOP ALL and Esc work as usual."), this));
     const bool steps = context.state().isStepper();
     layout->addWidget(steps ? newStepperLoad(context, this) : newServoLoad(context, this));
     layout->addWidget(steps ? newStepperStop(context, this) : newServoStop(context, this));

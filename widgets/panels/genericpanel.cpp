@@ -18,7 +18,7 @@ using namespace Qt::StringLiterals;
 GenericPanel::GenericPanel(Requests& requests, QWidget* parent)
     : QWidget(parent),
       m_name(new QLabel(this)),
-      m_text(new QLabel(this)),
+      m_text(form::newParagraph({}, {}, this)),
       m_status(new QLabel(this)),
       m_ask(form::newPush({u"askAnewButton"_s, tr("Request status")}, this)) {
     connect(m_ask, &QPushButton::clicked, this,
@@ -27,7 +27,6 @@ GenericPanel::GenericPanel(Requests& requests, QWidget* parent)
     m_name->setFont(look::scaled(font(), 1.5));
     form::setBold(m_name);
     m_name->setObjectName(u"genericName"_s);
-    m_text->setWordWrap(true);
     m_status->setObjectName(u"genericStatus"_s);
     m_status->setFont(look::tabular(font()));
     auto* layout = new QVBoxLayout(this);

@@ -48,7 +48,7 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
       m_context(context),
       m_stages(form::newParagraph(context.named(u"homingStagesLabel"_s), tr("Progress of the search"), this)),
       m_result(form::newParagraph(context.named(u"homingResultLabel"_s), tr("Progress of the search"), this)),
-      m_hint(look::newMutedLabel({}, this, context.named(u"homingHint"_s))) {
+      m_hint(form::newRemark({}, this, context.named(u"homingHint"_s))) {
     const ModuleType type = context.state().info.identity.type;
     m_form = new HomingForm(type, this);
     m_home = new Command(
@@ -67,7 +67,6 @@ HomingBox::HomingBox(ModuleContext& context, QWidget* parent)
                             .key = Qt::CTRL | Qt::SHIFT | Qt::Key_H},
                            this, [this] { m_context.ask(intent::CancelProcedure{}); });
     look::name(this, context.named(u"homingBox"_s), Common::tr("Homing"));
-    m_hint->setWordWrap(true);
     const int unit = look::gridUnit(this);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit, 0, 0);

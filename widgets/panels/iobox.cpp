@@ -56,8 +56,7 @@ IoBox::IoBox(ModuleContext& context, QWidget* parent) : QWidget(parent), m_conte
         isSc(context.state().info.identity)
             ? tr("The Amplifier page sets what the module does when a limit closes.")
             : tr("On this chip, a limit switch alone does not stop the motor. Arm a limit stop on the Homing page.");
-    m_remark = look::newMutedLabel({}, this, u"limitRemark"_s);
-    m_remark->setWordWrap(true);
+    m_remark = form::newRemark({}, this, u"limitRemark"_s);
     grid->addWide(m_remark);
     grid->end();
     connect(m_amplifier, &QCheckBox::clicked, this, [this](bool enable) {

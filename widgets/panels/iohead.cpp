@@ -20,21 +20,18 @@ IoHead::IoHead(ModuleContext& context, QWidget* parent)
     : QFrame(parent),
       m_context(context),
       m_glyph(new GlyphLabel(this)),
-      m_module(new QLabel(this)),
+      m_module(form::newHeading({}, this)),
       m_type(look::newMutedLabel({}, this, u"ioModuleType"_s)),
       m_state(new QLabel(this)),
-      m_meaning(new QLabel(this)),
+      m_meaning(form::newParagraph(u"ioStateMeaning"_s, {}, this)),
       m_name(newNameField(u"ioNameField"_s, tr("Name of this module"), this)) {
     look::name(this, u"ioHead"_s, Common::tr("State of the selected module"));
     m_module->setObjectName(u"ioModuleName"_s);
     m_state->setObjectName(u"ioStateLabel"_s);
-    m_meaning->setObjectName(u"ioStateMeaning"_s);
     m_state->setFont(look::scaled(font(), 1.5));
     form::setBold(m_state);
     m_glyph->setFont(look::scaled(font(), 1.7));
-    form::setBold(m_module);
     const int unit = look::gridUnit(this);
-    m_meaning->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(unit, unit / 2, unit, unit / 2);
     layout->addLayout(

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "widgets/common/accessibility.h"
+#include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/scrolled.h"
 #include "widgets/panels/genericpanel.h"
@@ -37,12 +38,11 @@ void keepTabOrder(QWidget* before, QWidget* page) {
 ModulePanel::ModulePanel(Requests& requests, QWidget* parent)
     : QWidget(parent),
       m_requests(requests),
-      m_empty(look::newMutedLabel({}, this, u"emptyPanel"_s)),
+      m_empty(form::newRemark({}, this, u"emptyPanel"_s)),
       m_generic(new GenericPanel(requests, this)),
       m_current(m_empty) {
     look::name(this, u"modulePanel"_s, tr("Selected module"));
     m_empty->setAlignment(Qt::AlignCenter);
-    m_empty->setWordWrap(true);
     m_generic->hide();
 }
 

@@ -26,9 +26,8 @@ PinBox::PinBox(ModuleContext& context, QWidget* parent)
       m_allInputs(new Command(
           {.name = u"pinsAllInputsButton"_s, .icon = u"send"_s, .text = tr("Make all pins inputs")}, this,
           [this] { m_context.ask(iointent::SetDirection{io::kAllPins}); })),
-      m_hint(look::newMutedLabel({}, this, u"pinsHint"_s)) {
+      m_hint(form::newRemark({}, this, u"pinsHint"_s)) {
     look::name(this, u"pinBox"_s, Common::tr("Pins"));
-    m_hint->setWordWrap(true);
     const int unit = look::gridUnit(this);
     auto* grid = new FoldingGrid(this, FoldingGrid::Kind::Table);
     grid->setContentsMargins(unit, unit / 2, unit, unit / 2);

@@ -47,11 +47,9 @@ PwmBox::PwmBox(ModuleContext& context, QWidget* parent)
 
     auto* sign = new GlyphLabel(this);
     sign->showSeverity(Severity::Attention);
-    auto* warning = new QLabel(
-        tr("PWM drives the motor directly, without the servo. No position, position error or output limit protects it, and it runs until you switch it off."),
-        this);
-    warning->setObjectName(u"pwmWarning"_s);
-    warning->setWordWrap(true);
+    QLabel* warning = form::newParagraph(u"pwmWarning"_s, {}, this);
+    warning->setText(tr(
+        "PWM drives the motor directly, without the servo. No position, position error or output limit protects it, and it runs until you switch it off."));
     auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1, .down = 1});
     grid->addWidget(sign, 0, 0, Qt::AlignTop | Qt::AlignRight);
     grid->addWide(warning, 1);

@@ -35,10 +35,9 @@ StepperIoBox::StepperIoBox(ModuleContext& context, QWidget* parent)
       m_send(new Command(
           {.name = u"stepperSetOutputsButton"_s, .icon = u"send"_s, .text = tr("Set all outputs")}, this,
           [this] { sendAll(); })),
-      m_hint(look::newMutedLabel({}, this, u"stepperOutputsHint"_s)),
+      m_hint(form::newRemark({}, this, u"stepperOutputsHint"_s)),
       m_analog(new QLabel(this)) {
     look::name(this, u"stepperIoBox"_s, tr("Inputs and outputs"));
-    m_hint->setWordWrap(true);
     m_analog->setObjectName(u"stepperIoAnalog"_s);
     auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1});
     buildOutputs(grid);

@@ -56,9 +56,7 @@ UnitDialog::UnitDialog(ModuleContext& context, QWidget* parent)
     m_travel = addField(
         u"unitDialogTravel"_s, tr("Travel per output turn (mm)"), 5,
         tr("Lead screw: pitch times starts. Belt: pulley teeth times belt pitch. Rack: pinion teeth times rack pitch."));
-    m_result = new QLabel(this);
-    look::nameText(m_result, u"unitDialogResult"_s, tr("Calculated unit"));
-    m_result->setWordWrap(true);
+    m_result = form::newParagraph(u"unitDialogResult"_s, tr("Calculated unit"), this);
     m_form->addRow(m_result);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     look::name(buttons->button(QDialogButtonBox::Cancel), u"unitDialogCancel"_s, Common::tr("Cancel"));

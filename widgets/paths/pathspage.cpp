@@ -114,11 +114,7 @@ QWidget* PathsPage::buildRun() {
     m_progress = new QProgressBar(box);
     look::name(m_progress, u"pathProgress"_s, tr("Progress of the path"));
     m_progress->setRange(0, kWhole);
-    m_state = new QLabel(box);
-    look::nameText(m_state, u"pathState"_s, tr("State of the path"));
-    m_state->setWordWrap(true);
-    m_state->setMinimumHeight(3 * fontMetrics().height());
-    m_state->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_state = form::newParagraph(u"pathState"_s, tr("State of the path"), box, 3);
     auto* buttons =
         form::newLine(box, {m_toStart->button(), m_run->button(), m_end->button(), nullptr}, form::kUsual);
     form::fill(box, form::newColumn(box, {buttons, m_progress, m_state}, form::kUsual));

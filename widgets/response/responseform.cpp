@@ -201,9 +201,7 @@ void ResponseForm::takeJudgement() {
 void ResponseForm::buildButton(FormGrid* grid) {
     m_step = new QPushButton(icons::tinted(u"player-play"_s), tr("Step"), this);
     look::name(m_step, u"responseButton"_s, tr("Step and record"));
-    m_state = look::newMutedLabel({}, parentWidget());
-    m_state->setObjectName(u"responseState"_s);
-    m_state->setWordWrap(true);
+    m_state = form::newRemark({}, parentWidget(), u"responseState"_s);
     m_hold = new HoldFirstButton(u"responseHoldButton"_s, m_requests, this);
     const int line = grid->rowCount();
     grid->addWidget(m_step, line, 0);

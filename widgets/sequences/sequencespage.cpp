@@ -174,12 +174,8 @@ QWidget* SequencesPage::buildSequences() {
     QFont bold = m_rowTable->font();
     bold.setBold(true);
     m_rowTable->verticalHeader()->setMinimumWidth(QFontMetrics(bold).horizontalAdvance(u"▸ 100 "_s));
-    m_state = new QLabel(box);
-    m_state->setObjectName(u"sequenceStateLabel"_s);
-    m_state->setWordWrap(true);
-    m_foresight = look::newMutedLabel({}, box);
-    m_foresight->setObjectName(u"dryRunLabel"_s);
-    m_foresight->setWordWrap(true);
+    m_state = form::newParagraph(u"sequenceStateLabel"_s, {}, box);
+    m_foresight = form::newRemark({}, box, u"dryRunLabel"_s);
     m_foresight->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* result = m_foresightArea = new QScrollArea(box);
     look::name(result, u"dryRunArea"_s, tr("Result of the dry run"));
