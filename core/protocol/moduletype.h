@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace nmc {
 
@@ -10,6 +11,21 @@ inline constexpr std::uint8_t kMaxModules = 32;
 
 /// The type byte of status item 5. A module with any other value is unknown to this program.
 enum class ModuleType : std::uint8_t { Servo = 0, Adc = 1, Io = 2, Stepper = 3 };
+
+/// The name of the family's member; empty for any other type.
+[[nodiscard]] constexpr std::string_view familyName(ModuleType type) {
+    switch (type) {
+        case ModuleType::Servo:
+            return "PIC-SERVO";
+        case ModuleType::Adc:
+            return "PIC-ADC";
+        case ModuleType::Io:
+            return "PIC-I/O";
+        case ModuleType::Stepper:
+            return "PIC-STEP";
+    }
+    return {};
+}
 
 /// The type and version that a module reports (status item 5).
 struct ModuleIdentity {

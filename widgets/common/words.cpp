@@ -16,17 +16,8 @@ namespace {
 QStringList g_moduleNames;
 
 QString familyMember(ModuleType type) {
-    switch (type) {
-        case ModuleType::Servo:
-            return u"PIC-SERVO"_s;
-        case ModuleType::Adc:
-            return u"PIC-ADC"_s;
-        case ModuleType::Io:
-            return u"PIC-I/O"_s;
-        case ModuleType::Stepper:
-            return u"PIC-STEP"_s;
-    }
-    return Texts::tr("type %1").arg(static_cast<int>(type));
+    const std::string_view name = familyName(type);
+    return name.empty() ? Texts::tr("type %1").arg(static_cast<int>(type)) : QString::fromUtf8(name);
 }
 
 /// What the window says of an activity.

@@ -70,17 +70,8 @@ QStringList aboutPort(const ProblemFacts& facts) {
 }
 
 QString typeName(ModuleType type) {
-    switch (type) {
-        case ModuleType::Servo:
-            return u"PIC-SERVO"_s;
-        case ModuleType::Io:
-            return u"PIC-I/O"_s;
-        case ModuleType::Adc:
-            return u"ADC"_s;
-        case ModuleType::Stepper:
-            return u"PIC-STEP"_s;
-    }
-    return u"type %1"_s.arg(static_cast<int>(type));
+    const std::string_view name = familyName(type);
+    return name.empty() ? u"type %1"_s.arg(static_cast<int>(type)) : QString::fromUtf8(name);
 }
 
 QString gainsOf(const servo::SetGain& gains) {

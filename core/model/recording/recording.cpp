@@ -44,19 +44,11 @@ void appendEntry(std::string& out, std::string_view key, std::string_view value)
         out.append("# ").append(key).append(words::kBehindKey).append(oneLine(value, kMaxText)) += '\n';
 }
 
+/// An ADC is written as the bare number, like a type without a name.
 std::string typeText(ModuleType type) {
     const std::string number = std::to_string(static_cast<int>(type));
-    switch (type) {
-        case ModuleType::Servo:
-            return number + " (PIC-SERVO)";
-        case ModuleType::Stepper:
-            return number + " (PIC-STEP)";
-        case ModuleType::Io:
-            return number + " (PIC-I/O)";
-        case ModuleType::Adc:
-            break;
-    }
-    return number;
+    const std::string_view name = type == ModuleType::Adc ? std::string_view() : familyName(type);
+    return name.empty() ? number : number + " (" + std::string(name) + ')';
 }
 
 void appendModule(std::string& out, const RecordingModule& module) {
