@@ -142,7 +142,8 @@ void MachineController::acceptChain(const std::vector<ModuleIdentity>& there,
         ParsedMachine left = withoutAxes(gone, {std::move(m_machine), std::move(m_unknown)});
         m_machine = std::move(left.machine);
         m_unknown = std::move(left.unknown);
-        m_window.sequences().forgetEdits();
+        if (SequencesPage* page = m_window.sequences().builtPage())
+            page->forgetEdits();
     }
     if (m_machine.axes.size() < there.size())
         m_machine.axes.resize(there.size());

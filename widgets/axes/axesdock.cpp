@@ -17,16 +17,6 @@ void AxesDock::showModules(const std::vector<PanelView>& views, const Machine& m
         page().showModules(views, machine);
 }
 
-void AxesDock::forgetModules() {
-    if (m_page != nullptr)
-        m_page->forgetModules();
-}
-
-void AxesDock::endHold() {
-    if (m_page != nullptr)
-        m_page->endHold();
-}
-
 void AxesDock::showSequence(bool running) {
     m_sequenceRuns = running;
     if (m_page != nullptr)

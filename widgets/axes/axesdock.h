@@ -15,8 +15,6 @@ public:
 
     // As in AxesPage.
     void showModules(const std::vector<PanelView>& views, const Machine& machine);
-    void forgetModules();
-    void endHold();
     void showSequence(bool running);
 
 private:

@@ -51,6 +51,8 @@ public:
         }
         return *m_page;
     }
+    /// The content, or null until it has been built.
+    [[nodiscard]] Page* builtPage() const { return m_page; }
 
 protected:
     PageDock(const QString& objectName, const QString& title, const QKeySequence& key, Requests& requests,

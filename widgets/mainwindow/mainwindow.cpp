@@ -256,12 +256,14 @@ void MainWindow::showPhase(LinkPhase before) {
     const LinkState& link = m_session.link();
     if (before == LinkPhase::Disconnected && m_session.isOpen()) {
         m_panel->forgetModules();
-        m_response->forgetModules();
+        if (ResponsePage* page = m_response->builtPage())
+            page->forgetModules();
         m_loopTests->forgetModules();
     }
     if (before != link.phase && link.phase == LinkPhase::Connecting) {
         m_panel->resetSpeeds();
-        m_axes->forgetModules();
+        if (AxesPage* page = m_axes->builtPage())
+            page->forgetModules();
     }
     if (link.phase == LinkPhase::Connected)
         m_preparing.start(kPrepareInterval);
@@ -471,7 +473,8 @@ void MainWindow::showAllAxes() {
 
 void MainWindow::endHold() {
     m_panel->endHold();
-    m_axes->endHold();
+    if (AxesPage* page = m_axes->builtPage())
+        page->endHold();
 }
 
 // ---- docks and layouts ----
@@ -583,7 +586,8 @@ void MainWindow::showLayout(Layouts::Kind kind) {
         m_panel->setFoot(m_response->page().lendForm());
     } else {
         m_panel->setFoot(nullptr);
-        m_response->takeFormBack();
+        if (ResponsePage* page = m_response->builtPage())
+            page->takeFormBack();
     }
     showSelected();
     // Queued: the docks have their sizes only then.

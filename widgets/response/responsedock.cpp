@@ -35,16 +35,6 @@ void ResponseDock::clearRuns() {
         m_page->clearRuns();
 }
 
-void ResponseDock::forgetModules() {
-    if (m_page != nullptr)
-        m_page->forgetModules();
-}
-
-void ResponseDock::takeFormBack() {
-    if (m_page != nullptr)
-        m_page->takeFormBack();
-}
-
 void ResponseDock::showNothing() {
     if (inUse())
         page().showNothing();

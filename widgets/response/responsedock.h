@@ -23,10 +23,6 @@ public:
     [[nodiscard]] std::vector<KeptResponse> runs() const {
         return m_page != nullptr ? m_page->runs() : m_waiting;
     }
-    void forgetModules();
-
-    /// As in ResponsePage; does nothing until the content is built.
-    void takeFormBack();
 
 private:
     void showSoFar() override;

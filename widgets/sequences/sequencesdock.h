@@ -17,10 +17,6 @@ public:
     void showSession(const LinkState& link, const Machine& machine);
     void showRun(const SequenceReport& report);
     void showForesight(const DryRun& dryRun) { page().showForesight(dryRun); }
-    void forgetEdits() {
-        if (m_page != nullptr)
-            m_page->forgetEdits();
-    }
 
 signals:
     /// A run has ended, and neither the user nor a stop of all modules ended it.
