@@ -519,7 +519,8 @@ void MainWindow::buildDocks() {
     connect(m_requests, &Requests::stageGains, m_panel, &ModulePanel::stageGains);
     connect(m_loopTests, &LoopTestsDock::opened, this, &MainWindow::showSelected);
     connect(m_requests, &Requests::showRun, m_response, &ResponseDock::showRun);
-    new TuningFiles(m_session, *m_response, *m_loopTests, *m_requests, this);
+    connect(m_loopTests, &LoopTestsDock::reportWanted, this,
+            [this] { saveTuningReport(m_session, *m_response, *m_loopTests, *m_requests, this); });
     for (LazyDock* dock : std::initializer_list<LazyDock*>{m_sequences, m_paths, m_axes})
         connect(dock, &LazyDock::opened, this, &MainWindow::showAllAxes);
     QAction* step = look::newAction(this, u"stepNowAction"_s, tr("Step"), {}, Qt::SHIFT | Qt::Key_F9);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QObject>
-#include <optional>
+class QWidget;
 
 namespace nmc {
 
@@ -10,27 +9,10 @@ class LoopTestsDock;
 class Requests;
 class ResponseDock;
 class Session;
-struct TuningReport;
 
-/// Saves the report about the tuning of the selected module, of which no single part of the window knows all.
-/// GUI thread.
-class TuningFiles : public QObject {
-    Q_OBJECT
-
-public:
-    /// Everything must outlive it.
-    TuningFiles(const Session& session, ResponseDock& responses, LoopTestsDock& tests, Requests& requests,
-                QWidget* window);
-
-private:
-    [[nodiscard]] std::optional<TuningReport> report() const;
-    void chooseReportFile();
-
-    const Session& m_session;
-    ResponseDock& m_responses;
-    LoopTestsDock& m_tests;
-    Requests& m_requests;
-    QWidget* m_window;
-};
+/// Asks where to save the report about the tuning of the selected module, of which no single part of the
+/// window knows all; does nothing unless that is a servo. `requests` must outlive the window. GUI thread.
+void saveTuningReport(const Session& session, ResponseDock& responses, LoopTestsDock& tests,
+                      Requests& requests, QWidget* window);
 
 }  // namespace nmc
