@@ -2,70 +2,51 @@
 #include "sim/steppermachine.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace nmc::sim {
 
+namespace {
+
+struct Level {
+    Input input;
+    bool StepperPins::*pin;
+};
+constexpr std::array kLevels{Level{Input::Limit1, &StepperPins::limit1},
+                             Level{Input::Limit2, &StepperPins::limit2},
+                             Level{Input::Power, &StepperPins::power},
+                             Level{Input::Estop, &StepperPins::estop},
+                             Level{Input::In1, &StepperPins::in1},
+                             Level{Input::In2, &StepperPins::in2},
+                             Level{Input::HomeSwitch, &StepperPins::homeSwitch}};
+
+struct ShaftPlace {
+    Input input;
+    std::optional<std::int64_t> StepperSurroundings::*place;
+};
+constexpr std::array kShaftPlaces{ShaftPlace{Input::TravelMin, &StepperSurroundings::travelMin},
+                                  ShaftPlace{Input::TravelMax, &StepperSurroundings::travelMax},
+                                  ShaftPlace{Input::HomeSwitchAt, &StepperSurroundings::homeSwitchAt}};
+
+}  // namespace
+
 void StepperMachine::set(Input input, std::optional<double> value) {
     const bool level = value.value_or(0.0) != 0.0;
     const auto steps = static_cast<std::int64_t>(value.value_or(0.0));
-    const auto place = value ? std::optional(steps) : std::nullopt;
-    switch (input) {
-        case Input::Limit1:
-            m_set.limit1 = level;
-            return;
-        case Input::Limit2:
-            m_set.limit2 = level;
-            return;
-        case Input::Power:
-            m_set.power = level;
-            return;
-        case Input::Estop:
-            m_set.estop = level;
-            return;
-        case Input::In1:
-            m_set.in1 = level;
-            return;
-        case Input::In2:
-            m_set.in2 = level;
-            return;
-        case Input::HomeSwitch:
-            m_set.homeSwitch = level;
-            return;
-        case Input::Analog:
-            m_set.analog = static_cast<std::uint8_t>(steps);
-            return;
-        case Input::TravelMin:
-            m_around.travelMin = place;
-            return;
-        case Input::TravelMax:
-            m_around.travelMax = place;
-            return;
-        case Input::Limits:
-            m_around.limitsAutomatic = level;
-            return;
-        case Input::HomeSwitchAt:
-            m_around.homeSwitchAt = place;
-            return;
-        case Input::LoadPlay:
-            m_around.loadPlay = steps;
-            return turn(0);
-        case Input::Index:
-        case Input::Load:
-        case Input::Inertia:
-        case Input::Friction:
-        case Input::Play:
-        case Input::CountsPerTurn:
-        case Input::Deadband:
-        case Input::Gain:
-        case Input::EncoderNoise:
-        case Input::ElasticInertia:
-        case Input::Resonance:
-        case Input::ServoOverrun:
-        case Input::Pulses:
-        case Input::VoltSense:
-        case Input::Pin:
-            return;  // servo and PIC-I/O only
+    for (const Level& one : kLevels)
+        if (one.input == input)
+            m_set.*one.pin = level;
+    for (const ShaftPlace& one : kShaftPlaces)
+        if (one.input == input)
+            m_around.*one.place = value ? std::optional(steps) : std::nullopt;
+    if (input == Input::Analog)
+        m_set.analog = static_cast<std::uint8_t>(steps);
+    if (input == Input::Limits)
+        m_around.limitsAutomatic = level;
+    if (input == Input::LoadPlay) {
+        m_around.loadPlay = steps;
+        turn(0);
     }
 }
 

@@ -12,7 +12,8 @@ namespace nmc::sim {
 /// Neither Reset Position nor power changes it.
 class StepperMachine {
 public:
-    /// The value must be in the range that Input states.
+    /// The value must be in the range that Input states. An input that a stepper does not have changes
+    /// nothing.
     void set(Input input, std::optional<double> value);
     /// The driver makes this many steps. Steps beyond a hard stop are lost.
     void turn(std::int64_t steps);
