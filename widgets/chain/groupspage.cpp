@@ -100,9 +100,7 @@ void GroupsPage::addMember() {
     member.address->setDigits(5);
     member.address->setWords(tr("The address"), {});
     member.addressLabel = form::newLabel(tr("address"), member.address);
-    member.group = new QComboBox(this);
-    look::name(member.group, u"group%1Box"_s.arg(number), tr("Group of module %1").arg(number));
-    member.group->setToolTip(tr("The group that this module listens to. Sent at once; nothing moves."));
+    member.group = form::newChoice({u"group%1Box"_s.arg(number), tr("Group of module %1").arg(number)}, this);
     member.group->addItem(texts::groupName(kNoGroup), kNoGroup);
     for (int group = kFirstGroup; group <= kLastGroup; ++group)
         member.group->addItem(titleOf(group), group);
@@ -165,14 +163,13 @@ void GroupsPage::showLink(const LinkState& link, const std::vector<GroupSettings
     while (m_members.size() < link.modules.size())
         addMember();
     for (std::size_t i = 0; i < m_members.size(); ++i) {
+        const Member& row = m_members[i];
         const bool there = i < link.modules.size();
-        for (QWidget* widget :
-             {static_cast<QWidget*>(m_members[i].name), static_cast<QWidget*>(m_members[i].addressLabel),
-              static_cast<QWidget*>(m_members[i].address), static_cast<QWidget*>(m_members[i].group),
-              static_cast<QWidget*>(m_members[i].leader), static_cast<QWidget*>(m_members[i].load)})
+        for (QWidget* widget : std::initializer_list<QWidget*>{row.name, row.addressLabel, row.address,
+                                                               row.group, row.leader, row.load})
             widget->setVisible(there);
         if (there)
-            showMember(m_members[i], link.modules[i]);
+            showMember(row, link.modules[i]);
     }
     // The reason is about an address that is being typed; without the focus, its field shows the present one.
     if (std::ranges::none_of(m_members, [](const Member& row) { return row.address->hasFocus(); }))

@@ -2,7 +2,6 @@
 #include "widgets/chain/ratepage.h"
 
 #include <QComboBox>
-#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 
@@ -10,7 +9,6 @@
 #include "protocol/baud.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
-#include "widgets/common/numberfield.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
@@ -27,43 +25,34 @@ RatePage::RatePage(Requests& requests, QWidget* parent)
     : QWidget(parent),
       m_requests(requests),
       m_now(new QLabel(this)),
-      m_rate(new QComboBox(this)),
-      m_divisor(new NumberField(0, this)),
+      m_rate(form::newChoice({.name = u"chainRateBox"_s,
+                              .accessible = tr("New baud rate of the chain"),
+                              .meaning = tr("The new baud rate of the whole chain.")},
+                             this)),
+      m_divisor(form::newNumber(
+          {.name = u"chainDivisorBox"_s,
+           .accessible = tr("Divisor of Set Baud Rate"),
+           .words = tr("The divisor"),
+           .max = 255,
+           .digits = 5,
+           .meaning = tr(
+               "The baud rate is 1 250 000 Bd / (divisor + 1). The panel first checks that this computer's port supports it to within 2 %.")},
+          this)),
       m_other(new QLabel(this)),
-      m_change(new QPushButton(tr("&Change baud rate"), this)),
+      m_change(form::newPush(
+          {u"changeRateButton"_s, tr("&Change baud rate"), tr("Change baud rate of the whole chain")}, this)),
       m_reason(form::newParagraph(u"chainRateReason"_s, {}, this)) {
     look::name(this, u"ratePage"_s, Common::tr("Baud rate"));
-    look::name(m_rate, u"chainRateBox"_s, tr("New baud rate of the chain"));
-    m_rate->setToolTip(tr("The new baud rate of the whole chain."));
-    look::name(m_change, u"changeRateButton"_s, tr("Change baud rate of the whole chain"));
     m_now->setObjectName(u"chainRateLabel"_s);
     for (const BaudRow& row : kBaudRows)
         m_rate->addItem(tr("%1 Bd").arg(texts::grouped(row.nominal)), row.nominal);
     m_rate->addItem(tr("Other…"), kOther);
-    look::name(m_divisor, u"chainDivisorBox"_s, tr("Divisor of Set Baud Rate"));
-    m_divisor->setRange(0, 255);
-    m_divisor->setDigits(5);
-    m_divisor->setWords(tr("The divisor"), {});
-    m_divisor->setMeaning(tr(
-        "The baud rate is 1 250 000 Bd / (divisor + 1). The panel first checks that this computer's port supports it to within 2 %."));
     m_other->setObjectName(u"chainDivisorRate"_s);
     QLabel* remark = form::newRemark(
         tr("Positions, gains and groups are kept. The panel checks every module at the new baud rate; if one does not answer, all modules go back to the old rate."),
         this);
-    const int unit = look::gridUnit(this);
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(unit, unit, unit, unit);
-    grid->setHorizontalSpacing(unit);
-    grid->setVerticalSpacing(unit);
-    grid->addWidget(m_now, 0, 0, 1, 5);
-    grid->addWidget(m_rate, 1, 0);
-    grid->addWidget(m_divisor, 1, 1);
-    grid->addWidget(m_other, 1, 2);
-    grid->addWidget(m_change, 1, 3);
-    grid->addWidget(m_reason, 2, 0, 1, 5);
-    grid->addWidget(remark, 3, 0, 1, 5);
-    grid->setRowStretch(4, 1);
-    grid->setColumnStretch(4, 1);
+    auto* rate = form::newLine(this, {m_rate, m_divisor, m_other, m_change, nullptr});
+    form::fill(this, form::newColumn(this, {m_now, rate, m_reason, remark, nullptr}), 1);
     connect(m_divisor, &NumberField::edited, this, &RatePage::refresh);
     connect(m_rate, &QComboBox::currentIndexChanged, this, &RatePage::refresh);
     connect(m_change, &QPushButton::clicked, this, [this] { emit m_requests.rate(*wanted()); });
