@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <algorithm>
 
+#include "widgets/common/look.h"
 #include "widgets/common/plots.h"
 #include "widgets/scope/axisrange.h"
 #include "widgets/scope/timewindow.h"
@@ -20,6 +21,14 @@ RecordPlot::RecordPlot(const QSize& wanted, const QSize& least, QWidget* parent)
     : PlotCanvas(parent), m_wanted(wanted), m_least(least) {
     setFocusPolicy(Qt::StrongFocus);
     connect(&m_frame, &PlotFrame::changed, this, qOverload<>(&QWidget::update));
+}
+
+void RecordPlot::refreshLegend() {
+    std::vector<PlotFrame::LegendEntry> legend;
+    if (!m_label.isEmpty())
+        legend.push_back({m_label, look::traceColour(0, palette()), false});
+    m_frame.setLegend(legend);
+    update();
 }
 
 void RecordPlot::fitAgain() {

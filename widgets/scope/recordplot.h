@@ -38,6 +38,8 @@ protected:
     void showTime(double left, double right) override;
     void showEverything() override { fitAgain(); }
     void moveCursor(std::size_t cursor, double seconds) override;
+    /// Names the only curve, unless the derived plot has others.
+    void refreshLegend() override;
 
     [[nodiscard]] virtual View fitted() const = 0;
     /// Room in pixels around the plot area, beside that for the numbers of the value axis; at first only for
@@ -48,6 +50,8 @@ protected:
     [[nodiscard]] View seen() const;
     /// Sets the axes to what is to be visible. To be called when the record has changed.
     void fit();
+
+    QString m_label;  ///< of the only curve, with its unit; empty while there is none
 
 private:
     void showView(const View& view);

@@ -22,17 +22,9 @@ SpectrumPlot::SpectrumPlot(QWidget* parent) : RecordPlot({36, 18}, {18, 10}, par
 
 void SpectrumPlot::showSpectrum(const Spectrum& spectrum, const QString& label) {
     m_spectrum = spectrum;
-    m_label = label;
+    m_label = m_spectrum.points.empty() ? QString() : label;
     refreshLegend();
     fit();
-}
-
-void SpectrumPlot::refreshLegend() {
-    std::vector<PlotFrame::LegendEntry> legend;
-    if (!m_spectrum.points.empty())
-        legend.push_back({m_label, look::traceColour(0, palette()), false});
-    m_frame.setLegend(legend);
-    update();
 }
 
 RecordPlot::View SpectrumPlot::fitted() const {

@@ -18,7 +18,6 @@ public:
     void showSpectrum(const Spectrum& spectrum, const QString& label);
 
 protected:
-    void refreshLegend() override;
     void paintTraces(QPainter& painter) override;
     void showEverything() override;
     /// Up to ten times the frequency of the peak.
@@ -26,7 +25,6 @@ protected:
 
 private:
     Spectrum m_spectrum;
-    QString m_label;
 };
 
 }  // namespace nmc

@@ -23,17 +23,9 @@ XyPlot::XyPlot(QWidget* parent) : RecordPlot({26, 24}, {14, 12}, parent) {
 
 void XyPlot::showCurve(std::vector<XyPoint> curve, const QString& label) {
     m_curve = std::move(curve);
-    m_label = label;
+    m_label = m_curve.empty() ? QString() : label;
     refreshLegend();
     fit();
-}
-
-void XyPlot::refreshLegend() {
-    std::vector<PlotFrame::LegendEntry> legend;
-    if (!m_curve.empty())
-        legend.push_back({m_label, look::traceColour(0, palette()), false});
-    m_frame.setLegend(legend);
-    update();
 }
 
 RecordPlot::View XyPlot::fitted() const {

@@ -17,13 +17,11 @@ public:
     void showCurve(std::vector<XyPoint> curve, const QString& label);
 
 protected:
-    void refreshLegend() override;
     void paintTraces(QPainter& painter) override;
     [[nodiscard]] View fitted() const override;
 
 private:
     std::vector<XyPoint> m_curve;
-    QString m_label;
 };
 
 }  // namespace nmc
