@@ -19,16 +19,15 @@ unsigned FlightController::note(const QString& what, std::optional<ModuleIndex> 
     return record;
 }
 
-bool FlightController::show(unsigned record) {
+void FlightController::show(unsigned record) {
     const FlightRecorder::Incident* incident = m_recorder.find(record, m_store.history());
     if (incident == nullptr || incident->history.empty())
-        return false;
+        return;
     const Circumstances& then = m_circumstances[record];
     const double at = toSeconds(incident->at - *incident->history.zero());
     m_window.showRecord(std::make_shared<const ScopeRecord>(
         ScopeRecord{then.title, incident->history, then.modules, incident->module, incident->at,
                     ScopeOrigin{then.port, then.simulated, then.date.addMSecs(-qRound64(at * 1e3))}}));
-    return true;
 }
 
 }  // namespace nmc

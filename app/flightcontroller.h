@@ -24,8 +24,8 @@ public:
     void keep(TimePoint now) { m_recorder.keep(m_store.history(), now); }
     /// Call when the connection has ended.
     void keepAll() { m_recorder.keepAll(m_store.history()); }
-    /// Shows the record in the scope; returns false if nothing was recorded.
-    bool show(unsigned record);
+    /// Shows the record in the scope if anything was recorded.
+    void show(unsigned record);
 
 private:
     /// As at the time of the event, because the chain may be a different one when the record is viewed.

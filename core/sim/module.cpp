@@ -284,7 +284,6 @@ ModuleSnapshot Module::snapshot(TimePoint now) const {
     s.address = m_state.place.address;
     s.group = m_state.place.group;
     s.leader = m_state.place.leader;
-    s.brd = m_state.brd;
     s.baud = baud();
     s.listening = m_state.awake;
     s.time = now;

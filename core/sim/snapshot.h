@@ -96,7 +96,6 @@ struct StepperSnapshot : StepperSurroundings {
     bool reverse = false;  ///< DIR
     bool moving = false;
     bool ampEnabled = false;
-    bool homing = false;
     std::int32_t home = 0;
     std::optional<StepperParameters> parameters;  ///< parameters in force; nothing before Set Parameters
     StepperPins inputs;
@@ -131,8 +130,7 @@ struct ModuleSnapshot {
     std::uint8_t address = 0;
     std::uint8_t group = 0xFF;
     bool leader = false;
-    std::uint8_t brd = 0;            ///< divisor of its UART
-    double baud = 0;                 ///< UART rate at this divisor, bits per second
+    double baud = 0;                 ///< UART rate, bits per second
     bool listening = false;          ///< ADDR_IN has been low and the dead time is over
     bool addressLineBroken = false;  ///< between it and its neighbour towards the host
     TimePoint time;

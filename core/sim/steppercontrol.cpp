@@ -181,7 +181,6 @@ StepperSnapshot StepperControl::snapshot() const {
     s.reverse = m_motion.isReverse();
     s.moving = m_motion.isMoving();
     s.ampEnabled = m_ampEnabled;
-    s.homing = m_homing.inProgress();
     s.home = m_home;
     if (m_hasParameters)
         s.parameters = m_parameters;

@@ -2,6 +2,8 @@
 // Changing the rate of a running chain: all modules follow, or all go back.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/bus/groups.h"
 
 namespace nmc::test {
@@ -37,18 +39,18 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> rates() {
         std::vector<std::uint32_t> all;
         for (std::uint8_t i = 0; i < chain.moduleCount(); ++i)
-            switch (chain.snapshot(ModuleIndex(i), now).brd) {
-                case 129:
+            switch (std::lround(chain.snapshot(ModuleIndex(i), now).baud)) {
+                case 9'615:
                     all.push_back(9'600);
                     break;
-                case 63:
-                case 64:
+                case 19'531:
+                case 19'231:
                     all.push_back(19'200);
                     break;
-                case 21:
+                case 56'818:
                     all.push_back(57'600);
                     break;
-                case 10:
+                case 113'636:
                     all.push_back(115'200);
                     break;
                 default:
@@ -162,7 +164,7 @@ TEST(ChainRate, SaysWhoIsLeftBehind) {
     makeReady(bus);
     // One module follows, but receives nothing at the new rate, not even the command to go back.
     bool away = false;
-    bus.onTime = [&] { away = away || bus.chain.snapshot(ModuleIndex(2), bus.now).brd == 10; };
+    bus.onTime = [&] { away = away || bus.chain.snapshot(ModuleIndex(2), bus.now).baud == realRate(10); };
     bus.onCommand = [&](std::vector<std::uint8_t>& command) {
         if (away && command.size() >= 4 && command[0] == 0xAA && bus.hostBaud == 115'200)
             command.clear();

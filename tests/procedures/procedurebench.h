@@ -52,6 +52,8 @@ public:
     [[nodiscard]] sim::StepperSnapshot stepperTruth() {
         return *bus.chain.snapshot(ModuleIndex(0), bus.now).stepper;
     }
+    /// True while the chip of module 1 searches for home.
+    [[nodiscard]] bool searches() { return bus.chain.snapshot(ModuleIndex(0), bus.now).homing.inProgress(); }
     void set(sim::Input input, std::optional<double> value) {
         bus.chain.set(ModuleIndex(0), input, value, bus.now);
     }

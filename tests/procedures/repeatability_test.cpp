@@ -242,7 +242,7 @@ TEST(Measurement, MeasuresAtTheHomeSwitchOfAStepper) {
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->backlash, play, 1.0);
         EXPECT_FALSE(bench.stepperTruth().moving);
-        EXPECT_FALSE(bench.stepperTruth().homing);
+        EXPECT_FALSE(bench.searches());
         bench.bus.expectNoViolations();
     }
 }

@@ -64,7 +64,7 @@ TEST_F(StepperHoming, FindsTheHomeSwitchGoesThereAndMakesItZero) {
         EXPECT_EQ(truth.position, 0);
         EXPECT_NEAR(static_cast<double>(truth.shaft), static_cast<double>(at), 1);
         EXPECT_FALSE(truth.moving);
-        EXPECT_FALSE(truth.homing);
+        EXPECT_FALSE(bench.searches());
         EXPECT_TRUE(truth.ampEnabled);
         EXPECT_DOUBLE_EQ(fastest, 475.0) << "19 x 25 steps/s, never faster than the requested 490";
         bench.bus.expectNoViolations();
@@ -124,7 +124,7 @@ TEST_F(StepperHoming, AnotherLimitOnTheWayIsNotHome) {
     const ProcedureReport report = bench.run(intent::Home{recipe()});
     EXPECT_EQ(report.failure, ProcedureFailure::NotFound);
     EXPECT_FALSE(report.home);
-    EXPECT_FALSE(bench.stepperTruth().homing);
+    EXPECT_FALSE(bench.searches());
     EXPECT_TRUE(bench.stepperTruth().ampEnabled) << "it still holds";
     EXPECT_EQ(bench.bus.sends("AA 01 00"), 0U) << "zero is not set";
     bench.bus.expectNoViolations();
@@ -168,7 +168,7 @@ TEST_P(StepEndedIn, ByCancel) {
     EXPECT_EQ(report.stage, ProcedureStage::Cancelled);
     bench.bus.runFor(2s);
     EXPECT_FALSE(bench.stepperTruth().moving);
-    EXPECT_FALSE(bench.stepperTruth().homing);
+    EXPECT_FALSE(bench.searches());
     EXPECT_TRUE(bench.stepperTruth().ampEnabled);
     EXPECT_EQ(bench.bus.sends("AA 01 00"), 0U) << "zero is not set";
     bench.bus.expectNoViolations();

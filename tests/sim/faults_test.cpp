@@ -258,9 +258,9 @@ TEST_F(Faults, CksumRefusesAGoodPacket) {
 TEST_F(Faults, IgnoreIsAsIfTheCommandHadNeverCome) {
     fault("module 2 ignore=set_baud");
     wire.exchange(packet(0xFF, 0x1A, {10}));
-    EXPECT_EQ(wire.truth(1).brd, 10);
-    EXPECT_EQ(wire.truth(2).brd, 63);
-    EXPECT_EQ(wire.truth(3).brd, 10);
+    EXPECT_EQ(wire.truth(1).baud, realRate(10));
+    EXPECT_EQ(wire.truth(2).baud, realRate(63));
+    EXPECT_EQ(wire.truth(3).baud, realRate(10));
     EXPECT_EQ(executed(2, CommandCode::SetBaud), 0U);
 }
 

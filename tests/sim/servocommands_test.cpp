@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands as bytes: the simulator's behaviour beyond the statements of DS-V 5.2 and 4.5, which
 // tests/conformance covers.
+#include "protocol/baud.h"
 #include "tests/sim/hostwire.h"
 
 namespace nmc::sim::test {
@@ -31,7 +32,7 @@ TEST(ServoPowerUp, EstablishesTheStateOfTheDataSheet) {
     EXPECT_EQ(s.address, 0);
     EXPECT_EQ(s.group, 0xFF);
     EXPECT_FALSE(s.leader);
-    EXPECT_EQ(s.brd, 63);
+    EXPECT_EQ(s.baud, realRate(63));
     EXPECT_FALSE(s.servo.ampEnabled);
     EXPECT_EQ(s.servo.mode, ServoMode::Pwm);
     EXPECT_EQ(s.servo.pwm, 0);

@@ -10,7 +10,6 @@
 #include <QTextBlock>
 #include <QTextDocument>
 #include <QTextTable>
-#include <algorithm>
 #include <utility>
 
 #include "widgets/common/look.h"

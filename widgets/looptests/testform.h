@@ -46,11 +46,8 @@ public:
     void showModule(const PanelView& view);
     void showNothing();
 
-    [[nodiscard]] bool running() const { return m_report && !m_report->over(); }
-    /// The last report of a test of this kind on the module that is shown.
-    [[nodiscard]] const std::optional<ProcedureReport>& report() const { return m_report; }
-
 private:
+    [[nodiscard]] bool running() const { return m_report && !m_report->over(); }
     void refresh();
     void start();
     [[nodiscard]] QString whyNotNow() const;
@@ -69,7 +66,7 @@ private:
     HoldFirstButton* m_hold = nullptr;
     QLabel* m_state = nullptr;
     std::optional<ModuleState> m_module;
-    std::optional<ProcedureReport> m_report;
+    std::optional<ProcedureReport> m_report;  ///< the last one of a test of this kind on that module
     bool m_connected = false;
 };
 

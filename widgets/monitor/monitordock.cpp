@@ -24,10 +24,6 @@ void MonitorDock::showSoFar() {
     m_page->showFigures(m_figures);
 }
 
-bool MonitorDock::recording() const {
-    return m_page != nullptr && m_page->recording();
-}
-
 QString MonitorDock::lastPackets(int most) const {
     if (m_page == nullptr)
         return {};

@@ -23,7 +23,6 @@ public:
     void showPackets(std::vector<bus::ExchangeRecord> records);
     void showLink(const LinkState& link);
     void showFigures(const LinkFigures& figures);
-    [[nodiscard]] bool recording() const;
     [[nodiscard]] const LinkFigures& figures() const { return m_figures; }
     /// The last packets, at most `most`, as text; empty: none were recorded.
     [[nodiscard]] QString lastPackets(int most) const;

@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QScrollBar>
+#include <algorithm>
 
 #include "widgets/common/look.h"
 #include "widgets/monitor/packetmodel.h"
