@@ -32,14 +32,14 @@ Ribbons::Ribbons(Requests& requests, OperatorLock& lock, Pendant& pendant, QWidg
       m_operator(new Ribbon(u"operatorRibbon"_s, Common::tr("Operator mode"),
                             tr("OPERATOR MODE — only allowed actions are available. STOP ALL always works."),
                             top)),
-      m_programs(new Ribbon(u"programsRibbon"_s, Common::tr("Other programs"), {}, top)),
+      m_programs(new Ribbon(u"programsRibbon"_s, Common::tr("Other programs"), QString(), top)),
       m_endControl(m_programs->addButton(u"endProgramControlButton"_s, tr("End control"),
                                          tr("The program may no longer move motors."))),
-      m_lent(new Ribbon(u"lentRibbon"_s, tr("Line lent to a program"), {}, top)),
+      m_lent(new Ribbon(u"lentRibbon"_s, tr("Line lent to a program"), QString(), top)),
       m_letThrough(m_lent->addButton(u"letProgramThroughButton"_s, tr("Release"),
                                      tr("The program has the line again. It may move motors at once."))),
-      m_moved(new Ribbon(u"pendantRibbon"_s, tr("Pendant"), {}, top)),
-      m_column(form::newColumn(top, {m_simulated, m_readOnly, m_operator, m_programs, m_lent, m_moved}, 0)) {
+      m_moved(new Ribbon(u"pendantRibbon"_s, tr("Pendant"), QString(), top)) {
+    m_column = form::newColumn(top, {m_simulated, m_readOnly, m_operator, m_programs, m_lent, m_moved}, 0);
     QPushButton* fully =
         m_readOnly->addButton(u"connectFullyButton"_s, Common::tr("Connect fully"),
                               tr("Reconnects to the same port with commands allowed. Nothing moves."));

@@ -47,7 +47,7 @@ private:
     Ribbon* m_lent;
     QPushButton* m_letThrough;
     Ribbon* m_moved;
-    QLayout* m_column;
+    QLayout* m_column = nullptr;
 };
 
 }  // namespace nmc
