@@ -11,32 +11,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// A limit switch closed unexpectedly while the motor was moving. `limit`: 1 or 2.
-Message limitClosed(const ModuleState& module, int limit) {
-    const ModuleIndex index = module.info.index;
-    const QString what = u"limit%1"_s.arg(limit);
-    const QString number = moduleNumber(index);
-    const bool stopped = module.isStepper() ? module.stepper.ended() == Activity::StoppedByLimit
-                                            : module.limitEnds(limit == 1 ? 1 : -1);
-    if (module.isStepper() || stopped)
-        return about(
-            what, index,
-            {(stopped ? Texts::tr("Limit switch %1 of module %2 stopped its motor.")
-                      : Texts::tr("Limit switch %1 of module %2 closed while its motor was moving."))
-                 .arg(limit)
-                 .arg(number),
-             Texts::tr(
-                 "While the switch is closed, the module blocks this direction. Move the motor the other way.")});
-    return about(
-        what, index,
-        {Texts::tr("Limit switch %1 of module %2 closed while its motor was moving, but does not stop it.")
-             .arg(limit)
-             .arg(number),
-         Texts::tr(
-             "A PIC-SERVO stops at a limit switch only while a limit stop is armed. Stop the motor, then move it the other way. Arm a limit stop on the Homing page.")},
-        {{MessageAction::StopAll, Common::tr("STOP ALL")}});
-}
-
 /// PIC-STEP: the E-stop input is active; the motor stays on.
 Message estopActive(ModuleIndex module) {
     return about(u"estopActive"_s, module,
@@ -127,6 +101,31 @@ std::optional<Message> unheard(const LinkState& link, const ModuleState& module,
 }
 
 }  // namespace
+
+Message limitClosed(const ModuleState& module, int limit) {
+    const ModuleIndex index = module.info.index;
+    const QString what = u"limit%1"_s.arg(limit);
+    const QString number = moduleNumber(index);
+    const bool stopped = module.isStepper() ? module.stepper.ended() == Activity::StoppedByLimit
+                                            : module.limitEnds(limit == 1 ? 1 : -1);
+    if (module.isStepper() || stopped)
+        return about(
+            what, index,
+            {(stopped ? Texts::tr("Limit switch %1 of module %2 stopped its motor.")
+                      : Texts::tr("Limit switch %1 of module %2 closed while its motor was moving."))
+                 .arg(limit)
+                 .arg(number),
+             Texts::tr(
+                 "While the switch is closed, the module blocks this direction. Move the motor the other way.")});
+    return about(
+        what, index,
+        {Texts::tr("Limit switch %1 of module %2 closed while its motor was moving, but does not stop it.")
+             .arg(limit)
+             .arg(number),
+         Texts::tr(
+             "A PIC-SERVO stops at a limit switch only while a limit stop is armed. Stop the motor, then move it the other way. Arm a limit stop on the Homing page.")},
+        {{MessageAction::StopAll, Common::tr("STOP ALL")}});
+}
 
 std::vector<Message> standing(const LinkState& link, TimePoint now,
                               const std::function<bool(ModuleIndex)>& runs) {

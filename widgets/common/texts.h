@@ -84,6 +84,8 @@ namespace texts {
 [[nodiscard]] Message powerLost(ModuleIndex module);
 /// PIC-SERVO: the motor current was limited.
 [[nodiscard]] Message currentLimited(ModuleIndex module);
+/// A limit switch closed unexpectedly while the motor was moving. `limit`: 1 or 2.
+[[nodiscard]] Message limitClosed(const ModuleState& module, int limit);
 /// A PIC-STEP has switched its motor off; `activity` is the cause, and each cause has its own message.
 [[nodiscard]] Message amplifierWentOff(ModuleIndex module, Activity activity);
 [[nodiscard]] Message holdExpired(ModuleIndex module);
