@@ -50,6 +50,30 @@ TEST(F29_BackUnderAnotherName, OneWithoutASerialNumberIsOnlyOfTheSameKind) {
     EXPECT_EQ(memory.back({adapter(kUsb1, {}, 0x7523)}), (AdapterMemory::Back{kUsb1, false}));
 }
 
+/// Otherwise, the stops owed to one machine would be sent to the other.
+TEST(F29_BackUnderAnotherName, OneOfTheSameKindThatWasThereAllAlongIsPassedOver) {
+    const QString usb2 = QStringLiteral("/dev/ttyUSB2");
+    const PortEntry first = adapter(kUsb0, {}, 0x7523);
+    const PortEntry second = adapter(kUsb1, {}, 0x7523);
+    const PortEntry third = adapter(usb2, {}, 0x7523);
+    AdapterMemory memory;
+    memory.opened(kUsb0, {first, second});
+    memory.lost(kUsb0);
+    EXPECT_EQ(memory.back({second}), std::nullopt);
+    EXPECT_EQ(memory.back({second, third}), (AdapterMemory::Back{usb2, false}));
+
+    memory.opened(kUsb0, {first, second});
+    memory.lost(kUsb0);
+    EXPECT_EQ(memory.back({}), std::nullopt);
+    EXPECT_EQ(memory.back({second}), (AdapterMemory::Back{kUsb1, false})) << "it may have changed its place";
+
+    memory.opened(kUsb0, {first});
+    EXPECT_EQ(memory.back({first, second}), std::nullopt) << "plugged in while the other was there";
+    memory.lost(kUsb0);
+    EXPECT_EQ(memory.back({second}), std::nullopt);
+    EXPECT_EQ(memory.back({first, second}), (AdapterMemory::Back{kUsb0, false}));
+}
+
 TEST(F29_BackUnderAnotherName, IsNotLookedForWhenNothingWasLostOrAConnectionIsOpen) {
     AdapterMemory memory;
     memory.opened(kUsb0, {adapter(kUsb0, kA)});

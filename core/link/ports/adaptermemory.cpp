@@ -16,10 +16,17 @@ const PortEntry* find(const QString& port, const QList<PortEntry>& ports) {
     return found != ports.end() && found->vendor != 0 ? &*found : nullptr;
 }
 
+QList<PortEntry> allBut(const QString& port, QList<PortEntry> ports) {
+    ports.removeIf([&](const PortEntry& entry) { return entry.name == port; });
+    return ports;
+}
+
 }  // namespace
 
 void AdapterMemory::opened(const QString& port, const QList<PortEntry>& ports) {
     m_lost.reset();
+    m_opened = port;
+    m_others = allBut(port, ports);
     if (const PortEntry* entry = find(port, ports))
         m_known[port] = *entry;
     else
@@ -33,10 +40,14 @@ void AdapterMemory::lost(const QString& port) {
 }
 
 std::optional<AdapterMemory::Back> AdapterMemory::back(const QList<PortEntry>& ports) {
+    if (!m_lost && find(m_opened, ports) != nullptr)
+        m_others = allBut(m_opened, ports);
+    else
+        m_others.removeIf([&](const PortEntry& other) { return !ports.contains(other); });
     if (!m_lost)
         return std::nullopt;
     for (const PortEntry& entry : ports)
-        if (sameAdapter(entry, *m_lost)) {
+        if (sameAdapter(entry, *m_lost) && !m_others.contains(entry)) {
             const bool sameSerial = !m_lost->serialNumber.isEmpty();
             m_lost.reset();
             return Back{entry.name, sameSerial};

@@ -11,7 +11,7 @@ namespace nmc {
 
 /// Distinguishes the adapters of this session regardless of their names: /dev/ttyUSB0 is whichever was
 /// plugged in first. The criteria are vendor, product and serial number; ports that have none are not
-/// distinguished. Pure.
+/// distinguished. Of several that are alike, one that was there together with the lost one is another. Pure.
 class AdapterMemory {
 public:
     /// The adapter that was lost has returned.
@@ -33,6 +33,8 @@ public:
 
 private:
     QHash<QString, PortEntry> m_known;
+    QString m_opened;           ///< the port opened last
+    QList<PortEntry> m_others;  ///< there ever since they were listed together with its adapter
     std::optional<PortEntry> m_lost;
 };
 
