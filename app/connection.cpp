@@ -69,14 +69,14 @@ void Connection::openOffered() {
         openAnyway(*offer);
 }
 
-/// If the adapter of the lost line is back at this port, its stops are owed there.
+/// If the adapter that was lost is back at this port, its stops are owed there.
 void Connection::followLostAdapter(const QString& port) {
-    const bool isBack =
-        m_lost && m_lost->port != port && m_ports.offered() && m_ports.offered()->port == port;
-    if (!isBack)
+    const auto before = m_ports.lostBefore(port);
+    if (!before || *before == port)
         return;
-    m_unconfirmed[port] = std::move(m_unconfirmed[m_lost->port]);
-    m_lost->port = port;
+    m_unconfirmed[port] = std::exchange(m_unconfirmed[*before], {});
+    if (m_lost && m_lost->port == *before)
+        m_lost->port = port;
 }
 
 void Connection::openAnyway(const ConnectTarget& target) {

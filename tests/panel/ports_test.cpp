@@ -190,6 +190,34 @@ TEST(F30_OldName, WithAnotherAdapterIsSaidWhicheverMessageReconnects) {
     EXPECT_NE(panel.standing(kDifferent), nullptr) << "it is the way to connect";
 }
 
+/// Its machine may be another one with the same modules, and no stop is owed to that.
+TEST(F30_OldName, WithAnotherAdapterDoesNotGetTheStopsOfAnotherPort) {
+    PortsMachine machine;
+    const QString one = machine.port("ttyUSB0");
+    const QString two = machine.port("ttyUSB1");
+    machine.set({adapter(one, "A1"), adapter(two, "B2")});
+    VirtualChain sim(QStringLiteral("servo"), one);
+    VirtualChain other(QStringLiteral("servo"), two);
+    VirtualPanel panel({}, machine.places());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(two));
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(one));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() != Activity::Unknown; }));
+    ASSERT_NO_FATAL_FAILURE(panel.setGoing());
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    panel.pressEsc();
+    machine.set({adapter(two, "C3")});
+    panel.askFor(two);
+    (void)other.takePackets();
+    ASSERT_TRUE(panel.press(kDifferent, QStringLiteral("Connect anyway")));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    const std::vector<testing_support::Packet> packets = other.takePackets();
+    EXPECT_FALSE(packets.empty());
+    for (const testing_support::Packet& packet : packets)
+        EXPECT_NE(packet.code(), CommandCode::StopMotor);
+}
+
 TEST(UnpluggedWhileItMoves, NamesTheModuleAndTheAgeOfItsPositionGoesOn) {
     VirtualChain sim(QStringLiteral("servo,servo"));
     VirtualPanel panel;
