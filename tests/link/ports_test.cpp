@@ -128,6 +128,20 @@ TEST(F29_PortWatcher, AsksForTheListOnlyAfterSomethingHasChanged) {
     EXPECT_TRUE(changes.isEmpty()) << "the same ports as before";
 }
 
+/// For example by opening the list of ports right after the adapter was plugged in.
+TEST(F29_PortWatcher, AnnouncesAlsoAChangeThatWasAskedForBefore) {
+    QTemporaryDir devices;
+    QList<PortEntry> there;
+    PortWatcher watcher([&] { return there; }, devices.path());
+    QSignalSpy changes(&watcher, &PortWatcher::portsChanged);
+    there = {adapter(kUsb1, kA)};
+    QFile file(devices.filePath(QStringLiteral("ttyUSB1")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    EXPECT_EQ(watcher.ports(), there);
+    ASSERT_TRUE(changes.wait(testing_support::kPatienceMs));
+    EXPECT_EQ(changes.takeFirst().at(0).value<QList<PortEntry>>(), there);
+}
+
 // ---- F-32, F-33, F-34, F-36: who uses the port ----
 
 /// A simulated machine: lock files, and processes with their open files.

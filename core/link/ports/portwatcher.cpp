@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "link/ports/portwatcher.h"
 
+#include <utility>
+
 namespace nmc {
 
 PortWatcher::PortWatcher(List list, const QString& folder, QObject* parent)
@@ -18,14 +20,16 @@ PortWatcher::PortWatcher(List list, const QString& folder, QObject* parent)
 }
 
 QList<PortEntry> PortWatcher::ports() {
-    m_ports = m_list();
+    QList<PortEntry> now = m_list();
+    m_changed = m_changed || now != m_ports;
+    m_ports = std::move(now);
     return m_ports;
 }
 
 void PortWatcher::look() {
-    const QList<PortEntry> before = m_ports;
-    if (ports() != before)
-        emit portsChanged(m_ports);
+    const QList<PortEntry> now = ports();
+    if (std::exchange(m_changed, false))
+        emit portsChanged(now);
 }
 
 }  // namespace nmc

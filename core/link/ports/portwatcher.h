@@ -21,7 +21,7 @@ public:
 
     PortWatcher(List list, const QString& folder, QObject* parent = nullptr);
 
-    /// Queries the ports; emits no signal.
+    /// Queries the ports; emits no signal, but a change that it finds is still announced.
     [[nodiscard]] QList<PortEntry> ports();
 
 signals:
@@ -32,6 +32,7 @@ private:
 
     List m_list;
     QList<PortEntry> m_ports;
+    bool m_changed = false;  ///< since the last signal
     QFileSystemWatcher m_watcher;
     QTimer m_settle;
 };
