@@ -30,7 +30,6 @@ bool PortController::mayConnect(const ConnectTarget& target) {
 void PortController::opening(const ConnectTarget& target) {
     m_open = target;
     m_offer.reset();
-    m_backAt.reset();
     m_lost = false;
     m_adapters.opened(target.port, ports());
     const auto latency = latencyTimerOf(target.port, m_places.sysfs);
@@ -62,9 +61,14 @@ void PortController::noteRate(double exchangesPerSecond) {
 
 void PortController::look(const QList<PortEntry>& ports) {
     emit portsChanged(ports);
-    if (const auto back = m_adapters.back(ports)) {
+    const bool offersReturn = m_offer && m_adapters.isBackAt(m_offer->port);
+    const auto back = m_adapters.back(ports);
+    if (offersReturn && !m_adapters.isBackAt(m_offer->port)) {
+        m_offer.reset();
+        emit ended(texts::key::kPort);
+    }
+    if (back) {
         m_lost = false;
-        m_backAt = back->port;
         offer({back->port, m_open.baud, m_open.readOnly}, texts::adapterBack(back->port, back->sameSerial));
     } else if (m_lost && m_adapters.differs(m_open.port, ports)) {
         m_lost = false;  // reported once; the lost adapter may still come back

@@ -42,7 +42,7 @@ public:
     [[nodiscard]] const std::optional<ConnectTarget>& offered() const { return m_offer; }
     /// The port at which the adapter was lost that is back at this one. Empty if this is any other adapter.
     [[nodiscard]] std::optional<QString> lostBefore(const QString& port) const {
-        return port == m_backAt ? std::optional(m_open.port) : std::nullopt;
+        return m_adapters.isBackAt(port) ? std::optional(m_open.port) : std::nullopt;
     }
 
     void opening(const ConnectTarget& target);
@@ -68,8 +68,7 @@ private:
     AdapterMemory m_adapters;
     ConnectTarget m_open;  ///< the present connection, or the last one
     std::optional<ConnectTarget> m_offer;
-    std::optional<QString> m_backAt;  ///< where the lost adapter is back
-    std::optional<Duration> m_slow;   ///< not yet reported
+    std::optional<Duration> m_slow;  ///< not yet reported
     bool m_lost = false;
 };
 

@@ -74,6 +74,19 @@ TEST(F29_BackUnderAnotherName, OneOfTheSameKindThatWasThereAllAlongIsPassedOver)
     EXPECT_EQ(memory.back({first, second}), (AdapterMemory::Back{kUsb0, false}));
 }
 
+TEST(F29_BackUnderAnotherName, IsLookedForAgainWhenItHasGoneAgain) {
+    AdapterMemory memory;
+    memory.opened(kUsb0, {adapter(kUsb0, kA)});
+    memory.lost(kUsb0);
+    EXPECT_EQ(memory.back({adapter(kUsb1, kA)}), (AdapterMemory::Back{kUsb1, true}));
+    EXPECT_TRUE(memory.isBackAt(kUsb1));
+    EXPECT_EQ(memory.back({adapter(kUsb1, kB)}), std::nullopt);
+    EXPECT_FALSE(memory.isBackAt(kUsb1)) << "another adapter has taken its place";
+    EXPECT_EQ(memory.back({adapter(kUsb1, kB), adapter(kUsb0, kA)}), (AdapterMemory::Back{kUsb0, true}));
+    memory.opened(kUsb0, {adapter(kUsb1, kB), adapter(kUsb0, kA)});
+    EXPECT_FALSE(memory.isBackAt(kUsb0));
+}
+
 TEST(F29_BackUnderAnotherName, IsNotLookedForWhenNothingWasLostOrAConnectionIsOpen) {
     AdapterMemory memory;
     memory.opened(kUsb0, {adapter(kUsb0, kA)});

@@ -73,6 +73,24 @@ TEST(F29_BackUnderAnotherName, IsOfferedAndConnectsOnlyWhenAsked) {
     EXPECT_EQ(panel.composition().store().link().port, two.toStdString());
 }
 
+/// Otherwise, Reconnect would open whatever is plugged in there next.
+TEST(F29_BackUnderAnotherName, IsNoLongerOfferedWhenItHasGoneAgain) {
+    PortsMachine machine;
+    const QString one = machine.port("ttyUSB0");
+    const QString two = machine.port("ttyUSB1");
+    machine.set({adapter(one, "A1")});
+    VirtualChain sim(QStringLiteral("servo"), one);
+    VirtualPanel panel({}, machine.places());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(one));
+    machine.set({});
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    machine.set({adapter(two, "A1")});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(kBack) != nullptr; }));
+    machine.set({adapter(two, "B2")});
+    EXPECT_TRUE(panel.waitFor([&] { return panel.standing(kBack) == nullptr; }));
+}
+
 /// Whichever way it is connected: the message's button, or the new name in the port's box.
 class StopOfAnAdapterThatIsBack : public testing::TestWithParam<bool> {};
 

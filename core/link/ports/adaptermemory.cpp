@@ -25,6 +25,7 @@ QList<PortEntry> allBut(const QString& port, QList<PortEntry> ports) {
 
 void AdapterMemory::opened(const QString& port, const QList<PortEntry>& ports) {
     m_lost.reset();
+    m_back.reset();
     m_opened = port;
     m_others = allBut(port, ports);
     if (const PortEntry* entry = find(port, ports))
@@ -35,6 +36,7 @@ void AdapterMemory::opened(const QString& port, const QList<PortEntry>& ports) {
 
 void AdapterMemory::lost(const QString& port) {
     m_lost.reset();
+    m_back.reset();
     if (const auto known = m_known.constFind(port); known != m_known.constEnd())
         m_lost = *known;
 }
@@ -44,13 +46,14 @@ std::optional<AdapterMemory::Back> AdapterMemory::back(const QList<PortEntry>& p
         m_others = allBut(m_opened, ports);
     else
         m_others.removeIf([&](const PortEntry& other) { return !ports.contains(other); });
-    if (!m_lost)
+    if (m_back && !ports.contains(*m_back))
+        m_back.reset();
+    if (!m_lost || m_back)
         return std::nullopt;
     for (const PortEntry& entry : ports)
         if (sameAdapter(entry, *m_lost) && !m_others.contains(entry)) {
-            const bool sameSerial = !m_lost->serialNumber.isEmpty();
-            m_lost.reset();
-            return Back{entry.name, sameSerial};
+            m_back = entry;
+            return Back{entry.name, !entry.serialNumber.isEmpty()};
         }
     return std::nullopt;
 }

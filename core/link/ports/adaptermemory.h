@@ -28,6 +28,8 @@ public:
     void lost(const QString& port);
     /// Called whenever ports have appeared or disappeared; returns each return once.
     [[nodiscard]] std::optional<Back> back(const QList<PortEntry>& ports);
+    /// True if that was the port, and the adapter has not disappeared since.
+    [[nodiscard]] bool isBackAt(const QString& port) const { return m_back && m_back->name == port; }
     /// True when this is not the adapter that was connected under this name in this session.
     [[nodiscard]] bool differs(const QString& port, const QList<PortEntry>& ports) const;
 
@@ -36,6 +38,7 @@ private:
     QString m_opened;           ///< the port opened last
     QList<PortEntry> m_others;  ///< there ever since they were listed together with its adapter
     std::optional<PortEntry> m_lost;
+    std::optional<PortEntry> m_back;
 };
 
 }  // namespace nmc
