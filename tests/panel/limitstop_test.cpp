@@ -28,13 +28,13 @@ protected:
         return panel.waitFor([&] { return watch().state() == HomeWatch::State::Armed && watch().stops(); });
     }
     /// Clicks the box itself, because its row is wider.
-    void tick(const char* name) {
+    void tick(const char* name, bool on = true) {
         auto* box = panel.window().findChild<QAbstractButton*>(QLatin1String(name));
         testing_support::turnTo(*box);
         ASSERT_TRUE(panel.waitFor([&] { return box->isEnabled(); })) << box->toolTip().toStdString();
-        if (!box->isChecked())
+        if (box->isChecked() != on)
             QTest::mouseClick(box, Qt::LeftButton, {}, {box->height() / 2, box->height() / 2});
-        ASSERT_TRUE(box->isChecked()) << name;
+        ASSERT_EQ(box->isChecked(), on) << name;
     }
     void armEachMotion(const char* condition) {
         tick(condition);
@@ -55,6 +55,7 @@ protected:
 };
 
 TEST_F(ArmedLimits, TheChipStopsAtTheSwitchAndIsArmedAgain) {
+    ASSERT_NO_FATAL_FAILURE(tick("armLimit2Box", false));
     ASSERT_NO_FATAL_FAILURE(armEachMotion("armLimit1Box"));
     ASSERT_NO_FATAL_FAILURE(run());
     (void)sim.control(u"set 1 limit1 1"_s);
@@ -80,7 +81,35 @@ TEST_F(ArmedLimits, WithoutItTheSwitchAloneStopsNothing) {
     EXPECT_TRUE(moves(sim));
 }
 
+/// The motor must be able to leave the one switch, on its way to the other.
+TEST_F(ArmedLimits, TheOtherLimitIsArmedWhileTheMotorStandsOnOne) {
+    const auto watches = [this](bool limit1, bool limit2) {
+        return panel.waitFor([&] {
+            return watch().state() == HomeWatch::State::Armed && watch().onLimit1() == limit1 &&
+                   watch().onLimit2() == limit2;
+        });
+    };
+    const QString tripped = u"The limit stop of module 1 stopped its motor"_s;
+    ASSERT_NO_FATAL_FAILURE(armEachMotion("armLimit2Box"));
+    ASSERT_TRUE(watches(true, true)) << "both are chosen at first";
+    (void)sim.control(u"set 1 limit1 1"_s);
+    ASSERT_TRUE(watches(false, true));
+    EXPECT_TRUE(panel.waitFor([&] { return said() == u"● Armed: stops at limit 2, once."_s; }))
+        << said().toStdString();
+    EXPECT_TRUE(panel.waitFor([&] { return panel.standing(tripped) != nullptr; }))
+        << "the motor still stands on the switch";
+    ASSERT_NO_FATAL_FAILURE(run());
+    (void)sim.control(u"set 1 limit2 1"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    EXPECT_TRUE(panel.waitFor([&] { return watch().state() == HomeWatch::State::Tripped; }));
+    (void)sim.control(u"set 1 limit1 0"_s);
+    (void)sim.control(u"set 1 limit2 0"_s);
+    EXPECT_TRUE(watches(true, true));
+    EXPECT_EQ(sim.violations(), "");
+}
+
 TEST_F(ArmedLimits, AnOperatorMovesNothingUnarmed) {
+    ASSERT_NO_FATAL_FAILURE(tick("armLimit2Box", false));
     ASSERT_NO_FATAL_FAILURE(armEachMotion("armLimit1Box"));
     panel.window().findChild<QAction*>(u"operatorAction"_s)->trigger();
     for (const char* name : {"operatorPinField", "operatorPinAgainField"})

@@ -124,6 +124,21 @@ TEST_F(StandingTexts, ALimitStopThatTripsIsToldUntilItIsArmedAnewOrDisarmed) {
     EXPECT_THAT(keys(), IsEmpty());
 }
 
+TEST_F(StandingTexts, ALimitStopThatIsArmedAnewForTheOtherLimitIsToldUntilTheMotorHasLeft) {
+    servo::SetHoming stop;
+    stop.onLimit1Change = stop.onLimit2Change = stop.stopAbruptly = true;
+    servo().apply(executedAt(0.5, stop));
+    run(kHoming);
+    says(1.2, kOk | kLimit1);
+    EXPECT_THAT(keys(), ElementsAre("limitStop.1"));
+    stop.onLimit1Change = false;
+    servo().apply(executedAt(1.3, stop));
+    says(1.4, kOk | kLimit1 | kHoming);
+    EXPECT_THAT(keys(), ElementsAre("limitStop.1")) << "it stands on the switch";
+    says(1.5, kOk | kHoming);
+    EXPECT_THAT(keys(), IsEmpty());
+}
+
 TEST_F(StandingTexts, ALimitOtherThanTheWatchedOneIsToldOf) {
     servo::SetHoming stop;
     stop.onLimit2Change = stop.stopAbruptly = true;

@@ -149,10 +149,8 @@ std::vector<Message> standing(const LinkState& link, TimePoint now,
                 all.push_back(withRecord(limitClosed(module, limit)));
         if (estopHolds(module))
             all.push_back(withRecord(estopActive(index)));
-        const HomeWatch& watch = module.homing;
-        if (watch.state() == HomeWatch::State::Tripped && watch.stops() &&
-            (watch.onLimit1() || watch.onLimit2()) && !(runs && runs(index)))
-            all.push_back(withRecord(limitStopTripped(index, watch)));
+        if (module.stoppedByLimitStop() && !(runs && runs(index)))
+            all.push_back(withRecord(limitStopTripped(index, module.homing)));
     }
     for (Message& message : all)
         message.stands = true;

@@ -39,6 +39,29 @@ namespace {
                StepperSpeed(parameters->speedMode).ofSpeed(std::max<int>(parameters->minimumProfileSpeed, 1));
 }
 
+/// The condition that the chip could not watch for now, or that would stop the motor when it leaves a switch.
+[[nodiscard]] std::optional<Refusal> whyNotWatched(const intent::ArmLimitStop& arm,
+                                                   const ModuleState& module) {
+    if (module.io && ((arm.limit1 && !module.io->limit1IsInput) || (arm.limit2 && !module.io->limit2IsInput)))
+        return Refusal::LimitIsOutput;
+    const servo::StatusByte status = module.latest->servoStatus();
+    if ((arm.limit1 && status.limit1()) || (arm.limit2 && status.limit2()))
+        return Refusal::LimitActive;
+    const bool unlimited = arm.onCurrentLimit && (!module.gains || module.gains->cl == 0);
+    return unlimited ? std::optional(Refusal::NoCurrentLimit) : std::nullopt;
+}
+
+/// What the axis wants to be armed, without the conditions that cannot be: the others still protect it.
+[[nodiscard]] intent::ArmLimitStop possibleStop(const ModuleState& module) {
+    const LimitStopSettings& wanted = module.limitStop;
+    const auto can = [&module](const intent::ArmLimitStop& one) { return !whyNotWatched(one, module); };
+    return {.limit1 = wanted.onLimit1 && can({.limit1 = true}),
+            .limit2 = wanted.onLimit2 && can({.limit2 = true}),
+            .manner = wanted.manner,
+            .onPositionError = wanted.onPositionError,
+            .onCurrentLimit = wanted.onCurrentLimit && can({.onCurrentLimit = true})};
+}
+
 }  // namespace
 
 std::optional<Refusal> whyNotHome(const ModuleState& module) {
@@ -92,26 +115,23 @@ std::optional<Refusal> whyNot(const intent::MeasureRepeatability& wanted, const 
 std::optional<Refusal> whyNotArm(const intent::ArmLimitStop& arm, const ModuleState& module) {
     if (const auto refusal = whyNot(IntentKind::ArmLimitStop, module))
         return refusal;
-    if (module.io && ((arm.limit1 && !module.io->limit1IsInput) || (arm.limit2 && !module.io->limit2IsInput)))
-        return Refusal::LimitIsOutput;
-    const servo::StatusByte status = module.latest->servoStatus();
-    if ((arm.limit1 && status.limit1()) || (arm.limit2 && status.limit2()))
-        return Refusal::LimitActive;
-    const bool unlimited = arm.onCurrentLimit && (!module.gains || module.gains->cl == 0);
-    return unlimited ? std::optional(Refusal::NoCurrentLimit) : std::nullopt;
+    return whyNotWatched(arm, module);
 }
 
 std::optional<intent::ArmLimitStop> limitStopDue(const ModuleState& module) {
     const LimitStopSettings& wanted = module.limitStop;
     if (!wanted.eachMotion || !module.isServo() || !module.servoOn() || module.moving())
         return std::nullopt;
-    const intent::ArmLimitStop arm{wanted.onLimit1, wanted.onLimit2, wanted.manner, wanted.onPositionError,
-                                   wanted.onCurrentLimit};
+    const intent::ArmLimitStop arm = possibleStop(module);
     const HomeWatch& watch = module.homing;
+    // What is armed stays armed, even if it could not be armed now: a switch that has just closed has tripped
+    // the stop, which shows only in the following reply (bus/trust.h), and CL may have become unknown.
+    const auto asWanted = [](bool watched, bool want, bool possible) { return watched ? want : !possible; };
     const bool armed = watch.state() == HomeWatch::State::Armed && watch.stops() &&
-                       watch.onLimit1() == arm.limit1 && watch.onLimit2() == arm.limit2 &&
-                       watch.onPositionError() == arm.onPositionError &&
-                       watch.onCurrentLimit() == arm.onCurrentLimit;
+                       asWanted(watch.onLimit1(), wanted.onLimit1, arm.limit1) &&
+                       asWanted(watch.onLimit2(), wanted.onLimit2, arm.limit2) &&
+                       asWanted(watch.onPositionError(), wanted.onPositionError, arm.onPositionError) &&
+                       asWanted(watch.onCurrentLimit(), wanted.onCurrentLimit, arm.onCurrentLimit);
     return armed || !arm.any() || whyNotArm(arm, asOfPanel(module)) ? std::nullopt : std::optional(arm);
 }
 

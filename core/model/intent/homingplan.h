@@ -20,9 +20,10 @@ inline constexpr unsigned kMostApproaches = 100;
 [[nodiscard]] servo::SetHoming limitStop(const intent::ArmLimitStop& arm);
 
 /// For an axis that uses a limit stop for each of its motions (LimitStopSettings): what must be armed now, at
-/// standstill, so that the next motion is watched; it is armed again after it has tripped. Empty if it is
-/// armed already, is not needed, or cannot be armed, for example while the motor stands on a switch that it
-/// must be able to leave.
+/// standstill, so that the next motion is watched; it is armed again after it has tripped. A condition that
+/// cannot be armed now is left out: a switch on which the motor stands and which it must be able to leave, a
+/// limit pin that is an output, or the current while CL is 0 or unknown. Empty if the rest is armed already
+/// or is nothing, or if the chip cannot be sent it.
 [[nodiscard]] std::optional<intent::ArmLimitStop> limitStopDue(const ModuleState& module);
 
 /// A slow search that ends within a minute; the default for a user to start from.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/module/homewatch.h"
 
+#include <utility>
+
 namespace nmc {
 
 template <typename SetHoming>
 void HomeWatch::onSetHoming(const SetHoming& homing, TimePoint time) {
-    *this = HomeWatch{};
+    const HomeWatch before = std::exchange(*this, HomeWatch{});
     if (!homing.watches())
         return;
     m_state = State::Armed;
@@ -14,6 +16,9 @@ void HomeWatch::onSetHoming(const SetHoming& homing, TimePoint time) {
     m_limit2 = homing.onLimit2Change;
     m_stops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
     m_stopsByOff = m_switchesOff = homing.motorOff;
+    const bool tripped = before.m_state == State::Tripped && before.m_stops;
+    m_leftOut1 = !m_limit1 && ((tripped && before.m_limit1) || before.m_leftOut1);
+    m_leftOut2 = !m_limit2 && ((tripped && before.m_limit2) || before.m_leftOut2);
 }
 
 void HomeWatch::apply(const bus::CommandExecuted& executed) {

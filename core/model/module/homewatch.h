@@ -34,6 +34,9 @@ public:
     [[nodiscard]] bool stopsByOff() const { return m_stopsByOff; }
     /// True if a servo that is found off may have been switched off by homing.
     [[nodiscard]] bool switchesOff() const { return m_switchesOff; }
+    /// True while Armed if a stop that watched this limit has tripped, and was armed again without it.
+    [[nodiscard]] bool trippedBeforeAtLimit1() const { return m_leftOut1; }
+    [[nodiscard]] bool trippedBeforeAtLimit2() const { return m_leftOut2; }
 
 private:
     template <typename SetHoming>
@@ -48,6 +51,8 @@ private:
     bool m_stops = false;
     bool m_stopsByOff = false;
     bool m_switchesOff = false;
+    bool m_leftOut1 = false;  ///< see trippedBeforeAtLimit1()
+    bool m_leftOut2 = false;
 };
 
 }  // namespace nmc

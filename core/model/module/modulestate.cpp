@@ -158,6 +158,13 @@ void ModuleState::endAtLimit() {
         endedByChip(servo::StopManner::Abruptly);
 }
 
+bool ModuleState::stoppedByLimitStop() const {
+    if (homing.state() == HomeWatch::State::Tripped)
+        return homing.stops() && (homing.onLimit1() || homing.onLimit2());
+    return (homing.trippedBeforeAtLimit1() && closedLimits()[0]) ||
+           (homing.trippedBeforeAtLimit2() && closedLimits()[1]);
+}
+
 void ModuleState::watchLimits(bool wasMoving, const HomeWatch& before, std::optional<Activity> endedBefore) {
     if (!isServo() && !isStepper())
         return;

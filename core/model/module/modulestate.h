@@ -151,6 +151,9 @@ struct ModuleState : ServoRegisters {
     /// SC: limit protection is enabled (I/O Control), and the limit in this direction, -1 or 1, is closed;
     /// forward is limit 1.
     [[nodiscard]] bool limitEnds(int direction) const;
+    /// The chip has stopped the motor at a limit that it was set to watch, and has not been armed again. If
+    /// it was armed without that limit, the motor is still on the switch.
+    [[nodiscard]] bool stoppedByLimitStop() const;
     /// PIC-SERVO: it is off, but its shaft moves.
     [[nodiscard]] bool turns() const { return isServo() && !servoOn() && m_drifts; }
     /// CMC and SC: it is running path points.
