@@ -81,6 +81,16 @@ TEST_F(LimitStopDue, ACurrentThatIsNotLimitedLeavesTheLimitsArmed) {
     EXPECT_EQ(due(), "limit1 limit2 ");
 }
 
+/// DS-V 5.2: the chip stops the motor in the manner of the last Set Homing Mode.
+TEST_F(LimitStopDue, ItIsArmedAgainInAnotherManner) {
+    for (const auto manner : {StopManner::Smoothly, StopManner::Off, StopManner::Abruptly}) {
+        servo.limitStop.manner = manner;
+        EXPECT_EQ(due(), "limit1 limit2 ");
+        ASSERT_NO_FATAL_FAILURE(arm());
+        EXPECT_EQ(due(), "nothing");
+    }
+}
+
 TEST_F(LimitStopDue, ALimitPinThatIsAnOutputLeavesTheOtherArmed) {
     servo.apply(executedAt(time += 0.1, servo::IoControl{.limit1IsInput = false, .limit2IsInput = true}));
     EXPECT_EQ(due(), "limit2 ");

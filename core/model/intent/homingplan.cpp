@@ -127,7 +127,7 @@ std::optional<intent::ArmLimitStop> limitStopDue(const ModuleState& module) {
     // What is armed stays armed, even if it could not be armed now: a switch that has just closed has tripped
     // the stop, which shows only in the following reply (bus/trust.h), and CL may have become unknown.
     const auto asWanted = [](bool watched, bool want, bool possible) { return watched ? want : !possible; };
-    const bool armed = watch.state() == HomeWatch::State::Armed && watch.stops() &&
+    const bool armed = watch.state() == HomeWatch::State::Armed && watch.manner() == wanted.manner &&
                        asWanted(watch.onLimit1(), wanted.onLimit1, arm.limit1) &&
                        asWanted(watch.onLimit2(), wanted.onLimit2, arm.limit2) &&
                        asWanted(watch.onPositionError(), wanted.onPositionError, arm.onPositionError) &&

@@ -14,9 +14,12 @@ void HomeWatch::onSetHoming(const SetHoming& homing, TimePoint time) {
     m_since = time;
     m_limit1 = homing.onLimit1Change;
     m_limit2 = homing.onLimit2Change;
-    m_stops = homing.motorOff || homing.stopAbruptly || homing.stopSmoothly;
-    m_stopsByOff = m_switchesOff = homing.motorOff;
-    const bool tripped = before.m_state == State::Tripped && before.m_stops;
+    m_manner = homing.motorOff       ? std::optional(StopManner::Off)
+               : homing.stopAbruptly ? std::optional(StopManner::Abruptly)
+               : homing.stopSmoothly ? std::optional(StopManner::Smoothly)
+                                     : std::nullopt;
+    m_switchesOff = homing.motorOff;
+    const bool tripped = before.m_state == State::Tripped && before.stops();
     m_leftOut1 = !m_limit1 && ((tripped && before.m_limit1) || before.m_leftOut1);
     m_leftOut2 = !m_limit2 && ((tripped && before.m_limit2) || before.m_leftOut2);
 }

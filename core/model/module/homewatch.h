@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "bus/types.h"
+#include "module/stopmanner.h"
 
 namespace nmc {
 
@@ -28,10 +30,9 @@ public:
     /// PIC-SERVO only.
     [[nodiscard]] bool onPositionError() const { return m_positionError; }
     [[nodiscard]] bool onCurrentLimit() const { return m_currentLimit; }
-    /// True if the chip itself stops the motor, or switches it off, when a condition occurs.
-    [[nodiscard]] bool stops() const { return m_stops; }
-    /// True if it does so by Motor off.
-    [[nodiscard]] bool stopsByOff() const { return m_stopsByOff; }
+    /// How the chip itself stops the motor when a condition occurs; empty: it does not.
+    [[nodiscard]] std::optional<StopManner> manner() const { return m_manner; }
+    [[nodiscard]] bool stops() const { return m_manner.has_value(); }
     /// True if a servo that is found off may have been switched off by homing.
     [[nodiscard]] bool switchesOff() const { return m_switchesOff; }
     /// True while Armed if a stop that watched this limit has tripped, and was armed again without it.
@@ -48,8 +49,7 @@ private:
     bool m_limit2 = false;
     bool m_positionError = false;
     bool m_currentLimit = false;
-    bool m_stops = false;
-    bool m_stopsByOff = false;
+    std::optional<StopManner> m_manner;
     bool m_switchesOff = false;
     bool m_leftOut1 = false;  ///< see trippedBeforeAtLimit1()
     bool m_leftOut2 = false;

@@ -189,7 +189,8 @@ bool ModuleState::watchHome(const bus::Sample& sample) {
     if (!found || !isServo())
         return found;
     if (homing.stops()) {
-        endedByChip(homing.stopsByOff() ? servo::StopManner::MotorOff : servo::StopManner::Abruptly);
+        endedByChip(homing.manner() == StopManner::Off ? servo::StopManner::MotorOff
+                                                       : servo::StopManner::Abruptly);
         // An abrupt or a smooth stop switches on a servo that is off, as by command.
         offCommanded = offCommanded && homing.switchesOff();
     }
