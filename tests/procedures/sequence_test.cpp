@@ -3,6 +3,7 @@
 // drives it. Where the motors are is read from the simulator.
 #include <gmock/gmock.h>
 
+#include "model/intent/homingplan.h"
 #include "tests/procedures/sequencebench.h"
 
 namespace nmc::test {
@@ -320,6 +321,61 @@ TEST_F(Sequences, HomesAnAxisByItsRecipe) {
     EXPECT_EQ(report.end, SequenceEnd::NotHomed);
     EXPECT_EQ(report.module, kTable);
     bench.expectRest();
+}
+
+// ---- limit stop for each motion ----
+
+/// The panel arms the limit stop of X, but only five turns after it is due.
+SequenceReport goOnArmingLate(SequenceBench& bench) {
+    unsigned turns = 0;
+    for (const TimePoint end = bench.bus.now + 60s; bench.turn() && bench.bus.now < end;)
+        if (const auto arm = limitStopDue(bench.modules[0]); arm && !bench.procedure && ++turns % 5 == 0)
+            EXPECT_TRUE(bench.order(kX, *arm));
+    return bench.run->report();
+}
+
+TEST_F(Sequences, AMoveWaitsForTheLimitStopThatAHomeSearchHasReplaced) {
+    HomingRecipe recipe = slowRecipe();
+    recipe.onLimit1 = true;
+    bench.machine.axes[0].homing = recipe;
+    bench.modules[0].home.forget();
+    bench.putSwitch(sim::Input::Limit1, -600, true);
+    bench.modules[0].limitStop = {.eachMotion = true, .onLimit1 = false};
+    ASSERT_TRUE(bench.order(kX, *limitStopDue(bench.modules[0])));
+    bench.machine.program.points = {{"A", {{kX, 300}}}};
+    bench.machine.program.sequences = {{"Main", {action::Home{kX}, action::MoveTo{"A"}}}};
+    ASSERT_THAT(whyNotRun("Main", 0, bench.machine, bench.modules), IsEmpty());
+    bench.start("Main");
+    EXPECT_EQ(goOnArmingLate(bench).stage, SequenceStage::Done);
+    EXPECT_NEAR(goalsOf(bench, kX).back(), 300, 1) << "home is 0 now";
+    EXPECT_TRUE(bench.modules[0].homing.onLimit2());
+    bench.bus.expectNoViolations();
+}
+
+/// X leaves limit switch 1 in reverse, and turns round at -550, where that limit is armed as well.
+TEST_F(Sequences, AMotorThatHasLeftALimitWaitsForItsLimitStopBeforeItTurnsRound) {
+    bench.putSwitch(sim::Input::Limit1, -10, false);
+    bench.modules[0].backlash = {50, false};
+    bench.modules[0].limitStop.eachMotion = true;
+    bench.settle();
+    ASSERT_TRUE(bench.order(kX, *limitStopDue(bench.modules[0])));
+    ASSERT_FALSE(bench.modules[0].homing.onLimit1()) << "the motor stands on that one";
+    bench.machine.program.points = {{"A", {{kX, -500}}}};
+    bench.run = SequenceRun::toPoint(bench.machine, "A");
+    EXPECT_EQ(goOnArmingLate(bench).stage, SequenceStage::Done);
+    EXPECT_EQ(goalsOf(bench, kX), (std::vector<std::int32_t>{-550, -500}));
+    EXPECT_TRUE(bench.modules[0].homing.onLimit1());
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(Sequences, AMoveIsRefusedIfItsLimitStopIsNeverArmed) {
+    bench.modules[0].limitStop.eachMotion = true;
+    bench.run = SequenceRun::toPoint(bench.machine, "A");
+    const SequenceReport report = bench.goOn(5.0);
+    EXPECT_EQ(report.end, SequenceEnd::Refused);
+    EXPECT_EQ(report.module, kX);
+    EXPECT_EQ(report.refusal, Refusal::LimitStopDue);
+    EXPECT_THAT(bench.goals(), IsEmpty());
 }
 
 TEST_F(Sequences, AStopInAHomeSearchStopsIt) {

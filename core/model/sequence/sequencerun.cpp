@@ -5,10 +5,14 @@
 #include <utility>
 
 #include "base/overloaded.h"
+#include "model/intent/homingplan.h"
 
 namespace nmc {
 
 namespace {
+
+/// Time for a limit stop that is due to be armed. Without a problem, it takes some milliseconds.
+constexpr Duration kArmedWithin = std::chrono::seconds(2);
 
 /// Puts the starts after all loads, so that a refused load leaves every motor where it is.
 void startsLast(std::vector<bus::Order>& steps) {
@@ -154,7 +158,7 @@ SequenceRun::Next SequenceRun::next(const Modules& modules, TimePoint now) {
         return Wait{};
     if (ending())
         return finishEnding(modules);
-    if (RowNext back = turnRound(modules))
+    if (RowNext back = turnRound(modules, now))
         return m_report.end ? finishEnding(modules) : *std::move(back);
     if (m_report.stage == SequenceStage::Pausing && !m_row.began && row() != nullptr) {
         m_report.stage = m_moves.empty() ? SequenceStage::Paused : SequenceStage::Pausing;
@@ -267,7 +271,7 @@ SequenceRun::RowNext SequenceRun::perform(const Action& row, const Modules& modu
     const double seconds = toSeconds(now - *m_row.began);
     return std::visit(
         Overloaded{
-            [&](const action::MoveTo& move) { return moveTo(move, modules); },
+            [&](const action::MoveTo& move) { return moveTo(move, modules, now); },
             [&](const action::Wait& wait) { return waitUntil(seconds >= wait.seconds); },
             [&](const action::WaitForArrival&) { return waitUntil(m_moves.empty()); },
             [&](const AnyOf<action::WaitForInput, action::WaitForAnalog> auto& wait) {
@@ -285,6 +289,17 @@ SequenceRun::RowNext SequenceRun::perform(const Action& row, const Modules& modu
 
 bool SequenceRun::anyMoves(std::span<const PointAxis> axes) const {
     return std::ranges::any_of(axes, [this](const PointAxis& axis) { return m_moves.contains(axis.module); });
+}
+
+/// At standstill, the panel arms the limit stop of an axis that uses one for each motion, also after a home
+/// search, which has replaced it. No motion starts before that.
+bool SequenceRun::awaitsLimitStop(const ModuleState& module, TimePoint now) {
+    if (!limitStopDue(module)) {
+        m_unarmed.erase(module.info.index);
+        return false;
+    }
+    const auto since = m_unarmed.try_emplace(module.info.index, now).first->second;
+    return now - since < kArmedWithin;
 }
 
 SequenceRun::Next SequenceRun::sendMoves(std::span<const PointAxis> axes, unsigned percent,
@@ -312,12 +327,12 @@ SequenceRun::Next SequenceRun::sendMoves(std::span<const PointAxis> axes, unsign
 
 /// Sends back the motors that have arrived where they turn round, whichever row is in progress and even if a
 /// pause is wanted. They arrive there at different times, so each one starts on its own.
-SequenceRun::RowNext SequenceRun::turnRound(const Modules& modules) {
+SequenceRun::RowNext SequenceRun::turnRound(const Modules& modules, TimePoint now) {
     std::vector<std::vector<bus::Order>> operations;
     for (auto& [index, move] : m_moves) {
-        if (!move.turns)
-            continue;
         const ModuleState& module = modules[index.value()];
+        if (!move.turns || awaitsLimitStop(module, now))
+            continue;
         const Leg back = *move.then;
         auto planned = planLeg(back, module);
         if (!planned)
@@ -330,7 +345,7 @@ SequenceRun::RowNext SequenceRun::turnRound(const Modules& modules) {
     return send(std::move(operations));
 }
 
-SequenceRun::RowNext SequenceRun::moveTo(const action::MoveTo& move, const Modules& modules) {
+SequenceRun::RowNext SequenceRun::moveTo(const action::MoveTo& move, const Modules& modules, TimePoint now) {
     const std::span<const PointAxis> axes = m_machine.program.point(move.point)->axes;
     if (m_row.sent == axes.size())
         return waitUntil(!move.waits || !anyMoves(axes));
@@ -340,8 +355,12 @@ SequenceRun::RowNext SequenceRun::moveTo(const action::MoveTo& move, const Modul
     const std::size_t before = m_row.sent > 0 ? 1 : 0;
     if (anyMoves(axes.subspan(m_row.sent - before, before + count)))
         return Wait{};
-    return sendMoves(axes.subspan(std::exchange(m_row.sent, m_row.sent + count), count), move.percent,
-                     modules);
+    const auto next = axes.subspan(m_row.sent, count);
+    if (std::ranges::any_of(
+            next, [&](const PointAxis& axis) { return awaitsLimitStop(modules[axis.module.value()], now); }))
+        return Wait{};
+    m_row.sent += count;
+    return sendMoves(next, move.percent, modules);
 }
 
 SequenceRun::RowNext SequenceRun::setOutput(const action::SetOutput& set, const ModuleState& module) {

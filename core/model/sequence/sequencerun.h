@@ -157,11 +157,12 @@ private:
     [[nodiscard]] bool hasArrived(const ModuleState& module, Move& move, TimePoint now);
     [[nodiscard]] Next proceed(const Modules& modules, TimePoint now);
     [[nodiscard]] RowNext perform(const Action& row, const Modules& modules, TimePoint now);
-    [[nodiscard]] RowNext moveTo(const action::MoveTo& move, const Modules& modules);
+    [[nodiscard]] RowNext moveTo(const action::MoveTo& move, const Modules& modules, TimePoint now);
     [[nodiscard]] RowNext setOutput(const action::SetOutput& set, const ModuleState& module);
     [[nodiscard]] RowNext findHome(const action::Home& home);
     [[nodiscard]] Next sendMoves(std::span<const PointAxis> axes, unsigned percent, const Modules& modules);
-    [[nodiscard]] RowNext turnRound(const Modules& modules);
+    [[nodiscard]] RowNext turnRound(const Modules& modules, TimePoint now);
+    [[nodiscard]] bool awaitsLimitStop(const ModuleState& module, TimePoint now);
     [[nodiscard]] bool anyMoves(std::span<const PointAxis> axes) const;
     [[nodiscard]] Next refused(ModuleIndex module, Refusal refusal);
     [[nodiscard]] Next send(std::vector<std::vector<bus::Order>> operations);
@@ -172,8 +173,9 @@ private:
     SequenceReport m_report;
     bool m_pauseWanted = false;
     unsigned m_inFlight = 0;
-    std::map<ModuleIndex, Move> m_moves;  ///< in progress
-    std::set<ModuleIndex> m_on;           ///< modules that this run has moved, which stay on
+    std::map<ModuleIndex, Move> m_moves;         ///< in progress
+    std::map<ModuleIndex, TimePoint> m_unarmed;  ///< since when a limit stop is due before their next move
+    std::set<ModuleIndex> m_on;                  ///< modules that this run has moved, which stay on
     std::optional<ModuleIndex> m_procedure;
     std::optional<ProcedureReport> m_procedureEnd;
     bool m_saysNothingMore = false;  ///< the motors are taken care of elsewhere
