@@ -146,8 +146,10 @@ class AtItsOwnLine(unittest.TestCase):
 
     def test_a_search_that_ends_with_the_motor_off_has_found_home(self):
         machine = self.place.file("off.json", """{"format": "nmc-panel-machine", "version": 1, "axes": [{"name": "X",
-            "homing": {"on_index": true, "velocity_counts_per_tick": 0.5, "acceleration_counts_per_tick2": 0.01,
-                       "stop": "motor off", "travel_limit_counts": 5000, "time_limit_s": 30, "go_to_home": false}}]}""")
+            "homing": {"on_limit1": false, "on_limit2": false, "on_index": true, "on_position_error": false,
+                       "on_current_limit": false, "on_home_switch": false, "then_index": false, "reverse": false,
+                       "velocity_counts_per_tick": 0.5, "acceleration_counts_per_tick2": 0.01, "stop": "motor off",
+                       "travel_limit_counts": 5000, "time_limit_s": 30, "go_to_home": false, "make_zero": false}}]}""")
         code, out, problems = self.place.ctl("--simulator=servo", "--machine", machine, "-",
                                              text=f"gains X --set {GAINS}\nenable X\nhome X --wait\nstate X\n")
         self.assertEqual(code, DONE, problems)

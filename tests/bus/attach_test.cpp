@@ -87,8 +87,8 @@ TEST(Attach, BelievesAServoThatRunsAtALowServoRate) {
         SCOPED_TRACE(sameHost);
         VirtualBus bus(servos(2), EngineConfig{19'200});
         ASSERT_TRUE(bus.connect());
-        servo::SetGain slow = *getIf<servo::SetGain>(gains(0).command);
-        slow.sr = 10;
+        const servo::SetGain slow{
+            20, 40, 0, 0, 255, 0, 16'000, 10, std::uint8_t{0}};  // soft enough for such a tick
         servo::LoadTrajectory run;
         run.velocity = CountsPerTick(20 * kOnePerTick);
         run.acceleration = CountsPerTickSquared(6'554);  // 0.1 counts per tick squared

@@ -233,8 +233,8 @@ TEST(GroupStart, OfVelocityModeIsSeenByTheWayThatIsGone) {
 TEST(GroupStart, OfVelocityModeIsSeenAtALowServoRateAsWell) {
     GroupBus bus(servos(2));
     ASSERT_TRUE(bus.connect());
-    servo::SetGain slow = *getIf<servo::SetGain>(gains(0).command);
-    slow.sr = 20;
+    const servo::SetGain slow{
+        20, 40, 0, 0, 255, 0, 16'000, 20, std::uint8_t{0}};  // soft enough for such a tick
     for (std::uint8_t i = 0; i < 2; ++i) {
         ASSERT_EQ(bus.perform({toServo(i, slow), enable(i)}), Outcome::Done);
         ASSERT_EQ(bus.put(i, 0x81).outcome, Outcome::Done);
