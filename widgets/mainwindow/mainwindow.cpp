@@ -376,13 +376,11 @@ void MainWindow::showFigures(const LinkFigures& figures) {
 }
 
 void MainWindow::showMachine(const Machine& machine) {
-    std::vector<const ModuleState*> edited;
-    for (const ModuleState& module : m_session.link().modules)
-        if (machine.axis(module.info.index) != m_session.machine().axis(module.info.index))
-            edited.push_back(&module);
+    const Machine before = m_session.machine();
     m_session.setMachine(machine);
-    for (const ModuleState* module : edited)
-        m_panel->keepUpToDate(m_session.viewOf(*module));
+    for (const ModuleState& module : m_session.link().modules)
+        if (machine.axis(module.info.index) != before.axis(module.info.index))
+            m_panel->keepUpToDate(m_session.viewOf(module));
     m_operator->showRights(machine.operatorRights);
 }
 
