@@ -238,7 +238,10 @@ void BusStore::note(const bus::ForeignTraffic& /*traffic*/) {
 }
 
 void BusStore::noteHome(ModuleIndex module, std::int32_t counts) {
-    change(module, [counts](ModuleState& state) { state.home.found(counts, state.latestTime); });
+    // Announced with the procedure's report, in the middle of which this is: an announcement from here would
+    // make the procedure go on from itself.
+    if (known(module))
+        m_link.modules[module.value()].home.found(counts, m_link.modules[module.value()].latestTime);
 }
 
 void BusStore::noteFocus(std::optional<ModuleIndex> module) {
