@@ -38,6 +38,7 @@
 #include "widgets/looptests/looptestsdock.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
+#include "widgets/mainwindow/colourchoice.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/escfilter.h"
 #include "widgets/mainwindow/inputfilters.h"
@@ -89,6 +90,7 @@ MainWindow::MainWindow(QSettings& settings, QWidget* parent)
       m_settings(settings),
       m_requests(new Requests(this)),
       m_model(new MessageModel(this)),
+      m_colours(new ColourChoice(settings, this)),
       m_focus(new FocusKeeper(*this)),
       m_machineMenu(new MachineMenu(this)),
       m_chainMenu(new ChainMenu(m_session.machine(), m_session.link(), *m_requests, this)) {

@@ -26,6 +26,7 @@ class AxesDock;
 class Banner;
 class Bell;
 class ChainView;
+class ColourChoice;
 class CommandPalette;
 class ConnectionBar;
 class FocusKeeper;
@@ -107,6 +108,7 @@ public:
     [[nodiscard]] MachineMenu& machineMenu() { return *m_machineMenu; }
     [[nodiscard]] ChainMenu& chainMenu() { return *m_chainMenu; }
     [[nodiscard]] Bell& bell() { return *m_bell; }
+    [[nodiscard]] ColourChoice& colours() { return *m_colours; }
     [[nodiscard]] OperatorLock& operatorLock() { return *m_operator; }
     [[nodiscard]] MessagePanel& messages() { return *m_messages; }
     /// All messages of this session.
@@ -201,6 +203,7 @@ private:
     QSettings& m_settings;
     Requests* m_requests;
     MessageModel* m_model;
+    ColourChoice* m_colours;
     Session m_session;
     FocusKeeper* m_focus;
     MachineMenu* m_machineMenu;

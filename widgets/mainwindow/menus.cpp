@@ -13,16 +13,15 @@
 #include "widgets/chain/chainmenu.h"
 #include "widgets/common/languages.h"
 #include "widgets/common/look.h"
-#include "widgets/common/palettes.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
 #include "widgets/help/manualwindow.h"
 #include "widgets/machine/machinemenu.h"
 #include "widgets/mainwindow/bell.h"
+#include "widgets/mainwindow/colourchoice.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "widgets/mainwindow/mainwindow.h"
 #include "widgets/mainwindow/operatorlock.h"
-#include "widgets/mainwindow/settingskeys.h"
 #include "widgets/scope/scopefiles.h"
 
 namespace nmc {
@@ -33,10 +32,6 @@ namespace {
 
 class Menus {
     Q_DECLARE_TR_FUNCTIONS(Menus)
-};
-
-class ColourChoice {
-    Q_DECLARE_TR_FUNCTIONS(nmc::ColourChoice)
 };
 
 void openBox(MainWindow& window, const QString& objectName, const QString& title, const QString& text,
@@ -100,37 +95,6 @@ void addLanguages(QMenu& view, MainWindow& window, QSettings& settings) {
     }
 }
 
-/// Adds the choice of the program's palette. The last choice is in force from the start.
-void addColours(QMenu& view, MainWindow& window, QSettings& settings) {
-    QMenu* menu = view.addMenu(Menus::tr("Colour&s"));
-    look::name(menu, u"coloursMenu"_s, Menus::tr("Colours"));
-    menu->setToolTipsVisible(true);
-    auto* group = new QActionGroup(menu);
-    struct Entry {
-        QString name;  ///< of the action, and in the settings
-        QString text;
-        look::Colours colours;
-    };
-    for (const Entry& entry :
-         {Entry{u"system"_s, ColourChoice::tr("&System"), look::Colours::System},
-          Entry{u"light"_s, ColourChoice::tr("&Light"), look::Colours::Light},
-          Entry{u"dark"_s, ColourChoice::tr("&Dark"), look::Colours::Dark},
-          Entry{u"highContrast"_s, ColourChoice::tr("&High contrast"), look::Colours::HighContrast}}) {
-        QAction* action =
-            addAction(menu, entry.name + u"ColoursAction"_s, entry.text, {}, window, [&settings, entry] {
-                settings.setValue(settingskeys::kColours, entry.name);
-                look::useColours(entry.colours);
-            });
-        action->setCheckable(true);
-        group->addAction(action);
-        const bool kept = settings.value(settingskeys::kColours).toString() == entry.name;
-        if (kept || entry.colours == look::Colours::System) {
-            action->setChecked(true);
-            look::useColours(entry.colours);
-        }
-    }
-}
-
 }  // namespace
 
 void fillMenus(QMenuBar& bar, MainWindow& window, QSettings& settings) {
@@ -174,7 +138,10 @@ void fillMenus(QMenuBar& bar, MainWindow& window, QSettings& settings) {
         view->addAction(toggle);
     }
     view->addSeparator();
-    addColours(*view, window, settings);
+    QMenu* colours = view->addMenu(Menus::tr("Colour&s"));
+    look::name(colours, u"coloursMenu"_s, Menus::tr("Colours"));
+    colours->setToolTipsVisible(true);
+    colours->addActions(window.colours().actions());
     view->addAction(window.bell().action());
     addLanguages(*view, window, settings);
     addAction(view, u"resetLayoutAction"_s, Menus::tr("&Reset layout"), {}, window, &MainWindow::resetLayout);

@@ -9,7 +9,7 @@ namespace nmc {
 class MainWindow;
 
 /// Adds the menus File, Chain, Module, View and Help of a window that has all its parts. `settings` stores
-/// the chosen language and colours, of which the latter are in force at once; it must outlive the window.
+/// the chosen language.
 void fillMenus(QMenuBar& bar, MainWindow& window, QSettings& settings);
 
 }  // namespace nmc
