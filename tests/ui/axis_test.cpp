@@ -204,13 +204,15 @@ TEST_F(Axis, ItsUnitTakesNothingElseBack) {
     type(u"unitDialogLines"_s, u"500"_s);
     type(u"unitDialogMotorTurns"_s, u"2"_s);
     type(u"unitDialogTravel"_s, u"5"_s);
+    auto* use = button(u"unitDialogUse"_s);
+    ASSERT_NE(use, nullptr);
     auto* list = find<QAbstractItemView>(u"chainList"_s);
     list->setCurrentIndex(list->model()->index(1, 0));
     machine.axes.resize(2);
     machine.axes[0].travel.highest = 4'000;
     machine.axes[0].travel.fastest = 0.5;
     window->showMachine(machine);
-    click(u"unitDialogUse"_s);
+    QTest::mouseClick(use, Qt::LeftButton);
     EXPECT_EQ(machine.axis(ModuleIndex(0)).unit, (AxisUnit{UnitKind::Millimetres, 800, {}}));
     EXPECT_EQ(machine.axis(ModuleIndex(0)).travel.highest, 4'000);
     EXPECT_EQ(machine.axis(ModuleIndex(0)).travel.fastest, 0.5);
