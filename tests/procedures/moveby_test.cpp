@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Relative moves that are repeated.
+#include "model/intent/homingplan.h"
 #include "module/stepperspeed.h"
 #include "tests/procedures/procedurebench.h"
 
@@ -71,6 +72,20 @@ TEST_F(MoveBy, GoesBackAndForthAndPauses) {
     EXPECT_EQ(goals(), (std::vector<std::int32_t>{300, 0, 300, 0}));
     EXPECT_GT(toSeconds(bench.bus.now - began), 1.5) << "there are three pauses";
     EXPECT_NEAR(bench.truth().position, 0, 2);
+    bench.bus.expectNoViolations();
+}
+
+/// It stands on limit switch 1 at first, which it must be able to leave.
+TEST_F(MoveBy, ArmsTheLimitStopThatIsDueOnceTheMotorHasLeftASwitch) {
+    bench.putSwitch(sim::Input::Limit1, 100, true);
+    ASSERT_TRUE(bench.enable());
+    bench.module().limitStop.eachMotion = true;
+    ASSERT_TRUE(bench.perform(*limitStopDue(bench.module())));
+    ASSERT_FALSE(bench.module().homing.onLimit1());
+    EXPECT_EQ(bench.run(by(300, 3)).stage, ProcedureStage::Done);
+    EXPECT_EQ(goals(), (std::vector<std::int32_t>{300, 600, 900}));
+    EXPECT_TRUE(bench.module().homing.onLimit1());
+    EXPECT_TRUE(bench.module().homing.onLimit2());
     bench.bus.expectNoViolations();
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/goalmoves.h"
 
+#include <utility>
+
 #include "model/intent/backlash.h"
+#include "model/intent/homingplan.h"
 #include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
 
@@ -28,16 +31,23 @@ GoalMoves::Next GoalMoves::go(ProcedureStage stage, std::int64_t goal, const Mod
     m_heading = static_cast<std::int32_t>(goal);
     const Intent next = moveTo(m_heading);
     // A turn to take up the backlash is one of these moves, and no reason to turn another time.
-    const ModuleState straight = withoutBacklash(module);
+    ModuleState straight = withoutBacklash(module);
     if (travelProblem(next, straight))
         return fail(ProcedureFailure::SoftLimit);
-    const auto orders = plan(next, straight);
-    if (!orders)
+    // Due if the motor has left a closed limit switch; while a procedure runs, nothing else arms it.
+    Orders steps;
+    if (const auto arm = limitStopDue(module)) {
+        steps = orders({limitStop(*arm)});
+        straight.limitStop.eachMotion = false;
+    }
+    const auto move = plan(next, straight);
+    if (!move)
         return fail(ProcedureFailure::Refused);
+    steps.insert(steps.end(), move->begin(), move->end());
     m_report.stage = stage;
     m_moves = true;
     m_rest.restart();
-    return send(*orders);
+    return send(std::move(steps));
 }
 
 std::optional<GoalMoves::Next> GoalMoves::underWay(const ModuleState& module, TimePoint now) {
