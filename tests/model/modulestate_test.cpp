@@ -368,6 +368,7 @@ TEST(ModuleState, AJumpThatNoMotionLeadsToIsDoubtfulForAWhile) {
     EXPECT_FALSE(module.positionDoubtful());
     says(1.1, 3'386, true);
     EXPECT_TRUE(module.positionDoubtful());
+    EXPECT_EQ(module.speed.perSecond().value_or(0), 0) << "that is no motion";
     says(3.0, 3'386);
     EXPECT_TRUE(module.positionDoubtful());
     says(3.05, 0, true);  // its own answers again

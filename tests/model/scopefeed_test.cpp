@@ -70,6 +70,25 @@ TEST(ScopeFeed, APositionThatGoesRoundIsAGapAndNoVelocity) {
     EXPECT_TRUE(std::isnan(round->velocity));
 }
 
+/// The shaft stands at 100 000 while the counter is set to 0, from here or by another host.
+TEST(ScopeFeed, ACounterThatIsSetIsAGapAndNoVelocity) {
+    for (const bool fromHere : {true, false}) {
+        ScopeFeed feed;
+        for (int i = 0; i <= 20; ++i)
+            static_cast<void>(feed.take(sampleOf(i * 0.01, kHolds, kServoOn, 100'000)));
+        if (fromHere)
+            feed.apply(executedAt(0.205, ResetPosition{}));
+        for (int i = 0; i < 10; ++i) {
+            bus::Sample sample = sampleOf(0.21 + i * 0.01, kHolds, kServoOn, 0);
+            sample.jumped = !fromHere && i == 0;
+            const auto set = feed.take(sample);
+            ASSERT_TRUE(set);
+            EXPECT_EQ(set->gapBefore, i == 0) << i;
+            EXPECT_FALSE(std::abs(set->velocity) > 0) << i << ": " << set->velocity;
+        }
+    }
+}
+
 TEST(ScopeFeed, TheErrorIsTheShortWayRound) {
     ScopeFeed feed;
     constexpr std::int32_t kTop = std::numeric_limits<std::int32_t>::max();

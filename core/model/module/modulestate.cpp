@@ -40,12 +40,14 @@ void ModuleState::apply(const bus::Sample& sample) {
         latest.emplace();
     merge(info.identity, *latest, sample.report);
     latestTime = sample.time;
+    if (sample.jumped) {
+        m_jumpedAt = sample.time;
+        speed.forget();
+    }
     if (sample.report.position)
         speed.apply(sample.time, *sample.report.position);
     if (sample.report.counter)
         counting.apply(sample.time, static_cast<std::int32_t>(*sample.report.counter));
-    if (sample.jumped)
-        m_jumpedAt = sample.time;
     home.apply(sample);
     const bool homeFound = watchHome(sample);
     const std::optional<Activity> endedBefore = stepper.ended();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "module/commandfacts.h"
+
 namespace nmc {
 
 namespace {
@@ -14,6 +16,12 @@ constexpr Duration kPatience = std::chrono::milliseconds(20);
 constexpr double kRange = 4294967296.0;  ///< positions wrap around (DS-V 4.5)
 
 }  // namespace
+
+void ScopeFeed::apply(const bus::CommandExecuted& executed) {
+    m_command.apply(executed);
+    if (setsCounter(executed.command))
+        m_recent.clear();
+}
 
 std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
     if (sample.report.pins)
@@ -32,7 +40,7 @@ std::optional<ScopeSample> ScopeFeed::take(const bus::Sample& sample) {
     made.aux = m_aux;
     const bool wrapped =
         !m_recent.empty() && std::abs(std::int64_t{made.position} - m_recent.back().position) > INT32_MAX;
-    made.gapBefore = missingBefore(sample.time) || wrapped;
+    made.gapBefore = missingBefore(sample.time) || wrapped || sample.jumped;
     if (made.gapBefore)
         m_recent.clear();
     made.velocity = velocity({made.time, made.position});

@@ -22,7 +22,9 @@ public:
     /// marked as old by the same rule (interface.md, "Values").
     static constexpr int kMissingAfter = 3;
 
-    void apply(const bus::CommandExecuted& executed) { m_command.apply(executed); }
+    /// If the command sets the counter, the next sample is not connected with the last: it jumped, and did
+    /// not move.
+    void apply(const bus::CommandExecuted& executed);
     /// Returns nothing for a status without a position or, from a PIC-I/O, without pins.
     [[nodiscard]] std::optional<ScopeSample> take(const bus::Sample& sample);
     /// Called when it is unknown whether a command was executed, or the module has restarted: the command
