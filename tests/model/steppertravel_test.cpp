@@ -5,8 +5,10 @@
 
 #include "model/intent/homingplan.h"
 #include "model/intent/jog.h"
+#include "model/intent/pace.h"
 #include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
+#include "model/module/stepperdefaults.h"
 #include "tests/model/stepperfixture.h"
 
 namespace nmc {
@@ -145,6 +147,43 @@ TEST(StepperTravel, AStepperGoesNoFasterEither) {
     bus::HoldToMove hold;
     hold.pace = bus::StepperPace{1, 4};
     EXPECT_EQ(withinTravel(hold, stepper.module).error().refusal, Refusal::TooFast);
+}
+
+/// An axis without a velocity of its own goes at 400 steps/s. Of 115 steps/s, the nearest speed is 5, which
+/// is 125 steps/s, and the one below is 4.
+TEST(StepperTravel, APaceIsNoFasterThanTheAxisMayMove) {
+    Stepper stepper = limitedStepper();
+    AxisSettings axis;
+    const auto speed = [&](double share = 1.0) {
+        return std::get<bus::StepperPace>(paceOf(stepper.module, axis, share)).speed;
+    };
+    const auto goes = [&] {
+        return plan(intent::Move{moveTo(500, paceOf(stepper.module, axis))}, stepper.module).has_value();
+    };
+    EXPECT_EQ(speed(), 16);
+    EXPECT_EQ(speed(0.5), 8);
+    axis.travel.fastest = stepper.module.travel.fastest = 200;
+    EXPECT_EQ(speed(), 8);
+    EXPECT_TRUE(goes());
+    axis.travel.fastest = stepper.module.travel.fastest = 115;
+    EXPECT_EQ(speed(), 4);
+    axis.motion.velocity = 115;
+    EXPECT_EQ(speed(), 4);
+    EXPECT_TRUE(goes());
+    axis.motion.velocity = 200;
+    EXPECT_FALSE(goes()) << "that is set, and too fast";
+    axis.motion.velocity = 115;
+    axis.travel.fastest = stepper.module.travel.fastest = 0;
+    EXPECT_EQ(speed(), 5) << "no limit is set";
+}
+
+// At 1x, count 64 913 is 625 000 / 625 = 1 000 steps/s, and 64 912 is 625 000 / 626 = 998.4.
+TEST(StepperTravel, ATimerCountIsNoFasterThanTheAxisMayMove) {
+    const Stepper stepper = limitedStepper();
+    AxisSettings axis;
+    EXPECT_EQ(stepperdefaults::timerFor(999.5, stepper.module.stepper, axis).count, 64'913);
+    axis.travel.fastest = 999.5;
+    EXPECT_EQ(stepperdefaults::timerFor(999.5, stepper.module.stepper, axis).count, 64'912);
 }
 
 }  // namespace

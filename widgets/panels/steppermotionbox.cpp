@@ -242,25 +242,32 @@ void StepperMotionBox::showModule() {
     refresh();
 }
 
+std::uint8_t StepperMotionBox::chipSpeed(double speed) const {
+    return stepperdefaults::speedFor(speed, m_context.state().stepper, m_context.settings());
+}
+
+stepper::TimerCount StepperMotionBox::chipTimer(double speed) const {
+    return stepperdefaults::timerFor(speed, m_context.state().stepper, m_context.settings());
+}
+
 std::optional<StepperMotion> StepperMotionBox::motion(bool reverse) const {
     const auto goal = m_goal->native();
     const auto speed = m_speed->native();
     if (!speed || (hasGoal() && !goal))
         return std::nullopt;
-    const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
     const auto position = static_cast<std::int32_t>(goal.value_or(0));
     const std::uint8_t acceleration = stepperdefaults::accelerationTime(m_context.settings());
     switch (mode()) {
         case Mode::Trapezoid:
-            return steppermotion::Trapezoid{position, m_relative->isChecked(), speeds.speedFor(*speed),
+            return steppermotion::Trapezoid{position, m_relative->isChecked(), chipSpeed(*speed),
                                             acceleration};
         case Mode::Profile:
-            return steppermotion::VelocityProfile{speeds.speedFor(*speed), acceleration,
+            return steppermotion::VelocityProfile{chipSpeed(*speed), acceleration,
                                                   m_context.chipReverse(reverse)};
         case Mode::TimedMove:
-            return steppermotion::UnprofiledMove{position, m_relative->isChecked(), speeds.timerFor(*speed)};
+            return steppermotion::UnprofiledMove{position, m_relative->isChecked(), chipTimer(*speed)};
         case Mode::TimedRun:
-            return steppermotion::UnprofiledRun{speeds.timerFor(*speed), m_context.chipReverse(reverse)};
+            return steppermotion::UnprofiledRun{chipTimer(*speed), m_context.chipReverse(reverse)};
     }
     return std::nullopt;
 }
@@ -348,10 +355,10 @@ QString StepperMotionBox::outcome() const {
         return m_speed->problemText();
     const StepperSpeed speeds = stepperdefaults::speedMode(m_context.state().stepper, m_context.settings());
     if (!profiled())
-        return texts::timedSpeed(speeds, speeds.timerFor(*speed), m_speed->scale());
+        return texts::timedSpeed(speeds, chipTimer(*speed), m_speed->scale());
     const auto& parameters = m_context.state().stepper.parameters;
-    return texts::profiledSpeed(speeds, speeds.speedFor(*speed),
-                                parameters ? parameters->minimumProfileSpeed : 1, m_speed->scale());
+    return texts::profiledSpeed(speeds, chipSpeed(*speed), parameters ? parameters->minimumProfileSpeed : 1,
+                                m_speed->scale());
 }
 
 /// Returns the duration and peak speed to show before the start.
@@ -366,7 +373,7 @@ QString StepperMotionBox::forecast() const {
     if (!hasGoal()) {
         if (!profiled())
             return tr("At constant speed, without a ramp.");
-        const int units = std::max(0, speeds.speedFor(*speed) - minimum);
+        const int units = std::max(0, chipSpeed(*speed) - minimum);
         return tr("Takes %1 s from standstill.").arg(texts::readout(units * acceleration * 0.00025, 3));
     }
     const auto goal = m_goal->native();
@@ -375,9 +382,9 @@ QString StepperMotionBox::forecast() const {
         return {};
     const double way = m_relative->isChecked() ? *goal : *goal - *position;
     if (profiled())
-        return texts::forecast(forecastMove(speeds, minimum, speeds.speedFor(*speed), acceleration, way),
+        return texts::forecast(forecastMove(speeds, minimum, chipSpeed(*speed), acceleration, way),
                                m_speed->scale());
-    const double rate = speeds.ofCount(speeds.timerFor(*speed).count);
+    const double rate = speeds.ofCount(chipTimer(*speed).count);
     return texts::forecast({std::abs(way) / rate, way == 0 ? 0 : rate, false}, m_speed->scale());
 }
 

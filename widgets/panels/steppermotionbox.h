@@ -66,6 +66,9 @@ private:
     [[nodiscard]] std::optional<Refusal> refusalOf(bool reverse) const;
     /// True if only Table 4 prevents the motion, so that it is possible after a stop.
     [[nodiscard]] bool viaStop(bool reverse) const;
+    /// What the chip is sent for a speed.
+    [[nodiscard]] std::uint8_t chipSpeed(double speed) const;
+    [[nodiscard]] stepper::TimerCount chipTimer(double speed) const;
     [[nodiscard]] QString reasonFor(bool reverse) const;
     [[nodiscard]] QString outcome() const;
     [[nodiscard]] QString forecast() const;

@@ -38,6 +38,29 @@ inline constexpr std::uint8_t kAccelerationTime = 40;  ///< 10 ms from one integ
 [[nodiscard]] inline double atMost(double speed, const AxisSettings& settings) {
     return settings.travel.fastest > 0 ? std::min(speed, settings.travel.fastest) : speed;
 }
+/// True if a speed that the axis may move would exceed the fastest one when the chip runs `rounded` instead.
+[[nodiscard]] inline bool roundsBeyond(double speed, double rounded, const AxisSettings& settings) {
+    constexpr double kGrain = 1e-6;  // absorbs the rounding of a limit that was set in the user's unit
+    const double most = settings.travel.fastest + kGrain;
+    return settings.travel.fastest > 0 && speed <= most && rounded > most;
+}
+/// The integer speed nearest to this, but the one below where only that is allowed.
+[[nodiscard]] inline std::uint8_t speedFor(double speed, const StepperState& stepper,
+                                           const AxisSettings& settings) {
+    const StepperSpeed mode = speedMode(stepper, settings);
+    const std::uint8_t nearest = mode.speedFor(speed);
+    const bool below = nearest > 1 && roundsBeyond(speed, mode.ofSpeed(nearest), settings);
+    return static_cast<std::uint8_t>(nearest - (below ? 1 : 0));
+}
+/// The timer count nearest to this, likewise.
+[[nodiscard]] inline stepper::TimerCount timerFor(double speed, const StepperState& stepper,
+                                                  const AxisSettings& settings) {
+    const StepperSpeed mode = speedMode(stepper, settings);
+    stepper::TimerCount timer = mode.timerFor(speed);
+    if (timer.count > 1 && roundsBeyond(speed, mode.ofCount(timer.count), settings))
+        timer.nearestSpeed = mode.speedFor(mode.ofCount(--timer.count));
+    return timer;
+}
 [[nodiscard]] inline double holdCap(const StepperState& stepper, const AxisSettings& settings) {
     const double cap = settings.motion.holdCap > 0 ? settings.motion.holdCap : kHoldCap;
     const double slowest = slowestProfile(stepper, settings);
