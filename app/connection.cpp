@@ -242,13 +242,11 @@ void Connection::on(const bus::ChainFound& found) {
 void Connection::on(const PortClosed& closed) {
     m_searchWhenIdle = false;
     m_unconfirmed[m_target->port] = closed.unconfirmed;
-    if (closed.error) {
-        if (closed.error->problem == PortProblem::Gone) {
-            m_lost = {m_target->port, m_chain};
-            m_unplugged = m_target;
-        }
-        m_ports.closed(*closed.error);
+    if (closed.error && closed.error->problem == PortProblem::Gone) {
+        m_lost = {m_target->port, m_chain};
+        m_unplugged = m_target;
     }
+    m_ports.closed(closed.error);
     // Only now: while the modules have their former numbers, none must get the settings of another.
     if (const auto chain = std::exchange(m_accepted, std::nullopt)) {
         rememberChain(m_settings, m_target->port, chain->present);

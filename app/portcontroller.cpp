@@ -37,9 +37,9 @@ void PortController::opening(const ConnectTarget& target) {
     emit ended(texts::key::kSlowAdapter);  // its remedy applies to the port that is open
 }
 
-void PortController::closed(const PortError& error) {
+void PortController::closed(const std::optional<PortError>& error) {
     m_slow.reset();
-    if (error.problem != PortProblem::Gone)
+    if (!error || error->problem != PortProblem::Gone)
         return;
     m_lost = true;
     m_adapters.lost(m_open.port);

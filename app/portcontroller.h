@@ -46,7 +46,8 @@ public:
     }
 
     void opening(const ConnectTarget& target);
-    void closed(const PortError& error);
+    /// For every end of a connection, with what ended it.
+    void closed(const std::optional<PortError>& error);
 
     /// The adapter latency to allow for in timeouts (link.md 2.1).
     [[nodiscard]] Duration adapterLatency(const QString& port) const;

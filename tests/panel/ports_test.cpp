@@ -321,6 +321,20 @@ TEST(SlowAdapter, AtOneMillisecondIsNotSlow) {
     EXPECT_EQ(told, 1);
 }
 
+/// For example the simulator is opened next, whose rate says nothing about the adapter.
+TEST(SlowAdapter, IsNotToldOfOnceItsPortIsClosed) {
+    PortsMachine machine;
+    const QString port = machine.port("ttyUSB0");
+    machine.setLatency(port, "16\n");
+    PortController controller(machine.places());
+    int told = 0;
+    QObject::connect(&controller, &PortController::reported, [&told] { ++told; });
+    controller.opening({port, 19'200});
+    controller.closed(std::nullopt);
+    controller.noteRate(200);
+    EXPECT_EQ(told, 0);
+}
+
 // ---- the sentences ----
 
 PortError busy(const char* program, std::int64_t pid) {
