@@ -30,8 +30,11 @@ std::vector<std::uint8_t> addressesIn(ByteSpan burst) {
             ++i;  // a null between packets
             continue;
         }
-        if (burst[i + 1] >= 1 && burst[i + 1] <= kMostModules)
-            addresses.push_back(burst[i + 1]);
+        const std::uint8_t address = burst[i + 1];
+        // A module may be sent several packets: its gains before its stop, or two of a PIC-I/O.
+        if (address >= 1 && address <= kMostModules &&
+            std::ranges::find(addresses, address) == addresses.end())
+            addresses.push_back(address);
         i += 4U + (burst[i + 2] >> 4U);
     }
     return addresses;
