@@ -52,10 +52,12 @@ struct Reporter {
         return {{texts::echoNoticed(port), Until::ConnectionEnds}};
     }
     All operator()(const bus::HoldExpired& expired) const {
-        return {{texts::withRecord(texts::holdExpired(expired.module)),
-                 Until::ModuleObeys,
-                 bus::StopCause::HoldExpired,
-                 {expired.module}}};
+        News news{texts::withRecord(texts::holdExpired(expired)), Until::ModuleObeys};
+        if (expired.started) {
+            news.stop = bus::StopCause::HoldExpired;
+            news.stopped = {expired.module};
+        }
+        return {news};
     }
     All operator()(const bus::HealthChanged& changed) const {
         if (changed.health == bus::LinkHealth::Good)

@@ -3651,6 +3651,38 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>An Modul %1 ging beim Tippen ein Stoppbefehl: Länger als 250 ms hielt nichts das Tippen aufrecht.</translation>
     </message>
     <message>
+        <source>Module %1 was commanded to stop jogging: it did not confirm the command.</source>
+        <translation>An Modul %1 ging beim Tippen ein Stoppbefehl: Es hat den Befehl nicht bestätigt.</translation>
+    </message>
+    <message>
+        <source>Module %1 did not confirm the command to jog. Nothing was started.</source>
+        <translation>Modul %1 hat den Befehl zum Tippen nicht bestätigt. Nichts wurde gestartet.</translation>
+    </message>
+    <message>
+        <source>The command or its answer was lost or garbled: if this recurs, check the cable. Press and hold again.</source>
+        <translation>Der Befehl oder die Antwort ging verloren oder war gestört: Bei Wiederholung das Kabel prüfen. Erneut drücken und halten.</translation>
+    </message>
+    <message>
+        <source>Module %1 was commanded to stop jogging: its state no longer permits it.</source>
+        <translation>An Modul %1 ging beim Tippen ein Stoppbefehl: Sein Zustand lässt es nicht mehr zu.</translation>
+    </message>
+    <message>
+        <source>Module %1 cannot jog in its present state. Nothing was started.</source>
+        <translation>Modul %1 kann in seinem jetzigen Zustand nicht tippen. Nichts wurde gestartet.</translation>
+    </message>
+    <message>
+        <source>Its state says why: for example, its motor is off. Press and hold again once it may move.</source>
+        <translation>Sein Zustand nennt den Grund: Zum Beispiel ist sein Motor aus. Erneut drücken und halten, sobald er fahren darf.</translation>
+    </message>
+    <message>
+        <source>Module %1 was commanded to stop jogging: its travel limit has changed.</source>
+        <translation>An Modul %1 ging beim Tippen ein Stoppbefehl: Seine Fahrweggrenze hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>Press and hold again to jog within the present limits.</source>
+        <translation>Erneut drücken und halten, um innerhalb der jetzigen Grenzen zu tippen.</translation>
+    </message>
+    <message>
         <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>
         <translation>An Modul %1 ging ein Stoppbefehl: Es meldet Bewegung, aber seine Position bleibt bei %2 Inkrementen.</translation>
     </message>

@@ -3651,6 +3651,38 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Se ordenó al módulo %1 terminar el jog: nada lo mantuvo durante más de 250 ms.</translation>
     </message>
     <message>
+        <source>Module %1 was commanded to stop jogging: it did not confirm the command.</source>
+        <translation>Se ordenó al módulo %1 terminar el jog: no confirmó el comando.</translation>
+    </message>
+    <message>
+        <source>Module %1 did not confirm the command to jog. Nothing was started.</source>
+        <translation>El módulo %1 no confirmó el comando de jog. No se inició nada.</translation>
+    </message>
+    <message>
+        <source>The command or its answer was lost or garbled: if this recurs, check the cable. Press and hold again.</source>
+        <translation>El comando o su respuesta se perdió o se corrompió: si se repite, compruebe el cable. Vuelva a mantener pulsado.</translation>
+    </message>
+    <message>
+        <source>Module %1 was commanded to stop jogging: its state no longer permits it.</source>
+        <translation>Se ordenó al módulo %1 terminar el jog: su estado ya no lo permite.</translation>
+    </message>
+    <message>
+        <source>Module %1 cannot jog in its present state. Nothing was started.</source>
+        <translation>El módulo %1 no puede hacer jog en su estado actual. No se inició nada.</translation>
+    </message>
+    <message>
+        <source>Its state says why: for example, its motor is off. Press and hold again once it may move.</source>
+        <translation>Su estado dice por qué: por ejemplo, su motor está apagado. Vuelva a mantener pulsado cuando pueda moverse.</translation>
+    </message>
+    <message>
+        <source>Module %1 was commanded to stop jogging: its travel limit has changed.</source>
+        <translation>Se ordenó al módulo %1 terminar el jog: su límite de recorrido ha cambiado.</translation>
+    </message>
+    <message>
+        <source>Press and hold again to jog within the present limits.</source>
+        <translation>Vuelva a mantener pulsado para hacer jog dentro de los límites actuales.</translation>
+    </message>
+    <message>
         <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>
         <translation>Se ordenó parar al módulo %1: indica movimiento, pero su posición sigue en %2 cuentas.</translation>
     </message>

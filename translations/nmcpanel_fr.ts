@@ -3651,6 +3651,38 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le module %1 a reçu l’ordre d’arrêter le jog&#xa0;: rien ne l’a maintenu pendant plus de 250&#xa0;ms.</translation>
     </message>
     <message>
+        <source>Module %1 was commanded to stop jogging: it did not confirm the command.</source>
+        <translation>Le module %1 a reçu l’ordre d’arrêter le jog&#xa0;: il n’a pas confirmé la commande.</translation>
+    </message>
+    <message>
+        <source>Module %1 did not confirm the command to jog. Nothing was started.</source>
+        <translation>Le module %1 n’a pas confirmé la commande de jog. Rien n’a été démarré.</translation>
+    </message>
+    <message>
+        <source>The command or its answer was lost or garbled: if this recurs, check the cable. Press and hold again.</source>
+        <translation>La commande ou sa réponse s’est perdue ou a été altérée&#xa0;: si cela se répète, vérifiez le câble. Appuyez de nouveau et maintenez.</translation>
+    </message>
+    <message>
+        <source>Module %1 was commanded to stop jogging: its state no longer permits it.</source>
+        <translation>Le module %1 a reçu l’ordre d’arrêter le jog&#xa0;: son état ne le permet plus.</translation>
+    </message>
+    <message>
+        <source>Module %1 cannot jog in its present state. Nothing was started.</source>
+        <translation>Le module %1 ne peut pas faire de jog dans son état actuel. Rien n’a été démarré.</translation>
+    </message>
+    <message>
+        <source>Its state says why: for example, its motor is off. Press and hold again once it may move.</source>
+        <translation>Son état dit pourquoi&#xa0;: par exemple, son moteur est coupé. Appuyez de nouveau et maintenez dès qu’il peut se déplacer.</translation>
+    </message>
+    <message>
+        <source>Module %1 was commanded to stop jogging: its travel limit has changed.</source>
+        <translation>Le module %1 a reçu l’ordre d’arrêter le jog&#xa0;: sa limite de course a changé.</translation>
+    </message>
+    <message>
+        <source>Press and hold again to jog within the present limits.</source>
+        <translation>Appuyez de nouveau et maintenez pour continuer le jog dans les limites actuelles.</translation>
+    </message>
+    <message>
         <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>
         <translation>Le module %1 a reçu l’ordre d’arrêt&#xa0;: il signale un mouvement, mais sa position reste à %2 incréments.</translation>
     </message>

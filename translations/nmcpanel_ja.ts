@@ -3642,6 +3642,38 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モジュール%1にジョグの停止を指令しました。250 msを超えてジョグが維持されなかったためです。</translation>
     </message>
     <message>
+        <source>Module %1 was commanded to stop jogging: it did not confirm the command.</source>
+        <translation>モジュール%1にジョグの停止を指令しました。コマンドが確認されなかったためです。</translation>
+    </message>
+    <message>
+        <source>Module %1 did not confirm the command to jog. Nothing was started.</source>
+        <translation>モジュール%1がジョグのコマンドを確認しませんでした。何も開始していません。</translation>
+    </message>
+    <message>
+        <source>The command or its answer was lost or garbled: if this recurs, check the cable. Press and hold again.</source>
+        <translation>コマンドまたはその応答が失われたか、化けました。繰り返す場合はケーブルを確認してください。もう一度押し続けてください。</translation>
+    </message>
+    <message>
+        <source>Module %1 was commanded to stop jogging: its state no longer permits it.</source>
+        <translation>モジュール%1にジョグの停止を指令しました。現在の状態ではジョグを続けられないためです。</translation>
+    </message>
+    <message>
+        <source>Module %1 cannot jog in its present state. Nothing was started.</source>
+        <translation>モジュール%1は現在の状態ではジョグできません。何も開始していません。</translation>
+    </message>
+    <message>
+        <source>Its state says why: for example, its motor is off. Press and hold again once it may move.</source>
+        <translation>理由は状態の表示で分かります（例：モーターがオフ）。動かせる状態になったら、もう一度押し続けてください。</translation>
+    </message>
+    <message>
+        <source>Module %1 was commanded to stop jogging: its travel limit has changed.</source>
+        <translation>モジュール%1にジョグの停止を指令しました。移動範囲の限界が変わったためです。</translation>
+    </message>
+    <message>
+        <source>Press and hold again to jog within the present limits.</source>
+        <translation>現在の移動範囲内でジョグするには、もう一度押し続けてください。</translation>
+    </message>
+    <message>
         <source>Module %1 was commanded to stop: it reports motion, but its position stays at %2 counts.</source>
         <translation>モジュール%1に停止を指令しました。動いていると報告していますが、位置が%2カウントから変わらないためです。</translation>
     </message>

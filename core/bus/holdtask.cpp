@@ -113,10 +113,14 @@ Next HoldTask::next(TimePoint /*now*/) {
     const auto& owed = m_chain.at(start.module).owed;
     if (owed && owed->forbidsStart())
         return Idle{};
-    // Load Trajectory would switch a servo on, which a hold must never do. And a motion begun with a goal
-    // does not continue with another one, or without.
-    if (!module.on() || (m_sent && m_sent->goal != m_wanted->goal)) {
-        giveUp();
+    // Load Trajectory would switch a servo on, which a hold must never do.
+    if (!module.on()) {
+        giveUp(HoldExpired::Reason::NotPossible);
+        return Again{};
+    }
+    // A motion begun with a goal does not continue with another one, or without.
+    if (m_sent && m_sent->goal != m_wanted->goal) {
+        giveUp(HoldExpired::Reason::GoalChanged);
         return Again{};
     }
     const HoldToMove& wanted = *m_wanted;
@@ -139,7 +143,7 @@ Next HoldTask::nextTowards(std::int32_t goal, const Order& load) {
         return Again{};
     }
     if (!leadsTo(goal, module)) {
-        giveUp();
+        giveUp(HoldExpired::Reason::NotPossible);
         return Again{};
     }
     return sendOrder(hasLoaded(module, load.command) ? startLoaded() : load);
@@ -163,7 +167,7 @@ bool HoldTask::leadsTo(std::int32_t goal, const Belief& module) const {
 
 Next HoldTask::sendOrder(const Order& order) {
     if (permit(m_chain.belief(order.module), order.command) != Permission::Allowed) {
-        giveUp();
+        giveUp(HoldExpired::Reason::NotPossible);
         return Again{};
     }
     m_chain.at(order.module).owed.reset();  // the user wants it to move again
@@ -180,17 +184,17 @@ Next HoldTask::sendOrder(const Order& order) {
     return ask;
 }
 
-/// The user is still holding, and must be informed that the hold is over.
-void HoldTask::giveUp() {
+void HoldTask::giveUp(HoldExpired::Reason reason) {
     if (m_wanted)
-        m_events.emplace_back(HoldExpired{m_wanted->module});
+        m_events.emplace_back(HoldExpired{m_wanted->module, reason, m_sent || m_loaded});
     end(StopCause::HoldExpired);
 }
 
 Line::Script HoldTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint /*now*/) {
     if (!ask.reported) {
+        // Unknown: nothing is started, and what was started is stopped.
         if (end.result != ReplyResult::Accepted)
-            giveUp();  // unknown: nothing is started, and what was started is stopped
+            giveUp(HoldExpired::Reason::NoAnswer);
         return {};
     }
     if (end.result == ReplyResult::Accepted) {
@@ -202,7 +206,7 @@ Line::Script HoldTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint /*no
         if (++m_refusals < kAttempts)
             return {};
     }
-    giveUp();  // it is unknown whether the module moves as wanted
+    giveUp(HoldExpired::Reason::NoAnswer);  // it is unknown whether the module moves as wanted
     return {};
 }
 

@@ -51,7 +51,8 @@ private:
     /// left waiting would run with the next start of its group.
     std::optional<HoldToMove> leave();
     void end(StopCause cause);
-    void giveUp();
+    /// The user is still holding, and must be informed that the hold is over.
+    void giveUp(HoldExpired::Reason reason);
     /// True if a motion to `goal` goes in the direction held, and is not negligible.
     [[nodiscard]] bool leadsTo(std::int32_t goal, const Belief& module) const;
     /// True if that motion may go on as a run instead of a move to its goal.

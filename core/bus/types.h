@@ -479,9 +479,17 @@ struct CommandUnanswered {
     ModuleCommand command;
 };
 
-/// Held motion ended without being released by the user: the evidence stopped coming.
+/// Held motion ended without being released by the user.
 struct HoldExpired {
+    enum class Reason : std::uint8_t {
+        Expired,      ///< the evidence stopped coming
+        NoAnswer,     ///< no valid answer, or three times that the command was garbled
+        NotPossible,  ///< the module's state does not permit it, or it is at its goal
+        GoalChanged,  ///< another travel limit, or none any more
+    };
     ModuleIndex module;
+    Reason reason = Reason::Expired;
+    bool started = true;  ///< or perhaps started, or loaded: its module is sent a stop
 };
 
 /// Events that only show in the state of the modules and the link.

@@ -69,6 +69,7 @@ TEST_F(Hold, EndsByItselfWhenTheEvidenceStopsComing) {
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<HoldExpired>() == 1; }, 1s));
     EXPECT_EQ(bus.now - last, Duration(250ms));
     EXPECT_EQ(bus.last<HoldExpired>()->module, ModuleIndex(0));
+    EXPECT_EQ(bus.last<HoldExpired>()->reason, HoldExpired::Reason::Expired);
     bus.runFor(300ms);
     EXPECT_EQ(bus.sends(kSmoothStop, from), 1U);
     EXPECT_EQ(bus.servo(0).commandVelocity, 0);
@@ -162,7 +163,9 @@ TEST_F(Hold, NeverSwitchesAServoOn) {
     EXPECT_EQ(bus.sends("AA 01 94"), 0U);
     EXPECT_EQ(bus.sends("AA 01 17"), 0U);
     EXPECT_FALSE(bus.servo(0).servoOn);
-    EXPECT_EQ(bus.count<HoldExpired>(), 1U) << "only once: the held button moves nothing";
+    ASSERT_EQ(bus.count<HoldExpired>(), 1U) << "only once: the held button moves nothing";
+    EXPECT_EQ(bus.last<HoldExpired>()->reason, HoldExpired::Reason::NotPossible);
+    EXPECT_FALSE(bus.last<HoldExpired>()->started);
 }
 
 TEST_F(Hold, NeverSwitchesATrippedServoOn) {
@@ -233,6 +236,30 @@ TEST_F(Hold, StopsWhenItsStartIsNotAnswered) {
     EXPECT_EQ(bus.sends("AA 01 94", from), 1U);
     EXPECT_EQ(bus.servo(0).commandVelocity, 0);
     EXPECT_EQ(bus.count<HoldExpired>(), 1U);
+}
+
+TEST_F(Hold, SaysThatItsStartWasNotAnsweredAlthoughItIsStillHeld) {
+    enableFirst();
+    bus.losesReply = [](ByteSpan command) { return command.size() > 2 && command[2] == 0x94; };
+    holdFor(500ms, forward(0));
+    ASSERT_EQ(bus.count<HoldExpired>(), 1U);
+    EXPECT_EQ(bus.last<HoldExpired>()->reason, HoldExpired::Reason::NoAnswer);
+    EXPECT_TRUE(bus.last<HoldExpired>()->started) << "it may have been: its module was sent a stop";
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+}
+
+TEST_F(Hold, SaysThatNothingWasStartedWhenItsStartIsRefusedThreeTimes) {
+    enableFirst();
+    bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+        if (command.size() > 5 && command[2] == 0x94)
+            command.back() ^= 0x40U;  // the module flags a communication error
+    };
+    holdFor(500ms, forward(0));
+    EXPECT_EQ(bus.sends("AA 01 94", from), 3U);
+    ASSERT_EQ(bus.count<HoldExpired>(), 1U);
+    EXPECT_EQ(bus.last<HoldExpired>()->reason, HoldExpired::Reason::NoAnswer);
+    EXPECT_FALSE(bus.last<HoldExpired>()->started);
+    EXPECT_EQ(bus.servo(0).position, 0);
 }
 
 TEST_F(Hold, DoesNotWaitForAQuarantineToStop) {

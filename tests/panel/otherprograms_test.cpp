@@ -530,7 +530,7 @@ TEST_F(OtherPrograms, JogOnlyWhileTheySaySo) {
     const auto before = *panel.module().latest->position;
     EXPECT_GT(before, 0);
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
-    EXPECT_EQ(panel.count(texts::holdExpired(ModuleIndex(0)).headline), 1);
+    EXPECT_EQ(panel.count(texts::holdExpired({ModuleIndex(0)}).headline), 1);
     EXPECT_EQ(client.call("jog", jog)["result"]["accepted"], true) << "as another press";
     EXPECT_TRUE(panel.waitFor([&] { return moves(sim); }));
     EXPECT_EQ(sim.violations(), "");
@@ -634,7 +634,7 @@ TEST_F(OtherPrograms, EndAJogByAStopAndNothingIsSaidOfAHoldThatExpired) {
     EXPECT_TRUE(client.call("stop", {{"axis", 1}}).contains("result"));
     EXPECT_EQ(client.call("wait", {{"axis", 1}})["result"]["moving"], false);
     ASSERT_TRUE(panel.answersFor(0.5));
-    EXPECT_EQ(panel.count(texts::holdExpired(ModuleIndex(0)).headline), 0);
+    EXPECT_EQ(panel.count(texts::holdExpired({ModuleIndex(0)}).headline), 0);
 }
 
 /// Whatever arrives, it is answered or its sender is cut off, and nothing moves.

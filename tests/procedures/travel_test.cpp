@@ -207,7 +207,8 @@ TEST_P(TravelOf, AJogWhoseGoalChangesIsOver) {
     bench.goOnJogging(false, 1.0, 1s);
     bench.bus.runFor(1s);
     bench.take();
-    EXPECT_EQ(bench.bus.count<bus::HoldExpired>(), 1U);
+    ASSERT_EQ(bench.bus.count<bus::HoldExpired>(), 1U);
+    EXPECT_EQ(bench.bus.last<bus::HoldExpired>()->reason, bus::HoldExpired::Reason::GoalChanged);
     EXPECT_FALSE(bench.module().moving());
     bench.bus.expectNoViolations();
 }

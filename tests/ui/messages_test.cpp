@@ -374,7 +374,7 @@ TEST_F(Messages, AQuestionThatAMessageAskedGoesWithTheConnection) {
 
 TEST_F(Messages, AnEventLeavesTheBannerWhenItIsOldNews) {
     find<Banner>(u"banner"_s)->setNewsLife(std::chrono::milliseconds(1));
-    window->showMessage(texts::holdExpired(ModuleIndex(0)));
+    window->showMessage(texts::holdExpired({ModuleIndex(0)}));
     EXPECT_TRUE(find(u"banner"_s)->isVisible());
     EXPECT_TRUE(eventually([this] { return !find(u"banner"_s)->isVisible(); }));
     ASSERT_EQ(list()->rows().size(), 1);
@@ -388,7 +388,7 @@ TEST_F(Messages, WhatIsStillTheCaseOrAsksForSomethingStaysInTheBanner) {
     for (const Message& message : texts::standing(connectedTo({tripped}), TimePoint{}))
         window->showMessage(message);
     window->showMessage(texts::unsavedWorkLeft({}));
-    window->showMessage(texts::holdExpired(ModuleIndex(0)));
+    window->showMessage(texts::holdExpired({ModuleIndex(0)}));
     ASSERT_EQ(button(u"bannerAll"_s)->text(), u"2 more…"_s);
     EXPECT_TRUE(eventually([this] { return button(u"bannerAll"_s)->text() == u"1 more…"_s; }));
     EXPECT_TRUE(text(u"bannerHeadline"_s).contains(u"switched its servo off"_s));
@@ -397,13 +397,13 @@ TEST_F(Messages, WhatIsStillTheCaseOrAsksForSomethingStaysInTheBanner) {
 TEST_F(Messages, ARepeatIsNewsAgain) {
     auto* banner = find<Banner>(u"banner"_s);
     banner->setNewsLife(std::chrono::milliseconds(1));
-    window->showMessage(texts::holdExpired(ModuleIndex(0)));
+    window->showMessage(texts::holdExpired({ModuleIndex(0)}));
     banner->setNewsLife(std::chrono::minutes(10));
-    window->showMessage(texts::holdExpired(ModuleIndex(0)));
+    window->showMessage(texts::holdExpired({ModuleIndex(0)}));
     banner->setNewsLife(std::chrono::milliseconds(2));
     window->showMessage(texts::refused({ModuleIndex(1), 1}));
     EXPECT_TRUE(eventually([this] { return button(u"bannerAll"_s)->text() == u"Read all…"_s; }));
-    EXPECT_EQ(text(u"bannerHeadline"_s), texts::holdExpired(ModuleIndex(0)).headline);
+    EXPECT_EQ(text(u"bannerHeadline"_s), texts::holdExpired({ModuleIndex(0)}).headline);
 }
 
 }  // namespace

@@ -215,14 +215,18 @@ TEST(Texts, AStopThatIsNotConfirmedSendsToTheHardwareStop) {
 
 TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {
     using Reason = bus::MotionSuspect::Reason;
+    using Ended = bus::HoldExpired::Reason;
     bus::HealthChanged lost{bus::LinkHealth::Lost, 14, 200, {}};
     bus::GroupFinished half{bus::OperationId(1), bus::Outcome::NoAnswer, bus::GroupCommand{}, {}, true};
-    for (const Message& m :
-         {texts::holdExpired(ModuleIndex(0)), texts::motionSuspect({ModuleIndex(0), Reason::WrongWay, 5}),
-          texts::motionSuspect({ModuleIndex(0), Reason::Overshot, 5}),
-          texts::motionSuspect({ModuleIndex(0), Reason::Frozen, 5}), texts::badLink(lost),
-          texts::restarted({ModuleIndex(0), true}, 2), texts::groupFailed(half),
-          texts::machineSlept(60, true), texts::panelFroze(3, true)}) {
+    for (const Message& m : {texts::holdExpired({ModuleIndex(0), Ended::Expired}),
+                             texts::holdExpired({ModuleIndex(0), Ended::NoAnswer}),
+                             texts::holdExpired({ModuleIndex(0), Ended::NotPossible}),
+                             texts::holdExpired({ModuleIndex(0), Ended::GoalChanged}),
+                             texts::motionSuspect({ModuleIndex(0), Reason::WrongWay, 5}),
+                             texts::motionSuspect({ModuleIndex(0), Reason::Overshot, 5}),
+                             texts::motionSuspect({ModuleIndex(0), Reason::Frozen, 5}), texts::badLink(lost),
+                             texts::restarted({ModuleIndex(0), true}, 2), texts::groupFailed(half),
+                             texts::machineSlept(60, true), texts::panelFroze(3, true)}) {
         const QString words = m.headline + u' ' + m.body;
         EXPECT_TRUE(words.contains(u"commanded to "_s)) << words.toStdString();
         for (const QString& deed : {u"was stopped"_s, u"were stopped"_s, u"switched off:"_s, u" ended"_s})
@@ -231,6 +235,14 @@ TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {
     EXPECT_EQ(texts::stopConfirmed({ModuleIndex(1), bus::StopCause::HoldExpired}), u"It has stopped."_s);
     EXPECT_EQ(texts::stopConfirmed({ModuleIndex(1), bus::StopCause::GroupHalfStarted}),
               u"Module 2 has stopped."_s);
+}
+
+TEST(Texts, NoStopIsClaimedForAJogThatDidNotStart) {
+    using Reason = bus::HoldExpired::Reason;
+    EXPECT_EQ(texts::holdExpired({ModuleIndex(0), Reason::NoAnswer, false}).headline,
+              u"Module 1 did not confirm the command to jog. Nothing was started."_s);
+    EXPECT_EQ(texts::holdExpired({ModuleIndex(0), Reason::NotPossible, false}).headline,
+              u"Module 1 cannot jog in its present state. Nothing was started."_s);
 }
 
 /// A name may look like a place marker.

@@ -54,6 +54,41 @@ QString howStopped(const bus::StopFinished& finished, const std::vector<ModuleSt
     return parts.join(u", "_s);
 }
 
+/// Why a jog has ended, and what to do.
+Words wordsFor(const bus::HoldExpired& expired) {
+    using Reason = bus::HoldExpired::Reason;
+    const QString number = moduleNumber(expired.module);
+    switch (expired.reason) {
+        case Reason::Expired:
+            return {
+                Texts::tr("Module %1 was commanded to stop jogging: nothing held it for over 250 ms.")
+                    .arg(number),
+                Texts::tr(
+                    "The computer was busy, or the program that jogs it has stopped calling. Press and hold again.")};
+        case Reason::NoAnswer:
+            return {
+                (expired.started
+                     ? Texts::tr("Module %1 was commanded to stop jogging: it did not confirm the command.")
+                     : Texts::tr("Module %1 did not confirm the command to jog. Nothing was started."))
+                    .arg(number),
+                Texts::tr(
+                    "The command or its answer was lost or garbled: if this recurs, check the cable. Press and hold again.")};
+        case Reason::NotPossible:
+            return {
+                (expired.started
+                     ? Texts::tr("Module %1 was commanded to stop jogging: its state no longer permits it.")
+                     : Texts::tr("Module %1 cannot jog in its present state. Nothing was started."))
+                    .arg(number),
+                Texts::tr(
+                    "Its state says why: for example, its motor is off. Press and hold again once it may move.")};
+        case Reason::GoalChanged:
+            return {Texts::tr("Module %1 was commanded to stop jogging: its travel limit has changed.")
+                        .arg(number),
+                    Texts::tr("Press and hold again to jog within the present limits.")};
+    }
+    return {};
+}
+
 }  // namespace
 
 bool allStopped(const bus::StopFinished& finished) {
@@ -108,13 +143,8 @@ QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
                : Texts::tr("It has stopped.");
 }
 
-Message holdExpired(ModuleIndex module) {
-    return about(
-        u"hold"_s, module,
-        {Texts::tr("Module %1 was commanded to stop jogging: nothing held it for over 250 ms.")
-             .arg(moduleNumber(module)),
-         Texts::tr(
-             "The computer was busy, or the program that jogs it has stopped calling. Press and hold again.")});
+Message holdExpired(const bus::HoldExpired& expired) {
+    return about(u"hold"_s, expired.module, wordsFor(expired));
 }
 
 Message motionSuspect(const bus::MotionSuspect& suspect) {

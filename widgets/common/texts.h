@@ -88,7 +88,7 @@ namespace texts {
 [[nodiscard]] Message limitClosed(const ModuleState& module, int limit);
 /// A PIC-STEP has switched its motor off; `activity` is the cause, and each cause has its own message.
 [[nodiscard]] Message amplifierWentOff(ModuleIndex module, Activity activity);
-[[nodiscard]] Message holdExpired(ModuleIndex module);
+[[nodiscard]] Message holdExpired(const bus::HoldExpired& expired);
 /// A request is not possible now; where the window can, it disables the control instead.
 [[nodiscard]] Message notPossible(ModuleIndex module, const QString& reason);
 /// A motion that would have continued beyond a travel limit was sent a stop.

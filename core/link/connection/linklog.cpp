@@ -97,7 +97,8 @@ struct EventLine {
     std::string operator()(const bus::EchoNoticed&) const { return "the adapter echoes"; }
     std::string operator()(const bus::LinkLost&) const { return "every module is silent"; }
     std::string operator()(const bus::HoldExpired& expired) const {
-        return name(expired.module) + ": hold expired";
+        return name(expired.module) + ": hold ended, " +
+               std::string(enumName<bus::HoldExpired::Reason::GoalChanged>(expired.reason));
     }
     std::string operator()(const bus::HealthChanged& changed) const {
         return "health of " + name(changed.module) + ": " +
