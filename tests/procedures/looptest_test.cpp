@@ -115,6 +115,31 @@ TEST_F(LoopTests, AWaveTakesGainsBeforeItsNextEdge) {
     EXPECT_FALSE(bench.procedure->take(other)) << "its edges would trip the servo";
 }
 
+/// Gains that it took and never sent would be lost. Three rounds have seven edges, of which the first is only
+/// half an edge and is not reported.
+TEST_F(LoopTests, AWaveTakesNoGainsAfterItsLastEdge) {
+    ASSERT_TRUE(hold());
+    servo::SetGain other = kGains;
+    other.kp = 300;
+    std::optional<ResponseTaken> last;
+    std::vector<bool> taken;
+    bench.onTurn = [&](Procedure& procedure) {
+        const auto& edge = procedure.report().step;
+        if (edge && edge != last) {
+            last = edge;
+            taken.push_back(procedure.take(other));
+        }
+    };
+    EXPECT_EQ(bench.run(kWave).stage, ProcedureStage::Done);
+    EXPECT_EQ(taken, (std::vector<bool>{true, true, true, true, true, false}));
+    EXPECT_FALSE(bench.procedure->take(other));
+    bench.onTurn = {};
+    bench.begin(kWave);
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.procedure->cancel();
+    EXPECT_FALSE(bench.procedure->take(other));
+}
+
 TEST_F(LoopTests, AWaveThatIsLeftByMoreThanItsExcursionEndsInAHold) {
     ASSERT_TRUE(hold());
     intent::SquareWave wave = kWave;

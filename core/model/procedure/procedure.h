@@ -195,6 +195,8 @@ protected:
     [[nodiscard]] Next finish();
     /// Ends the procedure with this failure; next() then gives up at once. Only the first failure counts.
     [[nodiscard]] Next fail(ProcedureFailure failure);
+    /// It has ended, or does so early.
+    [[nodiscard]] bool ends() const { return m_end || m_report.over(); }
 
     ProcedureReport m_report;
     /// The procedure may have started the motor, and nothing else has stopped it or switched it off since.
@@ -202,7 +204,6 @@ protected:
 
 private:
     [[nodiscard]] Next start(Send operation, bool lasts);
-    [[nodiscard]] bool ends() const { return m_end || m_report.over(); }
 
     bool m_inFlight = false;
     bool m_lasts = false;  ///< the operation in flight lasts and can be interrupted

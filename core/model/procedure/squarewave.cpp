@@ -31,7 +31,7 @@ SquareWaveRun::SquareWaveRun(const intent::SquareWave& wanted, const ModuleState
 }
 
 bool SquareWaveRun::take(const servo::SetGain& gains) {
-    if (wouldTrip(std::abs(std::int64_t{m_wanted.counts}), gains.el))
+    if (ends() || !edgeFollows() || wouldTrip(std::abs(std::int64_t{m_wanted.counts}), gains.el))
         return false;
     m_next = gains;
     return true;
@@ -72,8 +72,7 @@ SquareWaveRun::Next SquareWaveRun::goOn(const ModuleState& module, TimePoint now
     }
     if (auto next = record(module, now, m_taken))
         return std::move(*next);
-    // The first edge is only half an edge.
-    return m_edges <= 2 * m_wanted.rounds ? edge(module) : conclude(module, from());
+    return edgeFollows() ? edge(module) : conclude(module, from());
 }
 
 bool SquareWaveRun::goneTooFar(const ModuleState& module) const {

@@ -22,6 +22,8 @@ private:
     [[nodiscard]] Next begin(const ModuleState& module) override;
     [[nodiscard]] Next goOn(const ModuleState& module, TimePoint now) override;
     [[nodiscard]] Next edge(const ModuleState& module);
+    /// The first edge is only half an edge, so there is one more than two in each round.
+    [[nodiscard]] bool edgeFollows() const { return m_edges <= 2 * m_wanted.rounds; }
     [[nodiscard]] bool goneTooFar(const ModuleState& module) const override;
     [[nodiscard]] std::int32_t span() const override { return m_wanted.counts; }
 
