@@ -66,6 +66,7 @@ TEST_P(WavesOfEachWay, JumpToAndFroAndEndWhereTheyBegan) {
     watchCommands();
     std::vector<ResponseTaken> edges;
     bench.onTurn = [&](Procedure& procedure) {
+        EXPECT_LE(procedure.report().round, procedure.report().rounds);
         const auto& edge = procedure.report().step;
         if (edge && (edges.empty() || edges.back() != *edge))
             edges.push_back(*edge);

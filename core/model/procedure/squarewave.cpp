@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/squarewave.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <utility>
@@ -57,7 +58,7 @@ SquareWaveRun::Next SquareWaveRun::edge(const ModuleState& module) {
     m_taken = {{}, m_taken.goal, goal, m_wanted.period / 2, m_wanted.method, m_taken.gains};
     m_reported = false;
     ++m_edges;
-    m_report.round = (m_edges + 1) / 2;
+    m_report.round = std::min((m_edges + 1) / 2, m_report.rounds);  // the last edge ends the last round
     for (bus::Order& step : jump(module, goal, m_wanted.method))
         sent.push_back(std::move(step));
     sent.push_back(orders({ReadStatus{kFirstQuestions.at(m_edges / 2 % kFirstQuestions.size())}}).front());
