@@ -353,6 +353,27 @@ TEST(ModuleState, TheServoRateIsKnownFromPowerUpUntilAnotherHostMayHaveSetIt) {
     EXPECT_EQ(module.servoRate, 1);
 }
 
+/// Set Timer Mode clears the count (docs/family.md), and so does a restart.
+TEST(ModuleState, ACounterThatWasClearedHasNoRateUntilItHasCounted) {
+    ModuleState module;
+    module.info = {ModuleIndex(0), BusAddress(1), {ModuleType::Io, 1}};
+    double time = 1.0;
+    const auto counts = [&](std::uint32_t first) {  // at 1 000 counts/s
+        for (std::uint32_t i = 0; i <= 20; ++i) {
+            bus::Sample sample{ModuleIndex(0), atSeconds(time += 0.01), {}};
+            sample.report.counter = first + 10 * i;
+            module.apply(sample);
+            EXPECT_NEAR(module.counting.perSecond().value_or(1'000), 1'000, 0.01) << i;
+        }
+        EXPECT_TRUE(module.counting.perSecond());
+    };
+    counts(50'000);
+    module.apply(bus::CommandExecuted{ModuleIndex(0), atSeconds(time), IoCommand(io::SetTimerMode{})});
+    counts(10);
+    module.restarted();
+    counts(0);
+}
+
 // ---- doubtful answers, and commands without one ----
 
 /// Answers of a neighbouring module: only the position reveals them, and it stays in doubt until there has

@@ -217,8 +217,11 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
         amplifierEnabled = stepper.amplifierOn();
         loadWaiting = stepper.waiting.has_value();
     }
-    if (const auto* ioCommand = std::get_if<IoCommand>(&executed.command))
+    if (const auto* ioCommand = std::get_if<IoCommand>(&executed.command)) {
         pins.apply(*ioCommand);
+        if (std::holds_alternative<io::SetTimerMode>(*ioCommand))
+            counting.forget();  // the count was cleared
+    }
     const auto* command = std::get_if<ServoCommand>(&executed.command);
     if (command == nullptr)
         return;
@@ -248,6 +251,7 @@ void ModuleState::restarted() {
     hasRestarted = true;
     static_cast<ServoRegisters&>(*this) = {};
     speed.forget();
+    counting.forget();
     swing.forget();
     gainsBefore.reset();
     m_commandPosition.reset();
