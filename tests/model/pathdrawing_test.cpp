@@ -3,11 +3,14 @@
 // calculated by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "model/path/pathdrawing.h"
 #include "model/path/pathfile.h"
+#include "model/path/pathplan.h"
 
 namespace nmc::test {
 namespace {
@@ -85,6 +88,28 @@ TEST_F(PathDrawing, RestsWhereItWaitsAndIsSlowerByItsShare) {
     ASSERT_EQ(points.size(), 127U + 61U) << "a second is 61.04 periods";
     EXPECT_EQ(points[126], 1'000);
     EXPECT_EQ(points[186], 1'000);
+}
+
+/// At 1.01 counts per tick, a segment of 32 ticks has 32.32 counts. Its points are 32 or 33 counts apart, and
+/// 33 are 1.03 counts per tick.
+TEST_F(PathDrawing, AtTheLimitOfTheAxisIsNotTooFast) {
+    machine.axes[0].motion.velocity = modules[0].travel.fastest = 1.01;
+    const auto table = draw({action::MoveTo{"There"}});
+    ASSERT_TRUE(table);
+    std::int32_t before = 0;
+    std::int32_t longest = 0;
+    for (const std::int32_t point : table->columns[0].points)
+        longest = std::max(longest, point - std::exchange(before, point));
+    EXPECT_EQ(longest, 33);
+    EXPECT_TRUE(planPath(*table, modules, {}));
+    const std::vector<PathColumn> axes{pathColumn("X", modules[0], {})};
+    EXPECT_EQ(readPath(pathText(*table, axes), axes), *table);
+
+    modules[0].travel.fastest = 1.0;  // 32 counts
+    const auto plan = planPath(*table, modules, {});
+    ASSERT_FALSE(plan);
+    EXPECT_EQ(plan.error().kind, PathObstacle::Kind::TooFast);
+    EXPECT_EQ(plan.error().value, 33.0 / 32);
 }
 
 TEST_F(PathDrawing, RepeatsAndCalls) {

@@ -160,11 +160,10 @@ private:
             add({.kind = kind, .line = m_line, .column = axis.name, .value = value, .allowed = allowed});
         };
         const auto distance = static_cast<double>(std::abs(point - before.value_or(point)));
-        const double velocity = distance / servo::ticksPerPoint(m_table.rate);
         if (const int most = servo::maxPathCounts(m_table.rate); distance > most)
             of(PathProblem::Kind::Jump, distance, most);
-        else if (axis.fastest > 0.0 && velocity > axis.fastest)
-            of(PathProblem::Kind::TooFast, velocity, axis.fastest);
+        else if (axis.fastest > 0.0 && distance > longestSegment(axis.fastest, m_table.rate))
+            of(PathProblem::Kind::TooFast, distance / servo::ticksPerPoint(m_table.rate), axis.fastest);
         if (const auto beyond = axis.travel ? beyondTravel(point, *axis.travel) : std::nullopt)
             of(PathProblem::Kind::BeyondTravel, static_cast<double>(point), *beyond);
     }

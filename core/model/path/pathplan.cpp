@@ -39,9 +39,11 @@ namespace {
     if (const int most = servo::maxPathCounts(rate); distance > most)
         return PathObstacle{
             .kind = PathObstacle::Kind::Jump, .value = distance, .allowed = static_cast<double>(most)};
-    const double velocity = distance / servo::ticksPerPoint(rate);
-    if (const double fastest = module.travel.fastest; fastest > 0.0 && velocity > fastest)
-        return PathObstacle{.kind = PathObstacle::Kind::TooFast, .value = velocity, .allowed = fastest};
+    if (const double fastest = module.travel.fastest;
+        fastest > 0.0 && distance > longestSegment(fastest, rate))
+        return PathObstacle{.kind = PathObstacle::Kind::TooFast,
+                            .value = distance / servo::ticksPerPoint(rate),
+                            .allowed = fastest};
     if (const auto range = travelRange(module))
         if (const auto problem = beyondTravel(before, point, *range))
             return PathObstacle{.kind = PathObstacle::Kind::BeyondTravel,

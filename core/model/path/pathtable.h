@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -20,5 +21,11 @@ struct PathTable {
     std::vector<Column> columns;  ///< all with the same number of points
     bool operator==(const PathTable&) const = default;
 };
+
+/// The longest segment, in counts, of a path that goes at most this many counts per tick: points are whole
+/// counts, so that at a constant velocity, segments are rounded down and up.
+[[nodiscard]] inline double longestSegment(double velocity, servo::PathRate rate) {
+    return std::ceil(velocity * servo::ticksPerPoint(rate));
+}
 
 }  // namespace nmc
