@@ -4388,6 +4388,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Probelauf: die simulierte Kopie war nicht bereit. Noch einmal versuchen.</translation>
     </message>
     <message>
+        <source>Dry run: %1 cannot be simulated. %2</source>
+        <translation>Probelauf: %1 lässt sich nicht simulieren. %2</translation>
+    </message>
+    <message>
         <source>Dry run: cut off after %1 s.</source>
         <translation>Probelauf: nach %1 s abgebrochen.</translation>
     </message>

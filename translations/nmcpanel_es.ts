@@ -4388,6 +4388,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Simulación: no estaba lista. Inténtelo de nuevo.</translation>
     </message>
     <message>
+        <source>Dry run: %1 cannot be simulated. %2</source>
+        <translation>Simulación: no se puede simular %1. %2</translation>
+    </message>
+    <message>
         <source>Dry run: cut off after %1 s.</source>
         <translation>Simulación: interrumpida a los %1 s.</translation>
     </message>

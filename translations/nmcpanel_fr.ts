@@ -4388,6 +4388,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Marche à blanc&#xa0;: la simulation n’était pas prête. Réessayez.</translation>
     </message>
     <message>
+        <source>Dry run: %1 cannot be simulated. %2</source>
+        <translation>Marche à blanc&#xa0;: impossible de simuler %1. %2</translation>
+    </message>
+    <message>
         <source>Dry run: cut off after %1 s.</source>
         <translation>Marche à blanc&#xa0;: interrompue au bout de %1&#xa0;s.</translation>
     </message>

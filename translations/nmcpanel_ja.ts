@@ -4376,6 +4376,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>模擬実行：シミュレーションの準備ができていません。もう一度試してください。</translation>
     </message>
     <message>
+        <source>Dry run: %1 cannot be simulated. %2</source>
+        <translation>模擬実行：%1をシミュレートできません。%2</translation>
+    </message>
+    <message>
         <source>Dry run: cut off after %1 s.</source>
         <translation>模擬実行：%1秒で打ち切りました。</translation>
     </message>

@@ -108,6 +108,22 @@ TEST_F(DryRuns, SayWhatIsRefusedAndWhere) {
     EXPECT_EQ(foreseen.report.places[0].row, 2U);
 }
 
+/// A servo that is on with gains that this panel does not know, as after attaching, can run the sequence. The
+/// copy cannot be switched on without them.
+TEST_F(DryRuns, SayWhichMotorCannotBeSimulated) {
+    bench.modules[0].doubtGains();
+    DryRun foreseen = dry("Main");
+    ASSERT_TRUE(foreseen.problems.empty()) << "it would start";
+    EXPECT_FALSE(foreseen.done());
+    EXPECT_EQ(foreseen.report.module, kX);
+    EXPECT_EQ(foreseen.leftOff, Refusal::GainsUnknown);
+    bench.machine.program.points = {{"A", {{kY, -500}}}};
+    bench.machine.program.sequences = {{"Main", {action::MoveTo{"A"}}}};
+    foreseen = dry("Main");
+    EXPECT_TRUE(foreseen.done()) << "it does not need that motor";
+    EXPECT_EQ(foreseen.leftOff, std::nullopt);
+}
+
 TEST_F(DryRuns, DoForEverOnceAndWaitForNoInput) {
     bench.machine.program.sequences = {
         {"Main",

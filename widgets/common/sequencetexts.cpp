@@ -263,6 +263,9 @@ QString foreseen(const DryRun& dryRun, const ScaleOfAxis& scale) {
     }
     if (dryRun.report.places.empty())
         return Texts::tr("Dry run: the simulation was not ready. Try again.");
+    if (dryRun.leftOff)
+        return Texts::tr("Dry run: %1 cannot be simulated. %2")
+            .arg(moduleName(*dryRun.report.module), refusal(*dryRun.leftOff));
     const QString seconds = readout(dryRun.seconds, 3);
     if (dryRun.tooLong)
         lines << Texts::tr("Dry run: cut off after %1 s.").arg(seconds);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <map>
 
 #include "bus/engine.h"
 #include "model/intent/backlash.h"
@@ -106,6 +107,8 @@ public:
         m_result.cancelled = m_cancelled;
         m_result.seconds = toSeconds(m_bus.now() - began);
         m_result.report = m_run->report();
+        if (const auto& module = m_result.report.module; module && m_leftOff.contains(*module))
+            m_result.leftOff = m_leftOff.at(*module);
         std::erase_if(m_result.axes, [](const DryRun::Axis& axis) { return axis.moves == 0; });
         return std::move(m_result);
     }
@@ -162,7 +165,8 @@ private:
         if (real.isStepper() && real.stepper.outputs)
             submit(index, stepperintent::SetOutputs{*real.stepper.outputs});
         if (real.driveOn())
-            submit(index, intent::Enable{});
+            if (const auto refusal = submit(index, intent::Enable{}))
+                m_leftOff[index] = *refusal;
         if (real.home.place())
             m_modules[index.value()].home.found(countsBetween(origin(index), real.home.place()->counts),
                                                 m_modules[index.value()].latestTime);
@@ -203,12 +207,14 @@ private:
             if ((outputs & levels) >> pin & 1U)
                 submit(index, iointent::SetOutput{pin, true});
     }
-    /// A move goes straight to its goal, as a home search does.
-    void submit(ModuleIndex index, const Intent& intent) {
-        if (auto orders = plan(intent, withoutBacklash(m_modules[index.value()]))) {
-            m_bus.submit(std::move(*orders));
-            take(m_bus.runFor(kSettling));
-        }
+    /// A move goes straight to its goal, as a home search does. Returns why nothing was sent.
+    std::optional<Refusal> submit(ModuleIndex index, const Intent& intent) {
+        auto orders = plan(intent, withoutBacklash(m_modules[index.value()]));
+        if (!orders)
+            return orders.error();
+        m_bus.submit(std::move(*orders));
+        take(m_bus.runFor(kSettling));
+        return std::nullopt;
     }
 
     // ---- The run ----
@@ -306,6 +312,7 @@ private:
     std::vector<ModuleState> m_modules;
     std::optional<SequenceRun> m_run;
     std::vector<bus::OperationId> m_own;
+    std::map<ModuleIndex, Refusal> m_leftOff;  ///< motors that are on in reality, but not in the copy
     DryRun m_result;
 };
 

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,9 @@ struct DryRun {
     bool onceOnly = false;                 ///< an endless repetition was run once
     bool tooLong = false;                  ///< the run was cut off after DryRunStart::longest
     bool cancelled = false;
+    /// Set if the report says nothing about the sequence: the copy ended it early because the motor of
+    /// `report.module` could not be switched on there as it is in reality, for this reason.
+    std::optional<Refusal> leftOff{};
 
     [[nodiscard]] bool done() const { return problems.empty() && report.stage == SequenceStage::Done; }
 };
