@@ -218,9 +218,13 @@ TEST(F30_OldName, WithAnotherAdapterDoesNotGetTheStopsOfAnotherPort) {
     VirtualChain other(QStringLiteral("servo"), two);
     VirtualPanel panel({}, machine.places());
     panel.start();
-    ASSERT_NO_FATAL_FAILURE(panel.connectTo(two));
-    ASSERT_NO_FATAL_FAILURE(panel.connectTo(one));
-    ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() != Activity::Unknown; }));
+    const auto connectAt = [&](const QString& port) {
+        ASSERT_NO_FATAL_FAILURE(panel.connectTo(port));
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().activity() != Activity::Unknown; }));
+    };
+    ASSERT_NO_FATAL_FAILURE(connectAt(two));
+    ASSERT_NO_FATAL_FAILURE(panel.enable());  // a servo that is off is sent no stop
+    ASSERT_NO_FATAL_FAILURE(connectAt(one));
     ASSERT_NO_FATAL_FAILURE(panel.setGoing());
     ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
     panel.pressEsc();
