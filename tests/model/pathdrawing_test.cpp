@@ -112,6 +112,19 @@ TEST_F(PathDrawing, AtTheLimitOfTheAxisIsNotTooFast) {
     EXPECT_EQ(plan.error().value, 33.0 / 32);
 }
 
+/// At 0.5 counts per tick, a segment of 32 ticks has 16 counts, and at 0.01 counts per tick squared, all of
+/// them begin at half a count: the ramp ends after 50 ticks at 12.5.
+TEST_F(PathDrawing, AtTheLimitOfTheAxisHalvesOfACountMakeNoSegmentLonger) {
+    machine.axes[0].motion.velocity = modules[0].travel.fastest = 0.5;
+    machine.axes[0].motion.acceleration = 0.01;
+    const auto table = draw({action::MoveTo{"There"}});
+    ASSERT_TRUE(table);
+    std::int32_t before = 0;
+    for (const std::int32_t point : table->columns[0].points)
+        EXPECT_LE(point - std::exchange(before, point), 16);
+    EXPECT_TRUE(planPath(*table, modules, {}));
+}
+
 TEST_F(PathDrawing, RepeatsAndCalls) {
     machine.program.sequences.push_back({"Swing", {action::MoveTo{"There"}, action::MoveTo{"Back"}}});
     const auto table = draw({action::Call{"Swing"}, action::Repeat{0, 3}, action::WaitForArrival{}});

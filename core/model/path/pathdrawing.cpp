@@ -87,10 +87,14 @@ public:
         const double count = std::ceil(profile.lasts() / m_period);
         if (!hasRoomFor(count))
             return fail(DrawingProblem::Kind::TooManyPoints);
+        // Halves of a count all fall the same way; otherwise a segment at constant velocity might be one too
+        // long.
+        constexpr double kBelowHalf = 1.0 - 1e-9;
         for (PathTable::Column& column : m_table.columns) {
             const std::int32_t from = m_places.at(column.module);
+            const double way = distance(column.module) * kBelowHalf;
             for (double i = 1.0; i < count; ++i) {
-                const long travelled = std::lround(distance(column.module) * profile.at(i * m_period));
+                const long travelled = std::lround(way * profile.at(i * m_period));
                 column.points.push_back(static_cast<std::int32_t>(from + travelled));
             }
             column.points.push_back(goals.at(column.module));
