@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/intent/homingplan.h"
 
-#include <algorithm>
-
 #include "model/intent/rights.h"
 #include "model/intent/travel.h"
-#include "module/stepperspeed.h"
+#include "model/module/stepperdefaults.h"
 
 namespace nmc {
 
@@ -30,13 +28,9 @@ namespace {
                        {!status.moving(), Refusal::Moving}});
 }
 
-/// A PIC-STEP goes no more slowly than its minimum profile speed (DS-S 5.1), and than one unit of its speed
-/// mode.
+/// A PIC-STEP would go faster than that.
 [[nodiscard]] bool isTooSlow(double velocity, const ModuleState& module) {
-    const auto& parameters = module.stepper.parameters;
-    return parameters &&
-           velocity <
-               StepperSpeed(parameters->speedMode).ofSpeed(std::max<int>(parameters->minimumProfileSpeed, 1));
+    return module.isStepper() && velocity < stepperdefaults::slowestProfile(module.stepper, {});
 }
 
 /// The condition that the chip could not watch for now, or that would stop the motor when it leaves a switch.
