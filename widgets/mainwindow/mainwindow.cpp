@@ -17,6 +17,7 @@
 #include <QSettings>
 #include <QWindow>
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "widgets/axes/axesdock.h"
@@ -378,10 +379,13 @@ void MainWindow::showFigures(const LinkFigures& figures) {
 }
 
 void MainWindow::showMachine(const Machine& machine) {
-    const Machine before = m_session.machine();
+    std::set<ModuleIndex> edited;
+    for (const ModuleState& module : m_session.link().modules)
+        if (machine.axis(module.info.index) != m_session.machine().axis(module.info.index))
+            edited.insert(module.info.index);
     m_session.setMachine(machine);
     for (const ModuleState& module : m_session.link().modules)
-        if (machine.axis(module.info.index) != before.axis(module.info.index))
+        if (edited.contains(module.info.index))
             m_panel->keepUpToDate(m_session.viewOf(module));
     m_operator->showRights(machine.operatorRights);
 }
