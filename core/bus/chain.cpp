@@ -213,7 +213,7 @@ std::vector<std::uint8_t> Chain::stopBurst() const {
         burst.insert(burst.end(), pause, 0);
     };
     for (const Order& stop : stops()) {
-        // With gains that make it swing, a stop alone would not bring it to rest.
+        // A motor that oscillates with the gains on trial would not come to rest by a stop alone.
         if (const auto& trial = at(stop.module).trial)
             add(stop.module, ServoCommand(trial->net.back));
         add(stop.module, stop.command);
