@@ -182,8 +182,7 @@ GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupComm
 }
 
 void Engine::changeRate(std::uint32_t baud, TimePoint now) {
-    m_rate.begin(baud, !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() ||
-                           tries() || m_stops.due());
+    m_rate.begin(baud, busy() || m_stops.due());
     proceed(now);
 }
 
@@ -210,13 +209,10 @@ void Engine::moveTo(ModuleIndex module, BusAddress address, TimePoint now) {
 }
 
 bool Engine::busy() const {
-    return !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() || tries() ||
-           m_rate.active();
-}
-
-/// Gains are on trial, which have to be watched with every poll.
-bool Engine::tries() const {
-    return std::ranges::any_of(m_chain.modules(),
+    return !accepting() || !m_operations.empty() || m_path.active() || m_hold.active() || m_rate.active() ||
+           m_readdress.active() ||
+           // Gains on trial have to be watched with every poll.
+           std::ranges::any_of(m_chain.modules(),
                                [](const Chain::Module& module) { return module.trial.has_value(); });
 }
 

@@ -206,7 +206,6 @@ private:
     [[nodiscard]] bool settled() const { return m_connected && !m_search.active() && !m_stops.stopping(); }
     /// Something is in progress that a change of the chain must not interrupt.
     [[nodiscard]] bool busy() const;
-    [[nodiscard]] bool tries() const;
     /// Operations that change a module are accepted now.
     [[nodiscard]] bool accepting() const { return settled() && !m_config.readOnly; }
     /// The outcome of an operation that is not accepted.

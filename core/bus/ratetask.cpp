@@ -41,7 +41,7 @@ std::optional<RateChangeFailed::Reason> RateTask::obstacle(std::uint32_t baud,
     using enum RateChangeFailed::Reason;
     if (!findBrd(baud))
         return NoSuchRate;
-    if (m_chain.empty() || active())
+    if (m_chain.empty())
         return NotNow;
     const auto collect = [&](auto unfit) {
         for (const Chain::Module& module : m_chain.modules())

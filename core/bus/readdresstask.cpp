@@ -34,7 +34,7 @@ void ReaddressTask::beginReset(ModuleIndex module, const Payload& reset, bool bu
 }
 
 void ReaddressTask::begin(ModuleIndex module, Stage stage, bool fits, bool busy) {
-    if (!fits || busy || active() || anythingMoves()) {
+    if (!fits || busy || anythingMoves()) {
         m_events.emplace_back(ReaddressFailed{module, ReaddressFailed::Reason::NotNow});
         return;
     }
@@ -50,7 +50,7 @@ void ReaddressTask::beginMove(ModuleIndex module, BusAddress address, bool busy)
     const bool taken = address.value() < kLowestAddress || address.value() > kHighestAddress ||
                        m_chain.find(address) != nullptr;
     const bool fits = m_chain.has(module) && m_chain.answers(module) && !m_chain.belief(module).restarted();
-    if (!fits || busy || active() || anythingMoves())
+    if (!fits || busy || anythingMoves())
         m_events.emplace_back(ReaddressFailed{module, Reason::NotNow});
     else if (taken)
         m_events.emplace_back(ReaddressFailed{module, Reason::Taken});

@@ -20,8 +20,9 @@ public:
     ReaddressTask(const Shared& shared, const EngineConfig& config, RestartSearch& restarts)
         : Task(shared), m_config(config), m_restarts(restarts) {}
 
-    /// For a module that has restarted by itself. `busy`: something else is in progress. Refused with an
-    /// event if not possible: only while nothing moves, because the chain is not polled in the meantime.
+    /// For a module that has restarted by itself. `busy`: this task, or something else, is in progress.
+    /// Refused with an event if not possible: only while nothing moves, because the chain is not polled in
+    /// the meantime.
     void begin(ModuleIndex module, bool busy);
     /// For a module that answers, and is sent this Hard Reset first; under the same conditions as begin().
     void beginReset(ModuleIndex module, const Payload& reset, bool busy);

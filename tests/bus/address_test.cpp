@@ -156,6 +156,28 @@ TEST_F(Addresses, AreKnownAfterAStopThatCameInBetween) {
         }
 }
 
+TEST_F(Addresses, ChangeWithoutAnythingElseInBetween) {
+    for (const Duration after : {0us, 1'000us, 5'000us}) {
+        SCOPED_TRACE(toSeconds(after));
+        bus.events.clear();
+        const auto wanted = static_cast<std::uint8_t>(addressOf(1) == 70 ? 71 : 70);
+        bus.engine.moveTo(ModuleIndex(1), BusAddress(wanted), bus.now);
+        bus.runFor(after);
+        ASSERT_EQ(bus.count<AddressChanged>(), 0U);
+        bus.engine.changeRate(57'600, bus.now);
+        bus.engine.moveTo(ModuleIndex(2), BusAddress(90), bus.now);
+        EXPECT_FALSE(bus.engine.lend());
+        bus.runFor(100us);
+        ASSERT_TRUE(bus.last<RateChangeFailed>());
+        EXPECT_EQ(bus.last<RateChangeFailed>()->reason, RateChangeFailed::Reason::NotNow);
+        EXPECT_TRUE(bus.runUntil([&] { return bus.count<AddressChanged>() == 1; }, 5s));
+        EXPECT_EQ(bus.count<ReaddressFailed>(), 1U);
+        EXPECT_EQ(addressOf(1), wanted);
+        EXPECT_NEAR(bus.chain.snapshot(ModuleIndex(1), bus.now).baud, 19'200, 400);  // to within 2 %
+        expectAllLive();
+    }
+}
+
 TEST_F(Addresses, LeadAnotherProgramToTheSamePlaces) {
     ASSERT_EQ(move(0, 99), std::nullopt);
     ASSERT_EQ(move(1, 7), std::nullopt);
