@@ -164,7 +164,7 @@ public:
         : SimulatorTransport(servoChain(2)), m_rig(rig), m_armed(armed), m_commands(commands) {}
 
     tl::expected<void, PortError> send(ByteSpan bytes) override {
-        if (m_pressed)
+        if (m_pressed && bytes.size() > 2 && bytes[0] == 0xAA)  // and not the nulls ahead of it
             m_commands.push_back(bytes[2]);
         m_answers[m_sent] = m_heard;
         m_sent.assign(bytes.begin(), bytes.end());
