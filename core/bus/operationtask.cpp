@@ -5,6 +5,7 @@
 
 #include "bus/gate.h"
 #include "module/commandfacts.h"
+#include "module/stopmanner.h"
 
 namespace nmc::bus {
 
@@ -176,6 +177,13 @@ void OperationTask::onStepEnd(const Ask& ask, const ReplyEnd& end) {
     fail(end);
 }
 
+/// A stop that was not answered is repeated until it is. Not if the servo was off: it would be switched on.
+void OperationTask::oweStop(const Order& order) {
+    const auto manner = stopManner(order.command);
+    if (manner && (*manner == StopManner::Off || m_chain.belief(order.module).on()))
+        m_chain.owe(order.module, StopCause::GroupStop, *manner);
+}
+
 void OperationTask::accept(const ReplyEnd& end) {
     m_attempts = 0;
     if (auto finished = m_commands.accepted(end))
@@ -186,8 +194,11 @@ void OperationTask::fail(const ReplyEnd& end) {
     m_attempts = 0;
     m_verification.reset();
     const bool refused = end.result == ReplyResult::Refused;
-    if (m_commands.group() == nullptr)
+    if (m_commands.group() == nullptr) {
         m_chain.takeUnanswered(m_commands.order().module, end.latched);
+        if (!refused)
+            oweStop(m_commands.order());
+    }
     m_group.reportUnknown();
     report(m_commands.finish(refused ? Outcome::Refused : Outcome::NoAnswer));
 }

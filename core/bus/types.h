@@ -347,6 +347,7 @@ enum class StopCause : std::uint8_t {
     StopAll,      ///< a stop of all modules did not see it at rest
     ForeignTraffic,
     GroupStop,  ///< the user stopped its group, or the module itself where its operation had to wait
+                ///< or was not answered
     PathEnded,  ///< a path ended before its last point
     TravelLimit,
     ConnectionEnded,  ///< its stop had not been confirmed when the last connection ended

@@ -438,6 +438,37 @@ TEST_F(StopOfOne, DoesNotWaitForAQuarantine) {
     expectStopped(id);
 }
 
+TEST_F(StopOfOne, IsRepeatedUntilItIsAnswered) {
+    bus.onCommand = [](std::vector<std::uint8_t>& command) {
+        if (command.size() > 1 && command[1] == 1)
+            command.clear();
+    };
+    const OperationId id = stop();
+    ASSERT_TRUE(bus.runUntil([&] { return bus.outcomeOf(id).has_value(); }, 5s));
+    EXPECT_EQ(bus.outcomeOf(id), Outcome::NoAnswer);
+    EXPECT_NE(bus.servo(0).commandVelocity, 0);
+    bus.onCommand = {};
+    EXPECT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() == 1; }, 10s));
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+    EXPECT_TRUE(bus.servo(0).servoOn);
+}
+
+/// What switches a servo on is a stop as well (DS-V 5.2), and nobody may be near the motor by then.
+TEST_F(StopOfOne, IsNotRepeatedIfItWasToSwitchTheServoOn) {
+    ASSERT_EQ(bus.perform({motorOff(1)}), Outcome::Done);
+    bus.runFor(200ms);
+    bus.onCommand = [](std::vector<std::uint8_t>& command) {
+        if (command.size() > 1 && command[1] == 2)
+            command.clear();
+    };
+    const OperationId id = bus.submit({enable(1)});
+    ASSERT_TRUE(bus.runUntil([&] { return bus.outcomeOf(id).has_value(); }, 5s));
+    bus.onCommand = {};
+    bus.runFor(5s);
+    EXPECT_FALSE(bus.servo(1).servoOn);
+    EXPECT_EQ(bus.count<OwedStopConfirmed>(), 0U);
+}
+
 TEST(Operations, WithoutAConnectionAreCancelled) {
     VirtualBus bus(servos(1));
     EXPECT_EQ(bus.perform({toServo(0, Nop{})}), Outcome::Cancelled);
