@@ -272,8 +272,8 @@ bool Engine::lend() {
 }
 
 bool Engine::hearsForProgram() const {
-    return passes() &&
-           std::ranges::all_of(m_works, [](const Work& work) { return work.ask.purpose == Purpose::Lent; });
+    const auto isProgram = [](const Work& work) { return work.ask.purpose == Purpose::Lent; };
+    return passes() && (m_works.empty() ? !m_line.busy() : std::ranges::all_of(m_works, isProgram));
 }
 
 void Engine::onProgram(ByteSpan bytes, TimePoint now) {

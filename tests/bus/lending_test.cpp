@@ -98,6 +98,26 @@ TEST_F(Lent, NothingIsSentButWhatTheProgramSends) {
     EXPECT_EQ(sent(), m_asked);
 }
 
+/// Nulls in the middle of the program's packet would make the module discard it.
+TEST(Lending, BeginsAfterTheRecoveryOfTheLine) {
+    VirtualBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(200ms);
+    const auto before = bus.engine.statistics().timeouts;
+    bus.losesReply = [](ByteSpan) { return true; };
+    ASSERT_TRUE(bus.runUntil([&] { return bus.engine.statistics().timeouts > before; }, 1s));
+    bus.losesReply = {};
+    bus.runFor(5ms);
+    ASSERT_TRUE(bus.engine.lend());
+    EXPECT_FALSE(bus.engine.hearsForProgram());
+    ASSERT_TRUE(bus.runUntil([&] { return bus.engine.hearsForProgram(); }, 1s));
+    bus.sent.clear();
+    bus.engine.onProgram(packet(1, 0x0E), bus.now);
+    bus.runFor(200ms);
+    EXPECT_EQ(bus.sent.size(), 1U);
+    EXPECT_TRUE(bus.lastSample(0));
+}
+
 TEST_F(Lent, RepliesOfAKnownChainAreDecodedAsThePanelHasDefinedThem) {
     send(packet(1, 0x0E));
     send(packet(2, 0x13, {0x21}));
