@@ -155,6 +155,8 @@ void Engine::submit(const GroupOperation& operation, TimePoint now) {
         m_events.emplace_back(stopGroup(operation, *command));
     else if (!accepting() || !m_operations.submit(operation))
         m_events.emplace_back(GroupFinished{operation.id, refusal(), operation.what, {}, false});
+    else if (command != nullptr)
+        m_trials.leave(membersOf(command->group));
     proceed(now);
 }
 
@@ -166,19 +168,25 @@ GroupFinished Engine::stopGroup(const GroupOperation& operation, const GroupComm
                               : command.action == StopSmoothly ? StopManner::Smoothly
                                                                : StopManner::Abruptly;
     GroupFinished finished{operation.id, Outcome::Done, operation.what, {}, false};
-    std::vector<ModuleIndex> members;
-    for (const Chain::Module& module : m_chain.modules()) {
-        const ModuleInfo& info = module.belief.info();
-        if (module.belief.restarted() || !info.group || info.group->group != command.group)
-            continue;
-        members.push_back(info.index);
-        finished.members.push_back({info.index, MemberOutcome::Done});
-    }
+    std::vector<ModuleIndex> members = membersOf(command.group);
+    for (const ModuleIndex member : members)
+        finished.members.push_back({member, MemberOutcome::Done});
     haltAxes(members, StopCause::GroupStop, manner);
     m_stops.sendTogether(std::move(members));
     if (finished.members.empty())
         finished.outcome = Outcome::Forbidden;
     return finished;
+}
+
+/// The modules that are known to obey this group's address.
+std::vector<ModuleIndex> Engine::membersOf(std::uint8_t group) const {
+    std::vector<ModuleIndex> members;
+    for (const Chain::Module& module : m_chain.modules()) {
+        const ModuleInfo& info = module.belief.info();
+        if (!module.belief.restarted() && info.group && info.group->group == group)
+            members.push_back(info.index);
+    }
+    return members;
 }
 
 void Engine::changeRate(std::uint32_t baud, TimePoint now) {
@@ -953,10 +961,13 @@ void Engine::beginPath(const Operation& operation, TimePoint now) {
         return m_hold.holds(axis.module) || m_operations.swings(axis.module);
     };
     const auto& axes = operation.path->axes;
-    if (std::ranges::any_of(axes, motion) || !m_path.begin(operation))
+    if (std::ranges::any_of(axes, motion) || !m_path.begin(operation)) {
         m_events.emplace_back(rejected(operation, Outcome::Forbidden));
-    else
+    } else {
         m_chain.schedule().unfocus();
+        for (const PathAxis& axis : axes)
+            m_trials.leave({axis.module});
+    }
     proceed(now);
 }
 

@@ -194,6 +194,7 @@ private:
     template <typename Set>
     void setForAll(Set set);
     [[nodiscard]] GroupFinished stopGroup(const GroupOperation& operation, const GroupCommand& command);
+    [[nodiscard]] std::vector<ModuleIndex> membersOf(std::uint8_t group) const;
     void beginPath(const Operation& operation, TimePoint now);
     [[nodiscard]] bool stopsBlindly() const;
     [[nodiscard]] bool oweStops(const Operation& operation);

@@ -3,7 +3,7 @@
 // values are compared with the simulator's own state.
 #include <gtest/gtest.h>
 
-#include "tests/bus/steps.h"
+#include "tests/bus/groups.h"
 #include "tests/support/virtualbus.h"
 
 namespace nmc::test {
@@ -62,7 +62,7 @@ protected:
         bus.runFor(lasts);
         bus.chain.clearFaults(bus.now);
     }
-    VirtualBus bus{servos(2), EngineConfig{115'200}, withFaults()};
+    GroupBus bus{servos(2), EngineConfig{115'200}, withFaults()};
     OperationId id{0};
 };
 
@@ -75,6 +75,26 @@ TEST_F(Trials, EndWhenTheTimeIsOverWithNobodyAsking) {
     ASSERT_TRUE(end);
     EXPECT_EQ(end->outcome, Outcome::Done);
     EXPECT_EQ(end->trial, TrialEnd::TimeOver);
+    bus.expectNoViolations();
+}
+
+TEST_F(Trials, EndBeforeTheGroupStarts) {
+    for (const std::uint8_t member : {std::uint8_t{0}, std::uint8_t{1}}) {
+        ASSERT_EQ(bus.put(member, kGroup).outcome, Outcome::Done);
+        ASSERT_EQ(bus.perform({loadMove(member, 1'000)}), Outcome::Done);
+    }
+    beginTrial(kOther);
+    unsigned starts = 0;
+    bus.onCommand = [&](const std::vector<std::uint8_t>& command) {
+        if (command.size() < 3 || command[1] != kGroup || command[2] != 0x05)  // Start Motion
+            return;
+        ++starts;
+        EXPECT_TRUE(has(kGood));
+    };
+    EXPECT_EQ(bus.start(kGroup).outcome, Outcome::Done);
+    EXPECT_EQ(starts, 1U);
+    bus.runFor(1s);
+    EXPECT_NEAR(bus.servo(0).position, 1'000, 3);
     bus.expectNoViolations();
 }
 
