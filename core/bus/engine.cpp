@@ -558,7 +558,7 @@ void Engine::takeFindings(TimePoint now) {
     if (m_line.takeForeign(now) && m_connected && !m_search.active())
         onForeignTraffic();
     for (const GroupMember& member : m_operations.takeHalfStarted())
-        halt(member.module, StopCause::GroupHalfStarted, StopManner::Abruptly);
+        haltAxes({member.module}, StopCause::GroupHalfStarted, StopManner::Abruptly);
 }
 
 void Engine::onSearchEnded(SearchTask::Ended ended, TimePoint now) {
@@ -658,14 +658,6 @@ void Engine::takeHeard(ModuleIndex index, const ReplyEnd& end) {
     }
 }
 
-/// Something is wrong with a motion: its module is stopped, and pending work is dropped.
-void Engine::halt(ModuleIndex module, StopCause cause, StopManner manner) {
-    if (m_hold.holds(module))
-        m_hold.clear();
-    cancelAll(Change::Kind::Cancelled);
-    m_chain.owe(module, cause, manner);
-}
-
 void Engine::haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, StopManner manner) {
     notify({Change::Kind::Stopped, modules});
     for (const ModuleIndex module : modules)
@@ -684,8 +676,7 @@ void Engine::onForeignTraffic() {
     for (const Chain::Module& module : m_chain.modules())
         if (module.ownMotion.commanded() && (module.belief.moving() || !module.belief.fresh()))
             event.commandedToStop.push_back(module.belief.info().index);
-    for (const ModuleIndex module : event.commandedToStop)
-        halt(module, StopCause::ForeignTraffic, StopManner::Abruptly);
+    haltAxes(event.commandedToStop, StopCause::ForeignTraffic, StopManner::Abruptly);
     cancelAll(Change::Kind::Cancelled);
     m_events.emplace_back(std::move(event));
 }
@@ -951,7 +942,7 @@ void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport
     m_events.emplace_back(MotionSuspect{module, *reason, trusted.position.value_or(0)});
     // A motor that runs the wrong way would continue with its servo on.
     const bool off = *reason == MotionSuspect::Reason::WrongWay || !m_chain.belief(module).on();
-    halt(module, StopCause::MotionSuspect, off ? StopManner::Off : StopManner::Abruptly);
+    haltAxes({module}, StopCause::MotionSuspect, off ? StopManner::Off : StopManner::Abruptly);
 }
 
 // ---- paths: their beginning, and stops at their end ----

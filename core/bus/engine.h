@@ -246,7 +246,6 @@ private:
     [[nodiscard]] std::vector<ModuleInfo> knownModules() const;
     void adopt(ChainFound found, const Discovery& discovery, TimePoint now);
     void takeHeard(ModuleIndex module, const ReplyEnd& end);
-    void halt(ModuleIndex module, StopCause cause, StopManner manner);
     /// Stops these modules and cancels all other work for them.
     void haltAxes(const std::vector<ModuleIndex>& modules, StopCause cause, StopManner manner);
     /// A stop owed because of a fault, or in a stop of all modules, gives way only to a firmer one.

@@ -75,7 +75,7 @@ bool HoldTask::onChange(const Change& change) {
     using enum Change::Kind;
     if (change.kind == StopAll || change.kind == GivenUp ||
         std::ranges::any_of(change.modules, [this](auto module) { return holds(module); }))
-        clear();
+        leave();
     else if (change.cancelsAll())
         release();
     return change.cancelsAll();

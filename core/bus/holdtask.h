@@ -30,8 +30,6 @@ public:
     [[nodiscard]] std::optional<TimePoint> expiry() const {
         return m_wanted ? std::optional(m_until) : std::nullopt;
     }
-    /// Something else stops the motor.
-    void clear() { leave(); }
     [[nodiscard]] bool holds(ModuleIndex module) const { return m_wanted && m_wanted->module == module; }
     [[nodiscard]] bool active() const { return m_wanted.has_value(); }
     /// Only while active().

@@ -396,7 +396,7 @@ TEST(HoldTask, KnowsAPressByItsNumber) {
     ++press.press;
     task.hold(press, t + 253ms);
     ASSERT_TRUE(task.active());
-    task.clear();
+    task.onChange({Change::Kind::Stopped, {ModuleIndex(0)}});
     task.hold(press, t + 254ms);
     EXPECT_FALSE(task.active());
     EXPECT_FALSE(task.expiry());

@@ -103,6 +103,30 @@ TEST(M17_MotorRunsAway, IsStoppedWithinThreePolls) {
     }
 }
 
+/// It is noticed at the same time in both runs, in a reply; the stop of the other is submitted just before.
+TEST(M17_MotorRunsAway, LeavesAnotherModuleItsStop) {
+    std::optional<TimePoint> noticed;
+    for (const bool stops : {false, true}) {
+        FaultyBus bus(servos(2), kFast);
+        ASSERT_NO_FATAL_FAILURE(enableWithoutALimit(bus));
+        ASSERT_EQ(bus.perform({gains(1), enable(1), loadVelocity(1, kOnePerTick, true)}), Outcome::Done);
+        bus.runFor(200ms);
+        bus.fault("module 1 reverse");
+        bus.submit({loadVelocity(0, kOnePerTick, true)});
+        if (stops) {
+            bus.runFor(*noticed - 200us - bus.now);
+            bus.submit({toServo(1, servo::StopMotor{true, servo::StopManner::Smoothly, {}})});
+        }
+        ASSERT_EQ(bus.motionSuspects(0), 0U);
+        ASSERT_TRUE(bus.runUntil([&] { return bus.motionSuspects(0) > 0; }, 3s));
+        if (stops)
+            EXPECT_EQ(bus.now, *noticed);
+        noticed = bus.now;
+        bus.runFor(1s);
+        EXPECT_EQ(bus.servo(1).commandVelocity == 0.0, stops);
+    }
+}
+
 /// A stop that keeps the servo on would let it run on the wrong way.
 TEST(M17_MotorRunsAway, IsSwitchedOffByAStopOfAllModulesAsWell) {
     FaultyBus bus(servos(1), kFast);
