@@ -12390,6 +12390,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>From %1 Hz, two periods between the cursors, to %2 Hz, nearly half the rate of the samples.</source>
         <translation>Von %1 Hz, zwei Perioden zwischen den Cursorn, bis %2 Hz, fast der halben Rate der Messwerte.</translation>
     </message>
+    <message>
+        <source>There is a long gap between the cursors. Move both to the same side of it.</source>
+        <translation>Zwischen den Cursorn liegt eine lange Lücke. Beide auf dieselbe Seite der Lücke ziehen.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::SpectrumPlot</name>

@@ -12390,6 +12390,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>From %1 Hz, two periods between the cursors, to %2 Hz, nearly half the rate of the samples.</source>
         <translation>De %1 Hz, dos periodos entre los cursores, a %2 Hz, casi la mitad de la frecuencia de las muestras.</translation>
     </message>
+    <message>
+        <source>There is a long gap between the cursors. Move both to the same side of it.</source>
+        <translation>Hay un hueco largo entre los cursores. Mueva ambos al mismo lado del hueco.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::SpectrumPlot</name>

@@ -12390,6 +12390,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>From %1 Hz, two periods between the cursors, to %2 Hz, nearly half the rate of the samples.</source>
         <translation>De %1 Hz, deux périodes entre les curseurs, à %2 Hz, presque la moitié de la fréquence des échantillons.</translation>
     </message>
+    <message>
+        <source>There is a long gap between the cursors. Move both to the same side of it.</source>
+        <translation>Il y a une longue lacune entre les curseurs. Placez-les tous deux du même côté.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::SpectrumPlot</name>

@@ -12370,6 +12370,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>From %1 Hz, two periods between the cursors, to %2 Hz, nearly half the rate of the samples.</source>
         <translation>%1 Hz（カーソル間に2周期）から%2 Hz（サンプルレートのほぼ半分）まで。</translation>
     </message>
+    <message>
+        <source>There is a long gap between the cursors. Move both to the same side of it.</source>
+        <translation>カーソル間にデータの長い欠落があります。両方のカーソルを欠落の同じ側に移動してください。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::SpectrumPlot</name>

@@ -132,6 +132,24 @@ TEST(Spectrum, NeedsSamples) {
     EXPECT_FALSE(spectrumOf(samplesOf(200, 150, wave(1, 20))).has_value());
 }
 
+/// 200 samples at 2 ms, a gap, and 200 more. An hour would be 3600.8 / 0.002 = 1.8 million intervals, and its
+/// transform would need 2^25 points; a second is 1.796 / 0.002 = 898 intervals.
+TEST(Spectrum, OfSamplesOnBothSidesOfALongGapIsRefused) {
+    const auto around = [](double gap) {
+        std::vector<SignalPoint> points;
+        for (int i = 0; i < 400; ++i) {
+            const double at = i * 0.002 + (i < 200 ? 0 : gap);
+            points.push_back({at, wave(30, 20)(at), i != 0 && i != 200});
+        }
+        return points;
+    };
+    EXPECT_TRUE(hasLongGap(around(3'600)));
+    EXPECT_FALSE(spectrumOf(around(3'600)).has_value());
+    EXPECT_FALSE(hasLongGap(around(1)));
+    EXPECT_TRUE(spectrumOf(around(1)).has_value());
+    EXPECT_FALSE(hasLongGap({}));
+}
+
 /// A servo that follows a sine of its command: the scope's samples at either baud rate, against the shaft
 /// itself, tick by tick, whose amplitude over whole periods is 2/n times its Fourier sum.
 TEST(Spectrum, AgreesWithTheShaftAtBothBaudRates) {

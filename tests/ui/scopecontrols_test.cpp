@@ -293,6 +293,19 @@ TEST_F(SpectrumOfTheScope, FollowsTheCursors) {
     EXPECT_FALSE(window->findChild<QWidget*>(u"spectrumDialog"_s)->isVisible());
 }
 
+/// Half an hour without samples, as between two connections to the same chain.
+TEST_F(SpectrumOfTheScope, AsksForOneSideOfALongGap) {
+    for (int i = 0; i <= 1000; ++i)
+        swinging.addTo(0, 1'820 + i / 100.0, i);
+    putCursors(12, 1'825);
+    frames();
+    EXPECT_EQ(range(), u"There is a long gap between the cursors. Move both to the same side of it."_s);
+    EXPECT_TRUE(peak().isEmpty());
+    putCursors(1'821, 1'825);
+    frames();
+    EXPECT_TRUE(range().startsWith(u"From 0.5 Hz"_s)) << range().toStdString();
+}
+
 /// Module 1 goes from 120 to 160 between the cursors, with 5 % of that as a margin; module 2 swings about
 /// 8400 to 11200.
 TEST_F(SpectrumOfTheScope, HasAnXyViewBesideIt) {

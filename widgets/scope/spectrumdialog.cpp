@@ -50,7 +50,10 @@ void SpectrumDialog::showSamples(const std::vector<Samples>& samples) {
     if (!spectrum) {
         look::setText(m_peak, {});
         // A stretch with enough samples may still be too short for two periods.
-        look::setText(m_range, whyNothing(signal, SIZE_MAX, kMostSpectrumSamples));
+        look::setText(m_range,
+                      signal.points.size() <= kMostSpectrumSamples && hasLongGap(signal.points)
+                          ? tr("There is a long gap between the cursors. Move both to the same side of it.")
+                          : whyNothing(signal, SIZE_MAX, kMostSpectrumSamples));
         return;
     }
     look::setText(m_peak, spectrum->peak ? tr("Peak: %1 Hz, amplitude %2 %3")

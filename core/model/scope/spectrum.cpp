@@ -190,12 +190,19 @@ double highest(const std::vector<Weighted>& samples, double low, double high) {
 
 }  // namespace
 
+/// With as many intervals as this, the mesh is no larger than that of the most samples with a few missing.
+bool hasLongGap(const std::vector<SignalPoint>& points) {
+    constexpr double kMostIntervals = 2 * kMostSpectrumSamples;
+    const double usual = usualInterval(points);
+    return usual > 0 && points.back().seconds - points.front().seconds > kMostIntervals * usual;
+}
+
 std::optional<Spectrum> spectrumOf(const std::vector<SignalPoint>& points, unsigned derivative) {
     if (points.size() < kFewestSpectrumSamples || points.size() > kMostSpectrumSamples)
         return std::nullopt;
     const double stretch = points.back().seconds - points.front().seconds;
     const double usual = usualInterval(points);
-    if (usual <= 0)
+    if (usual <= 0 || hasLongGap(points))
         return std::nullopt;
     const double period = kPointsPerLine * stretch;
     const auto from = static_cast<std::size_t>(kSlowestLine * kPointsPerLine);

@@ -30,8 +30,13 @@ struct Spectrum {
 inline constexpr std::size_t kMostSpectrumSamples = 8'000;
 inline constexpr std::size_t kFewestSpectrumSamples = 16;
 
+/// True if nothing was sampled for so long between the points that their spectrum, whose frequencies grow in
+/// number with the time from the first to the last, would take far longer. It is refused then.
+[[nodiscard]] bool hasLongGap(const std::vector<SignalPoint>& points);
+
 /// `points` must be in order of time. `derivative`: 1 for the spectrum of the signal's rate of change, per s.
-/// Returns nothing if there are too few or too many points, or all of them are at the same time.
+/// Returns nothing if there are too few or too many points, all of them are at the same time, or they have a
+/// long gap.
 [[nodiscard]] std::optional<Spectrum> spectrumOf(const std::vector<SignalPoint>& points,
                                                  unsigned derivative = 0);
 
