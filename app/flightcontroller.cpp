@@ -16,7 +16,7 @@ unsigned FlightController::note(const QString& what, std::optional<ModuleIndex> 
                                QString::fromStdString(link.port), link.simulated, dateOf(at, monotonicNow())};
     if (m_circumstances.size() > FlightRecorder::kKept)
         m_circumstances.erase(m_circumstances.begin());
-    return record;
+    return m_recorder.find(record, m_store.history())->history.empty() ? 0 : record;
 }
 
 void FlightController::show(unsigned record) {

@@ -18,7 +18,8 @@ class FlightController {
 public:
     FlightController(MainWindow& window, const BusStore& store) : m_window(window), m_store(store) {}
 
-    /// `what`: headline of the message that reports it. Returns the number of the record (Message::record).
+    /// `what`: headline of the message that reports it. Returns the number of the record (Message::record), 0
+    /// if there are no samples of what led to it.
     unsigned note(const QString& what, std::optional<ModuleIndex> module, TimePoint at);
     /// Call once per frame.
     void keep(TimePoint now) { m_recorder.keep(m_store.history(), now); }

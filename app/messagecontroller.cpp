@@ -93,6 +93,9 @@ Message MessageController::recorded(Message message) {
     if (message.offers(MessageAction::ShowRecord)) {
         emit aboutToReport();
         message.record = m_flight.note(message.headline, message.module, monotonicNow());
+        if (message.record == 0)
+            message.actions.removeIf(
+                [](const auto& action) { return action.id == MessageAction::ShowRecord; });
         m_recordings.note(message.headline);
     }
     return message;

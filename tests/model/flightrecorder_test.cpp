@@ -69,6 +69,19 @@ TEST(FlightRecorder, TakesNothingFromTheHistoryOfAnotherChain) {
     EXPECT_EQ(incident->history.end(), atSeconds(60));
 }
 
+/// The chain fell silent at 60 s, ten seconds before: the record reaches back to 65 s.
+TEST(FlightRecorder, IsEmptyWhereThereIsNoSampleAroundTheIncident) {
+    FlightRecorder recorder;
+    const unsigned stop = recorder.note({}, atSeconds(70), until(60));
+    EXPECT_TRUE(recorder.find(stop, until(60))->history.empty());
+    History other(1);
+    ScopeSample sample;
+    sample.time = atSeconds(71);
+    other.append(ModuleIndex(0), sample);
+    recorder.keep(other, atSeconds(72.5));
+    EXPECT_TRUE(recorder.find(stop, other)->history.empty()) << "the sample is of another chain";
+}
+
 TEST(FlightRecorder, KeepsEachIncidentUnderItsNumber) {
     FlightRecorder recorder;
     const unsigned first = recorder.note({}, atSeconds(10), until(10));

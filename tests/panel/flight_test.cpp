@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happened around a fault or a stop, shown in the scope of the whole program.
+#include "link/clock.h"
 #include "tests/support/choosefile.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/common/requests.h"
@@ -70,6 +71,19 @@ TEST_F(Flight, APowerLossCanStillBeShownWhenThePortIsClosed) {
     ASSERT_TRUE(clickShow(QStringLiteral("no motor power")));
     EXPECT_TRUE(scope().showsRecord());
     EXPECT_TRUE(title().contains(QLatin1String("no motor power"))) << title().toStdString();
+}
+
+/// A record reaches back by 5 s.
+TEST_F(Flight, AStopLongAfterTheLastSampleHasNothingToShow) {
+    begin();
+    sim.tell("fault bus silent");
+    const TimePoint silent = monotonicNow();
+    ASSERT_TRUE(panel.waitFor([&] { return monotonicNow() > silent + std::chrono::seconds(6); }));
+    panel.pressStopAll();
+    const QString told = QStringLiteral("use the hardware stop");
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(told) > 0; }));
+    EXPECT_FALSE(clickShow(told));
+    EXPECT_FALSE(scope().showsRecord());
 }
 
 /// The list has an entry for each fault, with what led to it.

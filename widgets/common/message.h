@@ -67,7 +67,7 @@ struct Message {
     QList<Action> actions{};
     QString command{};    ///< what "Copy command" copies
     QString details{};    ///< the system's own message, or raw bytes
-    unsigned record = 0;  ///< what "Show the last 2 s" shows (app/flightcontroller.h)
+    unsigned record = 0;  ///< what "Show the last 2 s" shows (app/flightcontroller.h); 0: nothing
     /// True for a state, which lasts until the message is ended; false for an event, which is old news after
     /// a while.
     bool stands = false;

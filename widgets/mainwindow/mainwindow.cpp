@@ -460,7 +460,7 @@ void MainWindow::showStopResult(const bus::StopFinished& finished, unsigned reco
     if (all)
         endMessage(texts::key::kStop);
     result.record = record;
-    showMessage(texts::withRecord(result));
+    showMessage(record != 0 ? texts::withRecord(result) : result);
     m_session.stopFinished(all);
 }
 

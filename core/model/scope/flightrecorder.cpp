@@ -14,7 +14,7 @@ unsigned FlightRecorder::note(std::optional<ModuleIndex> module, TimePoint at, c
 }
 
 void FlightRecorder::take(Incident& incident, const History& history) {
-    if (incident.history.empty() || incident.history.zero() == history.zero())
+    if (!incident.history.zero() || incident.history.zero() == history.zero())
         incident.history = history.cut(incident.at - kBefore, incident.at + kAfter);
 }
 

@@ -122,7 +122,8 @@ public:
     [[nodiscard]] std::size_t modules() const { return m_modules.size(); }
     /// Returns null if there is no such module.
     [[nodiscard]] const ModuleHistory* module(ModuleIndex index) const;
-    [[nodiscard]] bool empty() const { return !m_zero; }
+    /// True if there is no sample; part of a history may have the zero of the whole all the same.
+    [[nodiscard]] bool empty() const { return !end(); }
     /// The time of the very first sample; plots and recordings count their seconds from here.
     [[nodiscard]] std::optional<TimePoint> zero() const { return m_zero; }
     [[nodiscard]] std::optional<TimePoint> begin() const;
