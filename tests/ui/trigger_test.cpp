@@ -365,6 +365,40 @@ TEST_F(Trigger, WaitsForWhatTheUserHasDefinedAndForItsNewDefinition) {
     expectShown(3.0 - 0.2, 3.0 + 0.8);
 }
 
+/// The picture of another chain is neither completed with the samples of this one nor shown over them.
+TEST_F(Trigger, WaitsAgainWhenAnotherChainIsConnected) {
+    const QTemporaryDir folder;
+    QSignalSpy saved(&window->requests(), &Requests::save);
+    click(u"triggerSaveBox"_s);
+    testing_support::chooseFile(*find<QFileDialog>(u"triggerFolderDialog"_s), folder.path());
+    type(u"triggerLevelField"_s, u"50"_s);
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    // Two seconds at rest.
+    const auto connectAnother = [this](double from) {
+        made = HandMadeHistory{2};
+        for (int i = 0; i <= 200; ++i)
+            made.add(from + i / 100.0, 0);
+        window->showHistory(made.history(), HandMadeHistory::at(from + 2));
+    };
+    run(3.6, ramp);
+    EXPECT_TRUE(state().endsWith(u"more samples to come"_s)) << state().toStdString();
+    connectAnother(10);
+    EXPECT_EQ(state(), u"waiting"_s);
+    EXPECT_FALSE(paused());
+    EXPECT_EQ(saved.size(), 0);
+    for (int i = 5; i <= 300; ++i) {
+        made.add(12 + i / 100.0, i < 100 ? 0 : i - 100);
+        if (i % 5 == 0)
+            window->showHistory(made.history(), HandMadeHistory::at(12 + i / 100.0));
+    }
+    expectShown(3.5 - 0.2, 3.5 + 0.8);
+    EXPECT_EQ(saved.size(), 1);
+    connectAnother(20);
+    EXPECT_EQ(state(), u"waiting"_s);
+    EXPECT_FALSE(paused());
+    EXPECT_EQ(saved.size(), 1);
+}
+
 TEST_F(Trigger, OffersWhatIsMadeOfSamplesOnlyWhereItCanBe) {
     const auto* sources = find<QComboBox>(u"triggerSourceBox"_s);
     EXPECT_GE(sources->findText(u"acceleration"_s), 0);

@@ -87,6 +87,9 @@ void TriggerControl::feed(const History& history) {
         m_derived.forget();
         m_derivedFed = 0;
         m_trigger.forgetSamples();
+        // What triggered is of a chain that is no longer shown.
+        if (m_trigger.firedAt())
+            arm();
     }
     for (std::size_t i = 0; i < m_fed.size(); ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));

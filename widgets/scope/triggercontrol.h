@@ -24,7 +24,8 @@ public:
     /// Sets the length of the picture in s; if the trigger has fired already, that of the next picture.
     void setWindow(double seconds);
     void showModules(const std::vector<ScopeModule>& modules, std::optional<ModuleIndex> selected);
-    /// Call once per frame, whatever is shown. `zero`: date and time of the history's zero.
+    /// Call once per frame, whatever is shown. `zero`: date and time of the history's zero. With another
+    /// history, a trigger that has fired waits again.
     void follow(const History& history, TimePoint now, const QDateTime& zero);
     /// The trigger's picture; empty while it is not complete.
     [[nodiscard]] std::optional<ScopeTrigger::Picture> picture() const;
