@@ -120,9 +120,10 @@ TEST(Recording, TheHeadIsReadBack) {
     EXPECT_EQ(readRecording(recordingHead(header)).header, header);
 }
 
-TEST(Recording, GainsOfBothKindsAreReadBack) {
+TEST(Recording, GainsOfAllKindsAreReadBack) {
     const std::vector<GainsChange> gains{
         {ModuleIndex(0), atNs(-1), servo::SetGain{1, 2, 3, 4, 5, 6, 7, 8, std::nullopt}},
+        {ModuleIndex(11), atNs(500), std::nullopt},
         {ModuleIndex(31), atNs(1'234'567'890),
          servo::SetGain{0x7FFF, 0x7FFF, 0x7FFF, 0x7FFF, 255, 255, 0x3FFF, 255, 255}}};
     std::string text = recordingHead(recordingHeader());
@@ -131,6 +132,16 @@ TEST(Recording, GainsOfBothKindsAreReadBack) {
     const auto read = readRecording(text);
     EXPECT_FALSE(read.problem.has_value());
     EXPECT_EQ(read.gains, gains);
+}
+
+TEST(Recording, AnyOtherNoteIsNoChangeOfTheGains) {
+    std::string text = recordingHead(recordingHeader());
+    for (const char* note : {"gains of module 2", "gains of module 2 unknown again", "gains unknown",
+                             "gains of module 0 unknown", "the motors were told to stop"})
+        appendNote(text, note, atNs(5), TimePoint{});
+    const auto read = readRecording(text);
+    EXPECT_FALSE(read.problem.has_value());
+    EXPECT_TRUE(read.gains.empty());
 }
 
 TEST(Recording, OfAHistoryHasItsSamplesAndGainsInTheOrderOfTime) {

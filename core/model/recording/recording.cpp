@@ -141,7 +141,9 @@ void appendRow(std::string& out, ModuleIndex module, const ScopeSample& sample, 
 
 void appendGains(std::string& out, const GainsChange& change, TimePoint zero) {
     if (!change.gains)
-        return appendNote(out, "gains of module " + std::to_string(change.module.value() + 1) + " unknown",
+        return appendNote(out,
+                          std::string(words::kGains) + std::to_string(change.module.value() + 1) +
+                              std::string(words::kUnknown),
                           change.time, zero);
     out.append("# ").append(words::kGains);
     appendNumber(out, change.module.value() + 1);
@@ -160,7 +162,7 @@ void appendGains(std::string& out, const GainsChange& change, TimePoint zero) {
 }
 
 void appendNote(std::string& out, std::string_view text, TimePoint time, TimePoint zero) {
-    out.append("# note").append(words::kAt);
+    out.append("# ").append(words::kNote).append(words::kAt);
     out += cells::timeText(time - zero);
     out.append(words::kSeconds).append(oneLine(text, kMaxText)) += '\n';
 }

@@ -35,6 +35,7 @@
 ///     1,0.012000000,1024,,1024.5,0.5,0,1,17,9,4,0,,,
 ///     # gains of module 1 at 0.500000000 s: kp 100 kd 1000 ki 0 il 0 ol 255 cl 0 el 2000 sr 1 db 0
 ///     # note at 0.750000000 s: the motors were told to stop
+///     # note at 0.900000000 s: gains of module 1 unknown
 ///
 /// Each row is a sample, in order of arrival; an empty cell means unknown. Numbers read back exactly. Those
 /// parts of the comments that this program reads back contain no commas of their own, so that no spreadsheet

@@ -214,7 +214,21 @@ std::optional<RecordingProblem> takeHeadEntry(std::string_view text, RecordingHe
     return std::nullopt;
 }
 
+/// Reads the note that the gains of a module are no longer known.
+static std::optional<GainsChange> lostGainsOf(std::string_view text) {
+    if (!skip(text, words::kAt) || !text.ends_with(words::kUnknown))
+        return std::nullopt;
+    text.remove_suffix(words::kUnknown.size());
+    const auto time = cells::time(upTo(words::kSeconds, text));
+    const auto module = skip(text, words::kGains) ? moduleOf(text) : std::nullopt;
+    if (!time || !module)
+        return std::nullopt;
+    return GainsChange{*module, TimePoint(*time), std::nullopt};
+}
+
 std::optional<GainsChange> gainsOf(std::string_view text) {
+    if (skip(text, words::kNote))
+        return lostGainsOf(text);
     if (!skip(text, words::kGains))
         return std::nullopt;
     const auto module = moduleOf(upTo(words::kAt, text));

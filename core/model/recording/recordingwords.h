@@ -37,7 +37,9 @@ inline constexpr std::string_view kInputAtZero = "at zero";
 inline constexpr std::array<std::string_view, 5> kUnits{"counts or steps", "turns", "degrees", "millimetres",
                                                         "own"};
 
+inline constexpr std::string_view kNote = "note";
 inline constexpr std::string_view kGains = "gains of module ";
+inline constexpr std::string_view kUnknown = " unknown";
 inline constexpr std::string_view kAt = " at ";
 inline constexpr std::string_view kSeconds = " s: ";
 /// Calls field(word, value, range) for each gain that every version has, in the data sheet's order.
