@@ -168,8 +168,7 @@ void RecordingController::showRecording() {
 void RecordingController::failed(const RecordingFailure& failure) {
     m_next.clear();
     showRecording();
-    m_window.showMessage(
-        texts::recordingFailed(m_writer.path(), failure, toSeconds(monotonicNow() - m_started)));
+    m_window.showMessage(texts::recordingFailed(m_writer.path(), failure));
 }
 
 // ---- files ----

@@ -60,15 +60,16 @@ TEST(RecordingTexts, SayWhatIsShownOfAFileThatIsCut) {
               u"It has nothing to show. Choose another file."_s);
 }
 
+/// 1.2 times 1024 squared are 1 258 291 bytes.
 TEST(RecordingTexts, SayWhyARecordingEndedAndWhatIsKept) {
     const auto ended = [](RecordingProblemKind trouble, qint64 bytes) {
-        return texts::recordingFailed(u"/mnt/mill.csv"_s, {trouble, u"words of the system"_s, bytes}, 12.3);
+        return texts::recordingFailed(u"/mnt/mill.csv"_s, {trouble, u"words of the system"_s, bytes});
     };
-    const Message full = ended(RecordingProblemKind::NoSpace, 4'096);
+    const Message full = ended(RecordingProblemKind::NoSpace, 1'258'291);
     EXPECT_EQ(full.headline, u"Recording to \"mill.csv\" stopped: the disk is full."_s);
     EXPECT_EQ(
         full.body,
-        u"The part written before (12 s) is kept. Motor control continues. To continue recording, choose another file."_s);
+        u"The part written before (1.2 MB) is kept. Motor control continues. To continue recording, choose another file."_s);
     EXPECT_EQ(full.details, u"words of the system"_s);
     EXPECT_EQ(full.severity, Severity::Attention);
     EXPECT_TRUE(ended(RecordingProblemKind::NoPermission, 0).body.startsWith(u"Nothing was kept."_s));

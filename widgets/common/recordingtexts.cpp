@@ -2,6 +2,7 @@
 // The part of the table of texts about recordings and exports of the scope.
 #include <QDir>
 #include <QFileInfo>
+#include <QLocale>
 
 #include "link/files/recordingwriter.h"
 #include "model/recording/recordingreader.h"
@@ -108,10 +109,13 @@ Message recordingEnded(const QString& path, double seconds) {
             .body = Texts::tr("Saved in %1.").arg(folderOf(path))};
 }
 
-Message recordingFailed(const QString& path, const RecordingFailure& failure, double seconds) {
+/// The size tells what is kept; of what was recorded, more may have waited for a slow disk.
+Message recordingFailed(const QString& path, const RecordingFailure& failure) {
     const bool kept = failure.bytes > 0 && failure.trouble != RecordingProblemKind::Removed;
-    const QString rest = kept ? Texts::tr("The part written before (%1) is kept.").arg(length(seconds))
-                              : Texts::tr("Nothing was kept.");
+    const QString rest =
+        kept ? Texts::tr("The part written before (%1) is kept.")
+                   .arg(QLocale().formattedDataSize(failure.bytes, 1, QLocale::DataSizeTraditionalFormat))
+             : Texts::tr("Nothing was kept.");
     return {
         .key = key::kRecording,
         .severity = Severity::Attention,

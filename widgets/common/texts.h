@@ -221,8 +221,7 @@ namespace texts {
 /// No chain is connected.
 [[nodiscard]] Message recordingNotBegun(const QString& path);
 [[nodiscard]] Message recordingEnded(const QString& path, double seconds);
-/// `seconds`: how long the recording lasted.
-[[nodiscard]] Message recordingFailed(const QString& path, const RecordingFailure& failure, double seconds);
+[[nodiscard]] Message recordingFailed(const QString& path, const RecordingFailure& failure);
 /// ""mill.csv" line 12: position is "x", which is not a number."
 [[nodiscard]] QString recordingProblem(const QString& file, const RecordingProblem& problem);
 /// The recording was read only up to the problem; `samples` of it are shown.
