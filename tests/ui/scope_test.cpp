@@ -332,6 +332,33 @@ TEST_F(Scope, ARecordingLiesUnderTheLiveTraceFromWhereTheMotionBegan) {
     EXPECT_FALSE(find<QLabel>(u"scopeUnderLabel"_s)->isVisible());
 }
 
+/// A sample of a PIC-I/O has its counter where that of a motor has its position: 400 here, and twice that in
+/// the user's trace.
+TEST_F(Scope, AnOverlayIsReadAsTheTypeThatWasRecorded) {
+    ScopeSetup setup;
+    setup.strips[0] = {{{}, ScopeSignal::Position}};
+    setup.strips[1] = {{{}, ScopeSignal::Custom1}};
+    setup.custom[0] = TraceDefinition{u"twice"_s, u"ct"_s, {{{}, ScopeSignal::Position}, 2}};
+    find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
+    HandMadeHistory live;
+    HandMadeHistory old;
+    for (int i = 0; i <= 1000; ++i) {
+        live.add(i / 100.0, 0);
+        old.add(i / 100.0, 400);
+    }
+    show(live, 10);
+    for (const ModuleType type : {ModuleType::Io, ModuleType::Servo}) {
+        auto recorded = std::make_shared<ScopeRecord>();
+        recorded->history = old.history();
+        recorded->modules.resize(1);
+        recorded->modules[0].identity.type = type;
+        window->showUnder(recorded);
+        show(live, 10);
+        EXPECT_EQ(plot()->valueRange().max >= 400, type == ModuleType::Servo);
+        EXPECT_EQ(plot(u"scopePlot2"_s)->valueRange().max >= 800, type == ModuleType::Servo);
+    }
+}
+
 TEST_F(Scope, NothingIsBuiltUntilItIsSeen) {
     MainWindow hidden(settings);
     EXPECT_EQ(hidden.findChild<ScopePlot*>(u"scopePlot1"_s), nullptr);

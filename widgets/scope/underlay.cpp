@@ -4,7 +4,7 @@
 namespace nmc {
 
 bool Underlay::follow(const History& live, std::optional<ModuleIndex> module, TimePoint now,
-                      const std::vector<ModuleSignal>& shown, const std::vector<CustomSignal>& custom) {
+                      const std::vector<ModuleSignal>& shown, std::vector<CustomSignal> custom) {
     if (module != m_module) {
         forget();
         m_recorded = {};
@@ -20,8 +20,18 @@ bool Underlay::follow(const History& live, std::optional<ModuleIndex> module, Ti
         above = *m_live.last();
     }
     m_zero = below - (above + m_shift - live.zero().value_or(above));
+    std::erase_if(custom, [this](const CustomSignal& how) {
+        return !has(how.first.of) || (how.second && !has(how.second->of));
+    });
     m_derived.want(shown, custom);
     return m_derived.follow(m_record->history) && motions;
+}
+
+/// Of the user's signals, the parts count.
+bool Underlay::has(const ModuleSignal& of) const {
+    const std::vector<ScopeModule>& modules = m_record->modules;
+    return customIndex(of.signal) || of.module.value() >= modules.size() ||
+           modules[of.module.value()].has(of.signal);
 }
 
 bool Underlay::followMotions(const History& live) {

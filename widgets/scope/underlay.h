@@ -22,7 +22,7 @@ public:
     /// Call once per frame with the live history; `module`: the module whose motions count. Returns false if
     /// another frame is needed.
     bool follow(const History& live, std::optional<ModuleIndex> module, TimePoint now,
-                const std::vector<ModuleSignal>& shown, const std::vector<CustomSignal>& custom);
+                const std::vector<ModuleSignal>& shown, std::vector<CustomSignal> custom);
     /// Call when the live history is replaced.
     void forget();
     /// Moves the recording by hand, in addition to its automatic place; later is positive.
@@ -30,11 +30,13 @@ public:
 
     /// The time in the recording that is shown at the live history's zero.
     [[nodiscard]] TimePoint zero() const { return m_zero; }
+    /// None if the recorded module, which may be of another type, has no such signal.
     [[nodiscard]] SignalSource source(const ModuleSignal& of) const {
-        return m_derived.source(m_record->history, of);
+        return has(of) ? m_derived.source(m_record->history, of) : SignalSource{};
     }
 
 private:
+    [[nodiscard]] bool has(const ModuleSignal& of) const;
     bool followMotions(const History& live);
 
     std::shared_ptr<const ScopeRecord> m_record;
