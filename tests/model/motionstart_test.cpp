@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace nmc {
 namespace {
@@ -21,8 +22,14 @@ public:
             ScopeSample sample;
             sample.time = kZero + fromSeconds(m_milliseconds++ / 1e3);
             sample.position = static_cast<std::int32_t>(std::lround(m_at));
+            sample.gapBefore = std::exchange(m_wasSet, false);
             history.append(sample);
         }
+    }
+    /// The counter is set, as by Reset Position, which the next sample marks as a gap.
+    void setCounter(double counts) {
+        m_at = counts;
+        m_wasSet = true;
     }
     /// The last start of a motion that follow() has found, in seconds since the first sample; -1 if there is
     /// none.
@@ -36,6 +43,7 @@ public:
 
 private:
     double m_at = 0;
+    bool m_wasSet = false;
     int m_milliseconds = 0;
 };
 
@@ -80,6 +88,20 @@ TEST(MotionStart, AMotionOverTheWrapOfThePositionIsOne) {
         shaft.history.append(sample);
     }
     EXPECT_NEAR(shaft.last(), 0.302, 0.001) << "five counts at the fourth sample";
+}
+
+TEST(MotionStart, SettingTheCounterIsNoMotion) {
+    Shaft shaft;
+    shaft.setCounter(50'000);
+    shaft.go(1.0, 0);
+    shaft.setCounter(0);
+    shaft.go(1.0, 0);
+    EXPECT_EQ(shaft.last(), -1);
+    shaft.go(0.5, 10'000);
+    EXPECT_NEAR(shaft.last(), 2.0, 0.0015);
+    shaft.setCounter(0);
+    shaft.go(0.5, 10'000);
+    EXPECT_NEAR(shaft.last(), 2.0, 0.0015) << "it moves on";
 }
 
 /// The history is evaluated in pieces; how it is divided makes no difference.

@@ -18,7 +18,8 @@ bool MotionStart::follow(const ModuleHistory& history) {
 }
 
 void MotionStart::take(const ScopeSample& sample) {
-    if (!m_place) {
+    // At rest, a jump over a gap is a counter that was set, or a motion whose start was not seen.
+    if (!m_place || (sample.gapBefore && !m_moves)) {
         m_place = sample;
         m_lastThere = sample.time;
         return;
