@@ -54,6 +54,18 @@ TEST_F(CustomSignals, OneSignalIsScaled) {
     EXPECT_EQ(scaled[1].errorLow, scaled[1].errorHigh);
 }
 
+/// What is kept of the values of one definition, such as their mean, is not that of another.
+TEST_F(CustomSignals, AnotherDefinitionIsAnotherSource) {
+    const auto sourceOf = [this](double factor) {
+        derived.want({kCustom}, {{kCustom, {kPositionOfA, {factor, 0}}}});
+        return derived.source(history, kCustom);
+    };
+    const SignalSource first = sourceOf(1);
+    EXPECT_EQ(sourceOf(1), first);
+    EXPECT_NE(sourceOf(2), first);
+    EXPECT_NE(sourceOf(1), first) << "it starts from nothing again";
+}
+
 /// The samples of two modules never have the same time.
 TEST_F(CustomSignals, ADifferenceOfTwoModulesIsTakenAtTheSameTime) {
     for (int i = 0; i < 20; ++i) {

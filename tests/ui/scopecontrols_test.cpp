@@ -217,6 +217,28 @@ TEST_F(ScopeControls, TheTableTellsWhatASignalComesToBetweenTheCursors) {
     EXPECT_EQ(row(2)[4], u"2 Hz"_s);
 }
 
+/// From 120 to 160 counts as well, and then from -120 to -160.
+TEST_F(ScopeControls, TheTableReadsATraceOfOnesOwnAsItIsDefinedNow) {
+    auto* panel = find<ScopePanel>(u"scopePanel"_s);
+    ScopeSetup setup;
+    setup.strips[0] = {{ModuleIndex(0), ScopeSignal::Custom1}};
+    setup.custom[0] = TraceDefinition{u"way"_s, u"ct"_s, {{ModuleIndex(0), ScopeSignal::Position}, 1}};
+    panel->setSetup(setup);
+    click(u"scopePauseButton"_s);
+    click(u"scopeCursorsButton"_s);
+    emit strips().cursorMoved(0, 12.0);
+    emit strips().cursorMoved(1, 16.0);
+    const auto mean = [this] {
+        for (int i = 0; i < 4; ++i)
+            frame();
+        return find<QTableWidget>(u"scopeCursorTable"_s)->item(1, 4)->text();
+    };
+    EXPECT_NEAR(mean().toDouble(), 140, 0.5);
+    setup.custom[0]->first.factor = -1;
+    panel->setSetup(setup);
+    EXPECT_NEAR(mean().replace(u'\u2212', u'-').toDouble(), -140, 0.5);
+}
+
 /// The second module swings by 100 counts at 5 Hz about a drift.
 class SpectrumOfTheScope : public ScopeControls {
 protected:

@@ -27,6 +27,8 @@ struct CustomSignal {
 struct SignalSource {
     const ModuleHistory* samples = nullptr;
     ScopeSignal signal = ScopeSignal::Position;
+    /// Of a derived signal: another one whenever its values are computed anew, perhaps at the same address.
+    std::uint64_t number = 0;
     bool operator==(const SignalSource&) const = default;
 };
 

@@ -12,19 +12,20 @@ namespace nmc {
 
 class DerivedSignals::Track {
 public:
-    /// `of` must be a derived signal, but not a custom one.
-    Track(const ModuleSignal& of, std::size_t budget) : m_of(of), m_values(1, budget) {
+    /// `of` must be a derived signal, but not a custom one. `number`: no other track has had it.
+    Track(const ModuleSignal& of, std::size_t budget, std::uint64_t number)
+        : m_of(of), m_values(1, budget), m_number(number) {
         if (of.signal == ScopeSignal::Pwm)
             m_maker = PwmOutput();
         else if (of.signal == ScopeSignal::CountRate)
             m_maker = CountRate();
     }
-    Track(const CustomSignal& how, std::size_t budget)
-        : m_of(how.of), m_maker(CustomSignalMaker(how)), m_values(1, budget) {}
+    Track(const CustomSignal& how, std::size_t budget, std::uint64_t number)
+        : m_of(how.of), m_maker(CustomSignalMaker(how)), m_values(1, budget), m_number(number) {}
 
     /// Forgets all values, and what was computed so far.
-    void startOver(std::size_t budget) {
-        *this = custom() != nullptr ? Track(*custom(), budget) : Track(m_of, budget);
+    void startOver(std::size_t budget, std::uint64_t number) {
+        *this = custom() != nullptr ? Track(*custom(), budget, number) : Track(m_of, budget, number);
     }
     /// Null unless it is the user's.
     [[nodiscard]] const CustomSignal* custom() const {
@@ -32,7 +33,9 @@ public:
         return maker != nullptr ? &maker->how() : nullptr;
     }
     [[nodiscard]] const ModuleSignal& of() const { return m_of; }
-    [[nodiscard]] const ModuleHistory& values() const { return *m_values.module(ModuleIndex(0)); }
+    [[nodiscard]] SignalSource source() const {
+        return {m_values.module(ModuleIndex(0)), ScopeSignal::Error, m_number};
+    }
 
     bool follow(const History& history, const DerivedSignals& others) {
         return std::visit([&](auto& maker) { return follow(maker, history, others); }, m_maker);
@@ -91,6 +94,7 @@ private:
     ModuleSignal m_of;
     std::variant<MeasuredAcceleration, PwmOutput, CountRate, CustomSignalMaker> m_maker;
     History m_values;
+    std::uint64_t m_number;
     std::uint64_t m_taken = 0;
     std::size_t m_gainsTaken = 0;
     std::optional<servo::SetGain> m_gains;
@@ -116,10 +120,10 @@ void DerivedSignals::want(std::vector<ModuleSignal> wanted, const std::vector<Cu
     });
     for (const ModuleSignal& signal : wanted)
         if (isDerived(signal.signal) && !customIndex(signal.signal) && !has(signal))
-            m_tracks.push_back(std::make_unique<Track>(signal, m_budget));
+            m_tracks.push_back(std::make_unique<Track>(signal, m_budget, ++m_made));
     for (const CustomSignal& how : custom)
         if (!has(how.of))
-            m_tracks.push_back(std::make_unique<Track>(how, m_budget));
+            m_tracks.push_back(std::make_unique<Track>(how, m_budget, ++m_made));
 }
 
 bool DerivedSignals::follow(const History& history) {
@@ -131,7 +135,7 @@ bool DerivedSignals::follow(const History& history) {
 
 void DerivedSignals::forget() {
     for (const auto& track : m_tracks)
-        track->startOver(m_budget);
+        track->startOver(m_budget, ++m_made);
 }
 
 SignalSource DerivedSignals::source(const History& history, const ModuleSignal& of) const {
@@ -139,7 +143,7 @@ SignalSource DerivedSignals::source(const History& history, const ModuleSignal& 
         return {history.module(of.module), of.signal};
     for (const auto& track : m_tracks)
         if (track->of() == of)
-            return {&track->values(), ScopeSignal::Error};
+            return track->source();
     return {};
 }
 

@@ -40,6 +40,7 @@ public:
 private:
     class Track;
     std::size_t m_budget;
+    std::uint64_t m_made = 0;  ///< number of tracks so far
     std::vector<std::unique_ptr<Track>> m_tracks;
 };
 
