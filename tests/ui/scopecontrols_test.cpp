@@ -116,6 +116,24 @@ TEST_F(ScopeControls, DraggingWithShiftChoosesAStretch) {
         << "it is not one of the listed lengths";
 }
 
+/// The wheel zooms by 1.25.
+TEST_F(ScopeControls, TheBoxNamesTheTimeThatIsVisible) {
+    const auto* box = find<QComboBox>(u"scopeWindowBox"_s);
+    EXPECT_EQ(box->currentText(), u"10 s"_s);
+    wheel(14, 1);
+    EXPECT_LT(box->currentIndex(), 0) << "8 s";
+    click(u"scopeLaneButton"_s);
+    frame();
+    EXPECT_NEAR(right() - left(), 8, 1e-6);
+    EXPECT_LT(box->currentIndex(), 0) << "still 8 s";
+    pick(u"scopeWindowBox"_s, u"1 s"_s);
+    frame();
+    EXPECT_EQ(box->currentText(), u"1 s"_s);
+    wheel((left() + right()) / 2, -1);
+    EXPECT_NEAR(right() - left(), 1.25, 1e-6);
+    EXPECT_LT(box->currentIndex(), 0) << "1.25 s";
+}
+
 TEST_F(ScopeControls, ADoubleClickShowsEverything) {
     QTest::mouseDClick(&plot(), Qt::LeftButton, {}, at(15));
     frame();
@@ -665,6 +683,14 @@ TEST_F(ScopeControls, PresetsAreKeptByName) {
     EXPECT_EQ(entry(u"scopePresetsMenu"_s, u"Speed"_s), nullptr);
     EXPECT_NE(entry(u"scopePresetsMenu"_s, u"Usual && more"_s), nullptr);
     EXPECT_EQ(settings.value(u"scope/presets"_s).toStringList().size(), 2);
+
+    frame();
+    wheel(14, 1);  // 8 s
+    save(u"Near"_s);
+    entry(u"scopePresetsMenu"_s, u"Usual && more"_s)->trigger();
+    EXPECT_NEAR(right() - left(), 10, 1e-6) << "which is the time that was set before the zoom, too";
+    entry(u"scopePresetsMenu"_s, u"Near"_s)->trigger();
+    EXPECT_NEAR(right() - left(), 8, 1e-6);
 }
 
 TEST_F(ScopeControls, APresetNeedsAName) {

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QToolButton>
+#include <cmath>
 
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
@@ -115,13 +116,13 @@ QWidget* ScopeBar::newRecordRow() {
 
 void ScopeBar::showSetup(const ScopeSetup& setup) {
     m_lane->setChecked(setup.lane);
-    m_window->setCurrentIndex(m_window->findData(qRound(setup.seconds)));
 }
 
 void ScopeBar::showTime(const TimeWindow& time) {
     m_pause->setChecked(!time.rolls());
-    const int index = m_window->findData(qRound(time.width()));
-    m_window->setCurrentIndex(index >= 0 && time.width() >= 1 ? index : -1);
+    constexpr double kSame = 1e-6;  // s: moving the window along rounds its width
+    const int whole = qRound(time.width());
+    m_window->setCurrentIndex(std::abs(time.width() - whole) < kSame ? m_window->findData(whole) : -1);
     m_window->setPlaceholderText(texts::stretch(time.width()));
 }
 

@@ -43,7 +43,7 @@ ScopePanel::ScopePanel(Requests& requests, QWidget* parent)
       m_files(new ScopeFiles(requests, this)),
       m_trigger(new TriggerControl(new TriggerBar(this))),
       m_records(new TriggerRecords(requests, &m_trigger->bar())),
-      m_presets(new ScopePresets(this)) {
+      m_presets(new ScopePresets([this] { return visibleSetup(); }, this)) {
     look::name(this, u"scopePanel"_s, Common::tr("Scope"));
     setAcceptDrops(true);
     const int unit = look::gridUnit(this);
@@ -83,7 +83,10 @@ void ScopePanel::connectBar() {
     connect(m_trigger, &TriggerControl::completed, this, [this](const History& history) {
         m_records->take(history, *m_trigger->picture(), m_modules, m_origin);
     });
-    connect(m_presets, &ScopePresets::setupChosen, this, &ScopePanel::change);
+    connect(m_presets, &ScopePresets::setupChosen, this, [this](const ScopeSetup& setup) {
+        change(setup);
+        showWidth();  // the user may have zoomed since it was last set
+    });
 }
 
 void ScopePanel::addFileButtons() {
@@ -108,6 +111,7 @@ void ScopePanel::buildStrips() {
     m_strips->addActions(m_menuActions);
     m_strips->setSetup(m_setup);
     m_strips->time().setWidth(m_setup.seconds);
+    m_bar->showTime(m_strips->time());
     connect(m_strips, &ScopeStrips::timeChanged, this, &ScopePanel::showTime);
     connect(m_strips, &ScopeStrips::resized, this, &ScopePanel::touch);
     connect(m_strips, &ScopeStrips::cursorMoved, this, &ScopePanel::moveCursor);
@@ -161,7 +165,6 @@ void ScopePanel::showEvent(QShowEvent* event) {
 void ScopePanel::setSetup(const ScopeSetup& setup) {
     const ScopeSetup before = std::exchange(m_setup, setup);
     m_bar->showSetup(setup);
-    m_presets->showSetup(setup);
     if (setup.seconds != before.seconds)
         showWidth();
     if (setup.custom != before.custom)
@@ -178,6 +181,14 @@ void ScopePanel::setSetup(const ScopeSetup& setup) {
 void ScopePanel::change(const ScopeSetup& setup) {
     setSetup(setup);
     emit setupChanged(m_setup);
+}
+
+/// The setup with the time that is visible, to which the user may have zoomed.
+ScopeSetup ScopePanel::visibleSetup() const {
+    ScopeSetup setup = m_setup;
+    if (m_strips != nullptr)
+        setup.seconds = m_strips->time().width();
+    return setup;
 }
 
 void ScopePanel::chooseSignals() {
@@ -260,8 +271,7 @@ void ScopePanel::setWidth(double seconds) {
 
 /// Makes the width of the setup the visible one.
 void ScopePanel::showWidth() {
-    if (m_strips != nullptr)
-        m_strips->time().setWidth(m_setup.seconds);
+    move([this](ScopeStrips& strips) { strips.time().setWidth(m_setup.seconds); });
     m_trigger->setWindow(m_setup.seconds);
 }
 

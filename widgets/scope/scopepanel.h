@@ -82,6 +82,7 @@ private:
     void setWidth(double seconds);
     void setCursorsShown(bool shown);
     void moveCursor(int cursor, double seconds);
+    [[nodiscard]] ScopeSetup visibleSetup() const;
     void chooseSignals();
     void addLaneBits(QMenu& menu);
     void change(const ScopeSetup& setup);

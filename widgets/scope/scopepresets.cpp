@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <utility>
 
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
@@ -26,8 +27,9 @@ QString menuText(QString name) {
 
 }  // namespace
 
-ScopePresets::ScopePresets(QWidget* panel)
+ScopePresets::ScopePresets(std::function<ScopeSetup()> present, QWidget* panel)
     : QObject(panel),
+      m_present(std::move(present)),
       m_panel(panel),
       m_menu(new QMenu(tr("Presets"), panel)),
       m_removes(new QMenu(tr("&Remove preset"), panel)) {
@@ -90,7 +92,7 @@ void ScopePresets::askForName() {
     connect(cancel, &QPushButton::clicked, dialog, &QDialog::reject);
     connect(saves, &QPushButton::clicked, dialog, &QDialog::accept);
     connect(dialog, &QDialog::accepted, this, [this, name] {
-        m_presets.insert(name->text().trimmed(), m_setup);
+        m_presets.insert(name->text().trimmed(), m_present());
         changed();
     });
     form::fill(

@@ -4,6 +4,7 @@
 #include <QMap>
 #include <QObject>
 #include <QStringList>
+#include <functional>
 
 #include "widgets/scope/scopesetup.h"
 
@@ -19,11 +20,10 @@ class ScopePresets : public QObject {
 public:
     static constexpr int kMost = 30;
 
-    explicit ScopePresets(QWidget* panel);
+    /// `present`: what a new preset is made of.
+    ScopePresets(std::function<ScopeSetup()> present, QWidget* panel);
 
     [[nodiscard]] QMenu* menu() const { return m_menu; }
-    /// What a new preset is made of.
-    void showSetup(const ScopeSetup& setup) { m_setup = setup; }
     /// Each name, followed by its setup as text.
     void showPresets(const QStringList& presets);
 
@@ -37,10 +37,10 @@ private:
     void askForName();
     void changed();
 
+    std::function<ScopeSetup()> m_present;
     QWidget* m_panel;
     QMenu* m_menu;
     QMenu* m_removes;
-    ScopeSetup m_setup;
     QMap<QString, ScopeSetup> m_presets;
 };
 
