@@ -1448,6 +1448,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>custom trace %1</source>
         <translation>eigene Kurve %1</translation>
     </message>
+    <message>
+        <source>error, reported</source>
+        <translation>Positionsfehler, gemeldet</translation>
+    </message>
 </context>
 <context>
     <name>StepperWords</name>
@@ -11946,10 +11950,6 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     <message>
         <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>Ziehen ändert die Höhe der Streifen. Ein Doppelklick macht sie gleich hoch.</translation>
-    </message>
-    <message>
-        <source>error, reported</source>
-        <translation>Positionsfehler, gemeldet</translation>
     </message>
 </context>
 <context>

@@ -1448,6 +1448,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>custom trace %1</source>
         <translation>traza propia %1</translation>
     </message>
+    <message>
+        <source>error, reported</source>
+        <translation>error, comunicado</translation>
+    </message>
 </context>
 <context>
     <name>StepperWords</name>
@@ -11946,10 +11950,6 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     <message>
         <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>Arrastre para cambiar la altura de las franjas. Un doble clic las iguala.</translation>
-    </message>
-    <message>
-        <source>error, reported</source>
-        <translation>error, comunicado</translation>
     </message>
 </context>
 <context>

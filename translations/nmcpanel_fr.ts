@@ -1448,6 +1448,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>custom trace %1</source>
         <translation>courbe personnalisée %1</translation>
     </message>
+    <message>
+        <source>error, reported</source>
+        <translation>erreur, signalée</translation>
+    </message>
 </context>
 <context>
     <name>StepperWords</name>
@@ -11946,10 +11950,6 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
     <message>
         <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>Faites glisser pour redimensionner les bandes. Un double-clic les rend égales.</translation>
-    </message>
-    <message>
-        <source>error, reported</source>
-        <translation>erreur, signalée</translation>
     </message>
 </context>
 <context>

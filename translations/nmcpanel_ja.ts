@@ -1446,6 +1446,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>custom trace %1</source>
         <translation>カスタム波形 %1</translation>
     </message>
+    <message>
+        <source>error, reported</source>
+        <translation>偏差（報告値）</translation>
+    </message>
 </context>
 <context>
     <name>StepperWords</name>
@@ -11926,10 +11930,6 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
     <message>
         <source>Drag to resize the strips. Double-click to make them equal.</source>
         <translation>ドラッグして表示欄の大きさを変えます。ダブルクリックで均等になります。</translation>
-    </message>
-    <message>
-        <source>error, reported</source>
-        <translation>偏差（報告値）</translation>
     </message>
 </context>
 <context>

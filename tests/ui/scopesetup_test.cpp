@@ -66,13 +66,20 @@ TEST(ScopeSetup, ModulesThatAreShownWhicheverIsSelectedAreKnown) {
     EXPECT_EQ(setup, ScopeSetup::usual());
 }
 
-TEST(ScopeSetup, EveryNamedBitOfBothChipsCanBeChosen) {
-    EXPECT_EQ(laneBits(ModuleType::Servo).size(), 14U);    // DS-V 5.3: 8 and 6
-    EXPECT_EQ(laneBits(ModuleType::Stepper).size(), 14U);  // DS-S 5.2: 8 and 6
-    EXPECT_EQ(laneBits(ModuleType::Io).size(), 12U);       // docs/family.md: its pins
+TEST(ScopeSetup, EveryNamedBitOfEachChipCanBeChosen) {
+    EXPECT_EQ(laneBits({ModuleType::Servo, 4}).size(), 14U);    // DS-V 5.3: 8 and 6
+    EXPECT_EQ(laneBits({ModuleType::Stepper, 1}).size(), 14U);  // DS-S 5.2: 8 and 6
+    EXPECT_EQ(laneBits({ModuleType::Io, 1}).size(), 12U);       // docs/family.md: its pins
     for (const ModuleType type : {ModuleType::Servo, ModuleType::Stepper, ModuleType::Io})
         for (const ScopeBit& bit : usualLaneBits(type))
-            EXPECT_FALSE(texts::bitName(bit, type).isEmpty());
+            EXPECT_FALSE(texts::bitName(bit, ModuleIdentity{type, 1}).isEmpty());
+    // CMC and SC (docs/family.md): path mode in addition.
+    for (const std::uint8_t version : {kPathVersion, kScVersion}) {
+        const ModuleIdentity module{ModuleType::Servo, version};
+        EXPECT_EQ(laneBits(module).size(), 15U);
+        EXPECT_EQ(texts::bitName({ScopeBit::Byte::Aux, 6}, module), u"path_mode"_s);
+        EXPECT_EQ(texts::bitName({ScopeBit::Byte::Aux, 3}, module), u"accel_done"_s);
+    }
 }
 
 TEST(ScopeModule, APicIoIsReadByTheNamesAndScalesOfItsMachine) {
@@ -87,6 +94,16 @@ TEST(ScopeModule, APicIoIsReadByTheNamesAndScalesOfItsMachine) {
     EXPECT_EQ(module.scaleOf(ScopeSignal::Counter)(40), 40);
     EXPECT_EQ(texts::bitName({ScopeBit::Byte::Aux, 0}, module), u"Door"_s);
     EXPECT_EQ(texts::bitName({ScopeBit::Byte::Aux, 1}, module), u"IO10"_s);
+}
+
+TEST(ScopeModule, TheErrorOfACmcOrAnScIsReported) {
+    ScopeModule module;
+    for (const std::uint8_t version : {kPathVersion, kScVersion}) {
+        module.identity = {ModuleType::Servo, version};
+        EXPECT_EQ(texts::signalName(ScopeSignal::Error, module), u"error, reported"_s);
+    }
+    module.identity = {ModuleType::Servo, 4};
+    EXPECT_EQ(texts::signalName(ScopeSignal::Error, module), u"error, calculated"_s);
 }
 
 TEST(ScopeModule, ReportsWhatItsChipHas) {

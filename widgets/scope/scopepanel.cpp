@@ -207,7 +207,7 @@ void ScopePanel::addLaneBits(QMenu& menu) {
     const ModuleType type = module.identity.type;
     QMenu* bits = menu.addMenu(tr("Bits of the lane"));
     const std::vector<ScopeBit> shown = m_setup.bitsOf(type);
-    for (const ScopeBit& bit : laneBits(type)) {
+    for (const ScopeBit& bit : laneBits(module.identity)) {
         QAction* action = bits->addAction(texts::bitName(bit, module));
         action->setCheckable(true);
         action->setChecked(std::find(shown.begin(), shown.end(), bit) != shown.end());

@@ -123,7 +123,10 @@ void ScopeStrips::arrange() {
     m_lane->setVisible(m_setup.lane);
     const ScopeModule module =
         m_selected && m_selected->value() < m_modules.size() ? m_modules[m_selected->value()] : ScopeModule{};
-    m_lane->setBits(module, m_setup.bitsOf(module.identity.type));
+    // Those of a type of module are chosen together, but not every version has all of them.
+    std::vector<ScopeBit> bits = m_setup.bitsOf(module.identity.type);
+    std::erase_if(bits, [&module](const ScopeBit& bit) { return texts::bitName(bit, module).isEmpty(); });
+    m_lane->setBits(module, bits);
 }
 
 void ScopeStrips::shareHeight() {
@@ -162,8 +165,7 @@ bool ScopeStrips::eventFilter(QObject* watched, QEvent* event) {
 }
 
 QString ScopeStrips::labelOf(const SignalRef& signal, const ScopeModule& module) const {
-    const bool reported = signal.signal == ScopeSignal::Error && hasPathBuffer(module.identity);
-    const QString name = reported ? tr("error, reported") : texts::signalName(signal.signal, module);
+    const QString name = texts::signalName(signal.signal, module);
     const QString unit = texts::signalUnit(signal.signal, module);
     const QString words = unit.isEmpty() ? name : Common::tr("%1, %2").arg(name, unit);
     return signal.module ? Common::tr("%1: %2").arg(module.name, words) : words;

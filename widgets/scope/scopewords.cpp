@@ -12,16 +12,20 @@ namespace nmc {
 
 namespace {
 
-std::string_view sheetName(const ScopeBit& bit, ModuleType type) {
+/// In a sample, the auxiliary byte of an SC is in the terms of the other servos (servo::toAuxByte).
+std::string_view sheetName(const ScopeBit& bit, const ModuleIdentity& module) {
     const auto index = static_cast<std::size_t>(bit.bit);
-    if (type == ModuleType::Io) {
+    if (module.type == ModuleType::Io) {
         static constexpr std::array<std::string_view, io::kPins> kPinNames{
             "IO1", "IO2", "IO3", "IO4", "IO5", "IO6", "IO7", "IO8", "IO9", "IO10", "IO11", "IO12"};
         return bit.number() < kPinNames.size() ? kPinNames.at(bit.number()) : std::string_view{};
     }
-    if (type == ModuleType::Stepper)
-        return (bit.byte == ScopeBit::Byte::Aux ? stepper::kInputBitNames : stepper::kStatusBitNames)[index];
-    return (bit.byte == ScopeBit::Byte::Aux ? servo::kAuxBitNames : servo::kStatusBitNames)[index];
+    const bool aux = bit.byte == ScopeBit::Byte::Aux;
+    if (module.type == ModuleType::Stepper)
+        return (aux ? stepper::kInputBitNames : stepper::kStatusBitNames)[index];
+    if (!aux)
+        return servo::kStatusBitNames[index];
+    return (hasPathBuffer(module) ? servo::kCmcAuxBitNames : servo::kAuxBitNames)[index];
 }
 
 }  // namespace
@@ -64,6 +68,8 @@ QString signalName(ScopeSignal signal) {
 QString signalName(ScopeSignal signal, const ScopeModule& module) {
     if (const CustomTrace* custom = module.customOf(signal))
         return custom->name;
+    if (signal == ScopeSignal::Error && hasPathBuffer(module.identity))
+        return ScopeTexts::tr("error, reported");
     const auto input = infoOf(signal).analogInput;
     if (!module.isIo() || !input)
         return signalName(signal);
@@ -114,24 +120,24 @@ QString stretch(double seconds) {
                                  : ScopeTexts::tr("%1 s").arg(readout(seconds));
 }
 
-QString bitName(const ScopeBit& bit, ModuleType type) {
-    const std::string_view name = sheetName(bit, type);
+QString bitName(const ScopeBit& bit, const ModuleIdentity& module) {
+    const std::string_view name = sheetName(bit, module);
     return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
 }
 
 QString bitName(const ScopeBit& bit, const ScopeModule& module) {
     const std::string name =
         module.isIo() ? PinSettings::of(module.pins.pins, bit.number()).name : std::string();
-    return name.empty() ? bitName(bit, module.identity.type) : QString::fromStdString(name);
+    return name.empty() ? bitName(bit, module.identity) : QString::fromStdString(name);
 }
 
 }  // namespace texts
 
-std::vector<ScopeBit> laneBits(ModuleType type) {
+std::vector<ScopeBit> laneBits(const ModuleIdentity& module) {
     std::vector<ScopeBit> bits;
     for (const ScopeBit::Byte byte : {ScopeBit::Byte::Status, ScopeBit::Byte::Aux})
         for (std::uint8_t bit = 0; bit < 8; ++bit)
-            if (const ScopeBit one{byte, bit}; !sheetName(one, type).empty())
+            if (const ScopeBit one{byte, bit}; !sheetName(one, module).empty())
                 bits.push_back(one);
     return bits;
 }
@@ -140,7 +146,7 @@ std::vector<ScopeBit> usualLaneBits(ModuleType type) {
     constexpr auto kStatus = ScopeBit::Byte::Status;
     constexpr auto kAux = ScopeBit::Byte::Aux;
     if (type == ModuleType::Io)
-        return laneBits(type);
+        return laneBits({type});
     if (type == ModuleType::Stepper)  // moving, power; E-stop, limits, home switch
         return {{kStatus, 0}, {kStatus, 3}, {kAux, 0}, {kAux, 3}, {kAux, 4}, {kAux, 5}};
     // move_done, power_on, servo_on, pos_error, limits

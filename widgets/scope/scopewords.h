@@ -12,7 +12,7 @@ namespace nmc::texts {
 
 /// "position", "error, calculated".
 [[nodiscard]] QString signalName(ScopeSignal signal);
-/// Its name on this machine, if it has one.
+/// Its name on this machine, if it has one; "error, reported" where the chip reports the error.
 [[nodiscard]] QString signalName(ScopeSignal signal, const ScopeModule& module);
 /// "counts", "mm/s", "V".
 [[nodiscard]] QString signalUnit(ScopeSignal signal, const ScopeModule& module);
@@ -26,7 +26,7 @@ namespace nmc::texts {
 [[nodiscard]] QString stretch(double seconds);
 
 /// The name in the data sheet.
-[[nodiscard]] QString bitName(const ScopeBit& bit, ModuleType type);
+[[nodiscard]] QString bitName(const ScopeBit& bit, const ModuleIdentity& module);
 /// For a pin, its name on this machine if it has one; otherwise the name in the data sheet.
 [[nodiscard]] QString bitName(const ScopeBit& bit, const ScopeModule& module);
 
@@ -40,7 +40,7 @@ class ScopeTexts {
 };
 
 /// All bits that have a name.
-[[nodiscard]] std::vector<ScopeBit> laneBits(ModuleType type);
+[[nodiscard]] std::vector<ScopeBit> laneBits(const ModuleIdentity& module);
 /// The bits that are most useful to an operator.
 [[nodiscard]] std::vector<ScopeBit> usualLaneBits(ModuleType type);
 

@@ -160,7 +160,7 @@ void TriggerBar::addSources(const std::optional<ModuleIndex>& module, const Scop
         if (isDerived(signal) ? of.reports(signal) : of.has(signal))
             add({module, signal}, texts::signalName(signal, of));
     }
-    for (const ScopeBit& bit : laneBits(of.identity.type))
+    for (const ScopeBit& bit : laneBits(of.identity))
         add({module, bit}, texts::bitName(bit, of));
 }
 
