@@ -45,6 +45,14 @@ TEST(AxisRange, AValueThatStaysIsInTheMiddle) {
     }
 }
 
+/// A double at 1e9 has steps of 1e-7.
+TEST(AxisRange, IsWideEnoughForTheStepsOfItsNumbers) {
+    const AxisRange::Range range = AxisRange::around(1e9, 1e9, 4e-9);
+    EXPECT_GE(range.step, 1e-7);
+    EXPECT_LT(range.min, 1e9);
+    EXPECT_GT(range.max, 1e9);
+}
+
 TEST(AxisRange, RestIsNotBlownUpToNoise) {
     const AxisRange::Range range = AxisRange::around(7, 7);
     EXPECT_GE(range.max - range.min, 4);

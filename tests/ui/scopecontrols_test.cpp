@@ -772,6 +772,26 @@ TEST_F(ScopeControls, NoZoomHangsOrCrashes) {
     EXPECT_FALSE(plot().grab().isNull());
 }
 
+/// A count of module 1 is a billionth of a millimetre, and the 500 counts of module 2 are 500 km: between
+/// them, a double has no steps as small as a part of that count.
+TEST_F(ScopeControls, NoZoomHangsOrCrashesWhereScalesAreVeryDifferent) {
+    machine.axes.resize(2);
+    machine.axes[0].unit = {UnitKind::Millimetres, kMaxCountsPerUnit, ""};
+    machine.axes[1].unit = {UnitKind::Millimetres, kMinCountsPerUnit, ""};
+    window->showMachine(machine);
+    ScopeSetup setup;
+    setup.strips[0] = {{ModuleIndex(0), ScopeSignal::Position}, {ModuleIndex(1), ScopeSignal::Position}};
+    find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
+    click(u"scopePauseButton"_s);
+    frame();
+    ASSERT_GE(plot().valueRange().max, 5e8);
+    for (int i = 0; i < 120; ++i) {
+        wheel((left() + right()) / 2, 2, Qt::ControlModifier);
+        EXPECT_FALSE(plot().grab().isNull());
+    }
+    EXPECT_LT(plot().valueRange().min, plot().valueRange().max);
+}
+
 TEST_F(ScopeControls, ARecordStandsInPlaceOfWhatIsLiveUntilTheUserGoesBack) {
     auto record = std::make_shared<ScopeRecord>();
     record->title = u"mill.csv"_s;

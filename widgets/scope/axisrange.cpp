@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scope/axisrange.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/scope/timewindow.h"
@@ -12,10 +13,14 @@ constexpr double kShrinkDelay = 2.0;   ///< s before a range shrinks
 constexpr double kMuchSmaller = 0.45;  ///< fraction of the present range
 }  // namespace
 
+double AxisRange::narrowest(double low, double high) {
+    return 1e-12 * std::max(std::abs(low), std::abs(high));
+}
+
 AxisRange::Range AxisRange::around(double low, double high, double smallest, int divisions) {
     if (high <= low && smallest <= 0)
         smallest = 2;  // a single value has an axis, too
-    const double missing = smallest - (high - low);
+    const double missing = std::max(smallest, narrowest(low, high)) - (high - low);
     if (missing > 0) {
         low -= missing / 2;
         high += missing / 2;

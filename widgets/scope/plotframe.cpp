@@ -131,10 +131,14 @@ void PlotFrame::render(QPainter& painter) const {
 // ---- axes and grid ----
 
 std::vector<double> PlotFrame::Axis::multiplesOf(double step) const {
+    // Far more than there is room for; rounding could keep the end from being reached.
+    constexpr int kMost = 1'000;
     std::vector<double> multiples;
-    if (to > from && step > 0)
-        for (double n = std::ceil(from / step - 1e-6); n * step <= to + 1e-6 * step; n += 1.0)
-            multiples.push_back(n * step);
+    if (!(to > from && step > 0))
+        return multiples;
+    const double first = std::ceil(from / step - 1e-6);
+    for (int i = 0; i < kMost && (first + i) * step <= to + 1e-6 * step; ++i)
+        multiples.push_back((first + i) * step);
     return multiples;
 }
 

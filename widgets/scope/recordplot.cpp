@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QKeyEvent>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/common/look.h"
 #include "widgets/common/plots.h"
@@ -64,8 +65,9 @@ RecordPlot::View RecordPlot::seen() const {
 }
 
 void RecordPlot::showView(const View& view) {
-    for (const double span : {view.right - view.left, view.top - view.bottom})
-        if (span < kNarrowestView || span > kWidestView)
+    for (const auto& [low, high] : {std::pair(view.left, view.right), std::pair(view.bottom, view.top)})
+        if (high - low < std::max(kNarrowestView, AxisRange::narrowest(low, high)) ||
+            high - low > kWidestView)
             return;
     m_view = view;
     fit();

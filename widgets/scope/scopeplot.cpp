@@ -167,8 +167,9 @@ void ScopePlot::fit() {
 
 void ScopePlot::zoomValues(double factor, double at) {
     const double share = (at - m_geometry.bottom) / (m_geometry.top - m_geometry.bottom);
-    const double span =
-        std::clamp((m_geometry.top - m_geometry.bottom) * factor, smallestSpan() * kSmallestPart, 1e13);
+    const double least =
+        std::max(smallestSpan() * kSmallestPart, AxisRange::narrowest(m_geometry.bottom, m_geometry.top));
+    const double span = std::clamp((m_geometry.top - m_geometry.bottom) * factor, least, 1e13);
     const double bottom = at - share * span;
     m_manual = AxisRange::Range{bottom, bottom + span, TimeWindow::nice(span / 8)};
 }
