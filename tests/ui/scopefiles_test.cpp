@@ -83,6 +83,21 @@ TEST_F(ScopeFilesTest, CsvHoldsEverySampleOfTheTimeThatIsSeen) {
     EXPECT_LE(started, QDateTime::currentDateTime().addSecs(-28));
 }
 
+/// The date has gone on by 600 s more than the time of the samples, which is 600 s less here, as the date
+/// cannot be set.
+TEST_F(ScopeFilesTest, TheSamplesAfterASuspendHaveTheirDate) {
+    HandMadeHistory made = twoModules();
+    show(made, 629.5);
+    const QDateTime before = QDateTime::currentDateTime();
+    show(made, 29.5);
+    RecordingReader reader({[](ModuleIndex /*module*/, const ScopeSample& /*sample*/) {}});
+    reader.feed(exported(u"Csv"_s, made, 29.5));
+    const QDateTime started =
+        QDateTime::fromString(QString::fromStdString(reader.header().startedAt), Qt::ISODateWithMs);
+    EXPECT_GE(started, before.addSecs(-31));
+    EXPECT_LE(started, QDateTime::currentDateTime().addSecs(-28));
+}
+
 TEST_F(ScopeFilesTest, CsvHasAColumnForEachSignalWhereThatIsChosen) {
     HandMadeHistory made = twoModules();
     show(made, 29.5);

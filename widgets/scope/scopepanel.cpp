@@ -32,6 +32,7 @@ namespace {
 /// Seconds before and after an event that are visible at first: "Show the last 2 s".
 constexpr double kBeforeEvent = 2.0;
 constexpr double kBehindEvent = 0.5;
+constexpr qint64 kSuspended = 1'000;  ///< ms by which the date differs from the time that has passed
 /// Height, in lines of text, that strips and readings need one below the other.
 constexpr int kEnoughRows = 32;
 }  // namespace
@@ -350,8 +351,12 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
     if (history.zero() != m_zero) {
         m_zero = history.zero();
         m_another = true;
-        m_origin.zero = dateOf(m_zero.value_or(now), now);
+        m_origin.zero = {};
     }
+    // While the computer is suspended, the dates go on, but not the time of the samples.
+    const QDateTime zero = dateOf(m_zero.value_or(now), now);
+    if (!m_origin.zero.isValid() || qAbs(m_origin.zero.msecsTo(zero)) > kSuspended)
+        m_origin.zero = zero;
     m_trigger->follow(history, now, m_origin.zero);
     if (m_strips == nullptr || (!isVisible() && !m_files->exporting().isDue()))
         return;
