@@ -13371,8 +13371,8 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Jedes Bild in einem Ordner speichern</translation>
     </message>
     <message>
-        <source>%1 saved to %2</source>
-        <translation>%1 gespeichert in %2</translation>
+        <source>%1 taken for %2</source>
+        <translation>%1 aufgenommen für %2</translation>
     </message>
 </context>
 <context>

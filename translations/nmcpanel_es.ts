@@ -13371,8 +13371,8 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
         <translation>Guardar cada imagen en una carpeta</translation>
     </message>
     <message>
-        <source>%1 saved to %2</source>
-        <translation>%1 guardadas en %2</translation>
+        <source>%1 taken for %2</source>
+        <translation>%1 tomadas para %2</translation>
     </message>
 </context>
 <context>

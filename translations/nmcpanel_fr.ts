@@ -13371,8 +13371,8 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
         <translation>Enregistrer chaque image dans un dossier</translation>
     </message>
     <message>
-        <source>%1 saved to %2</source>
-        <translation>%1 enregistrées dans %2</translation>
+        <source>%1 taken for %2</source>
+        <translation>%1 prises pour %2</translation>
     </message>
 </context>
 <context>

@@ -13351,8 +13351,8 @@ It works only while the link works: fit a hardware stop as well.</source>
         <translation>各画面をフォルダーに保存</translation>
     </message>
     <message>
-        <source>%1 saved to %2</source>
-        <translation>%1個を%2に保存しました</translation>
+        <source>%1 taken for %2</source>
+        <translation>%2用に%1個を取り込みました</translation>
     </message>
 </context>
 <context>

@@ -126,7 +126,7 @@ TEST_F(Trigger, EachPictureIsSavedAndTheLastOnesAreKept) {
     EXPECT_TRUE(content.starts_with("# NMC Panel recording 1\n"));
     EXPECT_NEAR(static_cast<double>(std::ranges::count(content, '\n') - std::ranges::count(content, '#')),
                 101, 2);
-    EXPECT_TRUE(text(u"triggerSavedLabel"_s).startsWith(u"4 saved to"_s));
+    EXPECT_TRUE(text(u"triggerSavedLabel"_s).startsWith(u"4 taken for"_s));
 
     click(u"triggerSaveBox"_s);
     run(20, [](double t, ScopeSample& sample) { sample.position = std::fmod(t, 3.0) > 2.0 ? 100 : 0; });
@@ -158,7 +158,7 @@ TEST_F(Trigger, AnotherNumberOfKeptPicturesBeginsAnotherSeries) {
     run(13, pulses);
     ASSERT_EQ(saved.size(), 4);
     EXPECT_TRUE(saved.at(3).at(0).toString().endsWith(u"trigger 001.csv"_s)) << "the first of four";
-    EXPECT_TRUE(text(u"triggerSavedLabel"_s).startsWith(u"1 saved to"_s));
+    EXPECT_TRUE(text(u"triggerSavedLabel"_s).startsWith(u"1 taken for"_s));
 }
 
 TEST_F(Trigger, ASinglePictureIsSavedOnce) {

@@ -70,7 +70,7 @@ void TriggerRecords::chooseFolder() {
 
 void TriggerRecords::begin() {
     m_prefix = QDateTime::currentDateTime().toString(u"yyyy-MM-dd HHmmss"_s);
-    m_saved = 0;
+    m_taken = 0;
     showState();
 }
 
@@ -89,8 +89,8 @@ void TriggerRecords::takeKept() {
 
 void TriggerRecords::showState() {
     look::setText(m_state, m_prefix.isEmpty() ? QString()
-                                              : tr("%1 saved to %2")
-                                                    .arg(texts::grouped(static_cast<qint64>(m_saved)),
+                                              : tr("%1 taken for %2")
+                                                    .arg(texts::grouped(static_cast<qint64>(m_taken)),
                                                          QDir::toNativeSeparators(m_folder)));
 }
 
@@ -98,7 +98,7 @@ void TriggerRecords::take(const History& history, const ScopeTrigger::Picture& p
                           const std::vector<ScopeModule>& modules, const ScopeOrigin& origin) {
     if (m_prefix.isEmpty())
         return;
-    const QString file = m_prefix + u" trigger %1.csv"_s.arg(m_saved++ % m_kept + 1, 3, 10, QChar(u'0'));
+    const QString file = m_prefix + u" trigger %1.csv"_s.arg(m_taken++ % m_kept + 1, 3, 10, QChar(u'0'));
     emit m_requests.save(QDir(m_folder).filePath(file),
                          samplesBetween(picture.from, picture.to, history, modules, origin));
     showState();

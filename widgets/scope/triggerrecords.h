@@ -40,7 +40,7 @@ private:
     QLabel* m_state;
     QString m_folder;
     QString m_prefix;           ///< of the files' names; empty while nothing is saved
-    std::uint64_t m_saved = 0;  ///< with that prefix
+    std::uint64_t m_taken = 0;  ///< with that prefix
     std::uint64_t m_kept;       ///< the last number that made sense
 };
 
