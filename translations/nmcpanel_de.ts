@@ -7571,8 +7571,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Nächste ganze Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Reverse (without a position)</source>
-        <translation>Rückwärts (ohne Position)</translation>
+        <source>Reverse (not trapezoidal)</source>
+        <translation>Rückwärts (nicht Trapez)</translation>
     </message>
     <message>
         <source>Switches only AMP_EN. A motion in progress keeps counting.</source>

@@ -7571,8 +7571,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Velocidad entera más próxima</translation>
     </message>
     <message>
-        <source>Reverse (without a position)</source>
-        <translation>Atrás (sin posición)</translation>
+        <source>Reverse (not trapezoidal)</source>
+        <translation>Atrás (no trapezoidal)</translation>
     </message>
     <message>
         <source>Switches only AMP_EN. A motion in progress keeps counting.</source>

@@ -7571,8 +7571,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Vitesse entière la plus proche</translation>
     </message>
     <message>
-        <source>Reverse (without a position)</source>
-        <translation>Arrière (sans position)</translation>
+        <source>Reverse (not trapezoidal)</source>
+        <translation>Arrière (sauf trapézoïdal)</translation>
     </message>
     <message>
         <source>Switches only AMP_EN. A motion in progress keeps counting.</source>

@@ -7554,8 +7554,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>最も近い整数速度</translation>
     </message>
     <message>
-        <source>Reverse (without a position)</source>
-        <translation>逆方向（位置なし）</translation>
+        <source>Reverse (not trapezoidal)</source>
+        <translation>逆方向（台形以外）</translation>
     </message>
     <message>
         <source>Switches only AMP_EN. A motion in progress keeps counting.</source>

@@ -44,7 +44,8 @@ void StepperRun::start(const stepper::LoadTrajectory& load, StepperMode from,
     reverse = load.reverse;
     if (load.position) {
         goal = load.position->value();
-        // The chip takes the direction from the goal and not from the bit (DS-S 5.1).
+        // A trapezoid takes its direction from the goal; for a move without a ramp, the bit agrees with it
+        // (docs/protocol.md).
         reverse = position ? std::optional(*goal < *position) : std::nullopt;
     }
 }

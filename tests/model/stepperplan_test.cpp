@@ -36,13 +36,17 @@ const StepperMotion kReverse = steppermotion::VelocityProfile{40, 4, true};
 const StepperMotion kPlainMove = steppermotion::UnprofiledMove{-1'000, false, {64'288, 20}};
 const StepperMotion kPlainRun = steppermotion::UnprofiledRun{{64'288, 20}, false};
 
-// Data bytes by hand from DS-S 5.1; 1000 = 3E8, 64 288 = FB20, 40 = 28, 20 = 14.
+// Data bytes by hand from DS-S 5.1; 1000 = 3E8, 64 288 = FB20, 40 = 28, 20 = 14. Bit 4, 10, is the direction:
+// of a run, and of a move without a ramp, where it agrees with the goal.
 TEST(StepPlan, LoadsWhatTable4AsksForFromStandstill) {
     const Stepper stepper = Stepper::holding();
     EXPECT_EQ(bytesOf(intent::Move{kTrapezoid}, stepper.module), (Bytes{"74 07 E8 03 00 00 28 04", "05"}));
     EXPECT_EQ(bytesOf(intent::Move{kForward}, stepper.module), (Bytes{"34 06 28 04", "05"}));
     EXPECT_EQ(bytesOf(intent::Move{kReverse}, stepper.module), (Bytes{"34 16 28 04", "05"}));
-    EXPECT_EQ(bytesOf(intent::Move{kPlainMove}, stepper.module), (Bytes{"84 09 18 FC FF FF 20 FB 14", "05"}));
+    EXPECT_EQ(bytesOf(intent::Move{kPlainMove}, stepper.module), (Bytes{"84 19 18 FC FF FF 20 FB 14", "05"}));
+    EXPECT_EQ(
+        bytesOf(intent::Move{steppermotion::UnprofiledMove{1'000, false, {64'288, 20}}}, stepper.module),
+        (Bytes{"84 09 E8 03 00 00 20 FB 14", "05"}));
     EXPECT_EQ(bytesOf(intent::Move{kPlainRun}, stepper.module), (Bytes{"44 08 20 FB 14", "05"}));
     EXPECT_EQ(bytesOf(intent::LoadMove{kTrapezoid}, stepper.module), (Bytes{"74 07 E8 03 00 00 28 04"}));
 }
@@ -54,6 +58,9 @@ TEST(StepPlan, CountsARelativeGoalFromWhereItStands) {
     EXPECT_EQ(bytesOf(intent::Move{steppermotion::Trapezoid{-100, true, 40, 4}}, stepper.module),
               (Bytes{"74 07 90 01 00 00 28 04", "05"}))
         << "400 = 190";
+    EXPECT_EQ(bytesOf(intent::Move{steppermotion::UnprofiledMove{-100, true, {64'288, 20}}}, stepper.module),
+              (Bytes{"84 19 90 01 00 00 20 FB 14", "05"}))
+        << "in reverse to a goal above 0";
 }
 
 TEST(StepPlan, SwitchesAndStopsWithTheAmplifierAsItShallBe) {
@@ -237,6 +244,8 @@ TEST(StepPlan, LoadsAMoveInMotionWhereItsGoalIsCertain) {
     EXPECT_EQ(refusalOf(intent::LoadMove{steppermotion::Trapezoid{-100, true, 40, 4}}, stepper.module),
               Refusal::NeedsStop)
         << "the starting point is not known";
+    EXPECT_EQ(refusalOf(intent::LoadMove{kPlainMove}, stepper.module), Refusal::NeedsStop)
+        << "nor on which side of the goal it lies";
 }
 
 TEST(StepPlan, DoesNotSetThePositionToZeroInMotion) {

@@ -32,6 +32,11 @@ TEST(StepperTravel, ARunOfAStepperIsAMoveToTheLimit) {
               StepperMotion(steppermotion::Trapezoid{2'000, false, 40, 4}));
     EXPECT_EQ(withinTravel(steppermotion::UnprofiledRun{{60'000, 8}, true}, stepper.module),
               StepperMotion(steppermotion::UnprofiledMove{-1'000, false, {60'000, 8}}));
+    const auto timed = plan(intent::Move{steppermotion::UnprofiledRun{{60'000, 8}, true}}, stepper.module);
+    ASSERT_TRUE(timed.has_value());
+    const auto& bounded = std::get<stepper::LoadTrajectory>(std::get<StepperCommand>(timed->front().command));
+    EXPECT_EQ(bounded.position, Counts(-1'000));
+    EXPECT_TRUE(bounded.reverse) << "DS-S 4.1: the direction is specified with a bit";
     const auto steps = plan(intent::Move{steppermotion::VelocityProfile{40, 4, true}}, stepper.module);
     ASSERT_TRUE(steps.has_value());
     const auto& load = std::get<stepper::LoadTrajectory>(std::get<StepperCommand>(steps->front().command));

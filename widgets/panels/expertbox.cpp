@@ -278,7 +278,7 @@ DirectBox* newStepperLoad(ModuleContext& context, QWidget* parent) {
         add(u"Acceleration"_s, ExpertBox::tr("Acceleration time (0.25 ms)"), stepper::kAccelerationTimeRange);
     const Value timer = add(u"Timer"_s, ExpertBox::tr("Initial timer count"), stepper::kTimerCountRange);
     const Value nearest = box->addValue(u"Nearest"_s, ExpertBox::tr("Nearest integer speed"), 1, 250, false);
-    QCheckBox* reverse = box->addFlag(u"Reverse"_s, ExpertBox::tr("Reverse (without a position)"));
+    QCheckBox* reverse = box->addFlag(u"Reverse"_s, ExpertBox::tr("Reverse (not trapezoidal)"));
     QCheckBox* now = box->addFlag(u"Now"_s, ExpertBox::tr("Start motion now"));
     box->setCommand(
         [=]() -> ModuleCommand {

@@ -55,6 +55,7 @@ struct LoadOf {
         stepper::LoadTrajectory load;
         load.position = Counts(goal);
         load.timer = move.timer;
+        load.reverse = reverse;
         return load;
     }
     stepper::LoadTrajectory operator()(const steppermotion::UnprofiledRun& run) const {
@@ -77,9 +78,11 @@ struct LoadOf {
 }
 
 /// A load changes nothing until it is started (DS-S 5.1), but the position from which it will start is
-/// unknown while the motor moves. It goes straight to its goal.
+/// unknown while the motor moves: so is a relative goal, and the direction bit of a move without a ramp. It
+/// goes straight to its goal.
 [[nodiscard]] std::optional<Refusal> whyNotLoaded(const StepperMotion& motion, const ModuleState& module) {
-    if (isRelative(motion) && module.stepper.moving())
+    const bool fromHere = isRelative(motion) || std::holds_alternative<steppermotion::UnprofiledMove>(motion);
+    if (fromHere && module.stepper.moving())
         return Refusal::NeedsStop;
     return whyNotFromStandstill(motion, withoutBacklash(module));
 }
