@@ -77,7 +77,7 @@ private:
     // Faults.
     /// A packet of the host that is being sent to the modules, and the damage done to it.
     struct PacketUnderway {
-        PacketBytes bytes;  ///< up to and including the current one
+        PacketBytes bytes;  ///< up to and including the current one; none if its start was not followed
         bool decided = false;
         std::optional<FrameEdit> busEdit;
         std::vector<std::optional<FrameEdit>> moduleEdits;
@@ -281,6 +281,7 @@ void Chain::Private::deliverLateBytes() {
 void Chain::Private::deliverToModules(const LineByte& byte) {
     if (faults.any() || byte.foreign || m_someAreOutOfStep)
         return deliverWithFaults(byte);
+    m_underway.bytes.clear();
     ++statistics.bytesIn;
     watchForHaste(byte);
     bool heard = false;
@@ -603,12 +604,13 @@ void Chain::Private::disturbModules(std::uint8_t value, bool error) {
 void Chain::Private::followPacket(const LineByte& byte, bool insidePacket) {
     if (!insidePacket) {
         m_underway.bytes.clear();
-        m_underway.decided = byte.value != kHeader;
+        m_underway.decided = false;
         m_underway.busEdit.reset();
         std::ranges::fill(m_underway.moduleEdits, std::nullopt);
-        if (m_underway.decided)
-            return;
     }
+    // Bytes between packets are not struck, nor is the rest of a packet that was under way before the faults.
+    if (m_underway.bytes.empty() && (insidePacket || byte.value != kHeader))
+        return;
     m_underway.bytes.push_back(byte.value);
     if (m_underway.decided)
         return;

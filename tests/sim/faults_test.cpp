@@ -201,6 +201,26 @@ TEST_F(Faults, AHostThatSendsByteByByteIsStruckToo) {
     EXPECT_EQ(say("faults")["faults"][0]["struck"], 1);
 }
 
+/// 15 of the 18 bytes of a Set Gain are left, which would not fit behind another packet in a buffer of 19.
+TEST_F(Faults, AFaultInjectedInAPacketWaitsForTheNextOne) {
+    const Bytes gains = packet(1, 0xE6, goodGains());
+    for (const bool followedBefore : {false, true}) {
+        SCOPED_TRACE(followedBefore);
+        if (followedBefore) {
+            fault("bus drop cmd p=0");
+            wire.exchange(gains);
+            say("fault clear");
+        }
+        wire.exchange(Bytes(gains.begin(), gains.begin() + 3));
+        fault("bus drop cmd n=1");
+        EXPECT_EQ(values(wire.exchange(Bytes(gains.begin() + 3, gains.end()))), kIdle);
+        EXPECT_EQ(say("faults")["faults"][0]["struck"], 0);
+        EXPECT_THAT(nop(1), IsEmpty());
+        EXPECT_EQ(say("faults")["faults"][0]["struck"], 1);
+        flush();
+    }
+}
+
 TEST_F(Faults, NullsBetweenPacketsAreNoFrames) {
     fault("bus drop cmd");
     wire.exchange(Bytes(16, 0));
