@@ -90,14 +90,18 @@ void StepperRegisters::apply(const StepperCommand& command) {
                    },
                    [this](const stepper::StopMotor& stop) {
                        if (stop.manner != stepper::StopManner::AmplifierOnly)
-                           waiting.reset();
-                       if (stop.manner == stepper::StopManner::Smoothly)
-                           loadedSpeed = std::uint8_t{0};
+                           stopped(stop.manner);
                    },
                    [this](const stepper::SetOutputs& set) { outputs = set.outputs; },
                    [](const auto& /*other*/) {},
                },
                command);
+}
+
+void StepperRegisters::stopped(stepper::StopManner manner) {
+    waiting.reset();
+    if (manner == stepper::StopManner::Smoothly)
+        loadedSpeed = std::uint8_t{0};
 }
 
 void IoRegisters::attached() {

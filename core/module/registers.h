@@ -65,6 +65,9 @@ private:
 /// Registers of a PIC-STEP (DS-S 5.1).
 struct StepperRegisters {
     void apply(const StepperCommand& command);
+    /// Call when the chip has stopped the motor in this manner, by command or by itself: a loaded trajectory
+    /// no longer waits, and its speed may be 0.
+    void stopped(stepper::StopManner manner);
 
     std::optional<stepper::SetParameters> parameters;
     std::optional<std::uint8_t> outputs = std::uint8_t{0x10};  ///< OUT5 high, the rest low (DS-S 2.3)

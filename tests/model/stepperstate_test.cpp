@@ -232,6 +232,27 @@ TEST(StepperState, ASearchThatIsCancelledDoesNotExplainThatTheMotorIsOff) {
     EXPECT_EQ(stepper.module.activity(), Activity::WentOff);
 }
 
+/// DS-S 5.1: a smooth stop sets the goal speed to zero, "in the specified manner" also at home.
+TEST(StepperState, ASmoothStopAtHomeLeavesNoSpeedLoaded) {
+    for (const bool smooth : {false, true}) {
+        SCOPED_TRACE(smooth);
+        Stepper stepper = Stepper::running();
+        stepper::SetHoming homing;
+        homing.onHomeSwitchChange = true;
+        homing.stopAbruptly = !smooth;
+        homing.stopSmoothly = smooth;
+        stepper.was(homing);
+        stepper.was(Stepper::trapezoid(1'000));
+        stepper.says(kRuns | kStepHoming);
+        EXPECT_EQ(stepper.module.stepper.loadedSpeed, std::uint8_t{40});
+        EXPECT_TRUE(stepper.module.loadWaiting);
+        stepper.says(kStepOn);
+        EXPECT_EQ(stepper.module.stepper.loadedSpeed, smooth ? std::uint8_t{0} : std::uint8_t{40});
+        EXPECT_FALSE(stepper.module.loadWaiting);
+        EXPECT_FALSE(stepper.module.stepper.waiting) << "as after a stop by command";
+    }
+}
+
 TEST(StepperState, ASwitchThatWasLookedForIsNoLimitThatWasRunInto) {
     Stepper stepper = Stepper::running();
     stepper::SetHoming homing;

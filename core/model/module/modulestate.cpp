@@ -184,10 +184,16 @@ void ModuleState::noteCommand(TimePoint time, int direction, double countsPerTic
     m_trip.apply({time, !servoOn(), !moving(), direction, std::abs(countsPerTick) * perSecond});
 }
 
-/// Handles a stop or switch-off by the chip itself that was requested by Set Homing Mode (DS-V 5.2). Returns
-/// true when this sample shows that home was just found.
+/// Handles a stop or switch-off by the chip itself that was requested by Set Homing Mode (DS-V 5.2,
+/// DS-S 5.1). Returns true when this sample shows that home was just found.
 bool ModuleState::watchHome(const bus::Sample& sample) {
     const bool found = homing.apply(sample);
+    if (found && isStepper() && homing.stops()) {
+        stepper.StepperRegisters::stopped(homing.manner() == StopManner::Smoothly
+                                              ? stepper::StopManner::Smoothly
+                                              : stepper::StopManner::Abruptly);
+        loadWaiting = false;
+    }
     if (!found || !isServo())
         return found;
     if (homing.stops()) {
