@@ -171,7 +171,7 @@ ServoSnapshot ServoLoop::snapshot() const {
     s.commandPosition = static_cast<double>(m_profile.finePosition()) / 65536.0;
     s.positionError = s.commandPosition - s.position;
     s.commandVelocity = static_cast<double>(m_profile.velocity()) / 65536.0;
-    s.velocity = m_plant.speedCountsPerTick();
+    s.velocity = m_plant.speedCountsPerTick() * ticksPerServoTick();
     s.amperes = m_plant.currentAmperes();
     s.pwm = m_pwm / pwmSteps();
     s.currentLimitAdjustment = m_adjustment / pwmSteps();

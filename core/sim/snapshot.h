@@ -40,7 +40,7 @@ struct ServoSnapshot {
     double commandPosition = 0;  ///< counts, including the fraction
     double positionError = 0;    ///< command - position, counts
     double commandVelocity = 0;  ///< counts per servo tick
-    double velocity = 0;         ///< shaft velocity, counts per maximum-rate tick; forward is positive
+    double velocity = 0;         ///< of the shaft, counts per servo tick; forward is positive
     double amperes = 0;          ///< motor current
     int pwm = 0;                 ///< -255..255, the sign is the direction pin
     int currentLimitAdjustment = 0;

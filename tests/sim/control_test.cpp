@@ -68,6 +68,21 @@ TEST_F(Control, StateTellsTheTruthAboutAModule) {
     EXPECT_EQ(say("state 2")["mode"], "pwm");
 }
 
+// DS-V 5.2: velocities are "in units of counts per servo tick", which SR 4 makes four times as long.
+TEST_F(Control, StateTellsVelocitiesPerServoTick) {
+    wire.enableAmplifier();
+    wire.pwm(40);
+    wire.wait(milliseconds(300));
+    const double perTick = say("state 1")["velocity"].get<double>();
+    ASSERT_GT(perTick, 10);
+    wire.gains(gainData(0, 0, 0, 0, 0, 0, 0, 4, 0));
+    wire.waitTicks(60);
+    const auto s = say("state 1");
+    EXPECT_NEAR(s["velocity"].get<double>(), 4 * perTick, 0.1 * perTick);
+    EXPECT_NEAR(s["velocity"].get<double>(), s["command_velocity"].get<double>(), 1.1)
+        << "with the servo off, the command follows the motor";
+}
+
 // DS-V 5.2, 5.3: move done 01, power 08, position error 10, limit 1 20, home in progress 80.
 TEST_F(Control, StateTellsTheStatusThatTheHostWouldGet) {
     EXPECT_EQ(say("state 1")["status"], 0x19);
