@@ -12,6 +12,7 @@ namespace nmc::stepper {
 
 inline constexpr ValueRange kPositionRange{-0x7FFFFFFFLL, 0x7FFFFFFFLL};
 inline constexpr ValueRange kSpeedRange{1, 250};
+inline constexpr ValueRange kNearestSpeedRange{0, 250};      ///< 0 is nearest to less than half a speed unit
 inline constexpr ValueRange kAccelerationTimeRange{1, 255};  ///< units of 0.25 ms per speed unit
 inline constexpr ValueRange kTimerCountRange{1, 65'452};
 inline constexpr ValueRange kByteRange{0, 0xFF};
@@ -43,7 +44,7 @@ struct LoadTrajectory {
             if constexpr (std::remove_reference_t<decltype(form)>::kReads)
                 c.timer.emplace();
             form.number("timer count", c.timer->count, kTimerCountRange);
-            form.number("nearest speed", c.timer->nearestSpeed, kSpeedRange);
+            form.number("nearest speed", c.timer->nearestSpeed, kNearestSpeedRange);
         }
         form.bit(4, c.reverse, "reverse");
         form.bit(7, c.startNow, "start now");

@@ -51,7 +51,7 @@ RC_GTEST_PROP(StepperLoadTrajectory, DecodesToWhatWasEncoded, ()) {
         maybe<std::uint8_t>([] { return inRange<std::uint8_t>(stepper::kAccelerationTimeRange); });
     load.timer = maybe<stepper::TimerCount>([] {
         return stepper::TimerCount{inRange<std::uint16_t>(stepper::kTimerCountRange),
-                                   inRange<std::uint8_t>(stepper::kSpeedRange)};
+                                   inRange<std::uint8_t>(stepper::kNearestSpeedRange)};
     });
     load.reverse = flag();
     load.startNow = flag();
@@ -182,6 +182,16 @@ TEST(LoadTrajectory, RefusesDataThatItsControlByteDoesNotAnnounce) {
     EXPECT_FALSE(decode<servo::LoadTrajectory>({CommandCode::LoadTrajectory, {0x11, 1, 2, 3}}).has_value());
     EXPECT_FALSE(decode<servo::LoadTrajectory>({CommandCode::LoadTrajectory, {0x10, 1}}).has_value());
     EXPECT_FALSE(decode<stepper::LoadTrajectory>({CommandCode::LoadTrajectory, {0x08, 1, 2}}).has_value());
+}
+
+// DS-S 5.1 gives the nearest integer speed no range. At 1x, 10 steps/s are 0.4 of a speed unit of 25, and
+// their count is 65 536 - 62 500 + 2 = 3 038, 0BDE (DS-S 4.1).
+TEST(LoadTrajectory, TakesATimerCountWhoseNearestSpeedIsZero) {
+    const auto load = decode<stepper::LoadTrajectory>({CommandCode::LoadTrajectory, {0x88, 0xDE, 0x0B, 0}});
+    ASSERT_TRUE(load.has_value());
+    EXPECT_EQ(load->timer, (stepper::TimerCount{3'038, 0}));
+    EXPECT_FALSE(
+        decode<stepper::LoadTrajectory>({CommandCode::LoadTrajectory, {0x88, 0xDE, 0x0B, 251}}).has_value());
 }
 
 TEST(StopMotor, TakesOnlyOneMannerAtATime) {
