@@ -59,7 +59,7 @@ constexpr std::array kInputs{
     pin("limit2", Input::Limit2, kServo, "pin LIMIT2, 1 is high, as in status bit 6"),
     pin("limit2", Input::Limit2, kStepper, "reverse limit switch, 1 is high: no motion in reverse"),
     pin("index", Input::Index, kServo,
-        "pin INDEX, 1 is high (auxiliary bit 0 is then 0), until the shaft moves on"),
+        "pin INDEX, 1 is high (auxiliary bit 0 is then 0; of an SC: 1), until the shaft moves on"),
     pin("power", Input::Power, kServo, "motor power: 1 is on, 0 turns the servo off"),
     pin("power", Input::Power, kStepper, "pin PWR_SENSE: 1 is on, 0 lowers AMP_EN and stops"),
     InputRow{"analog",

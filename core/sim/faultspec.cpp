@@ -151,9 +151,10 @@ private:
             return refuse("needs two modules or more: module K,K");
         if ((row->targets & Servo) != 0)
             for (const std::uint8_t module : m_spec.modules)
-                if (m_chain[module].type != ModuleType::Servo)
+                if (const ModuleType type = m_chain[module].type; type != ModuleType::Servo)
                     return refuse("needs a servo: module " + std::to_string(module + 1) +
-                                  " is a stepper, which has no feedback");
+                                  (type == ModuleType::Stepper ? " is a stepper, which has no feedback"
+                                                               : " is a PIC-I/O, which has no motor"));
         if (row->kind == FaultKind::Ignore && name.size() != word.size())
             return command(word.substr(name.size() + 1));
         return row->kind == FaultKind::MuteRx ? mute() : Done{};

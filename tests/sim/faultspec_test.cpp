@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::vector<ModuleIdentity> kChain{
-    {ModuleType::Servo, 4}, {ModuleType::Servo, 1}, {ModuleType::Stepper, 1}};
+    {ModuleType::Servo, 4}, {ModuleType::Servo, 1}, {ModuleType::Stepper, 1}, {ModuleType::Io, 2}};
 
 tl::expected<FaultSpec, std::string> parse(const std::string& line) {
     std::istringstream stream(line);
@@ -92,7 +92,7 @@ TEST(FaultSpec, EveryKindIsAcceptedOnItsTargets) {
 TEST(FaultSpec, RefusesWithTheReasonWhatCannotBe) {
     EXPECT_THAT(refusal(""), HasSubstr("allowed are bus, module K"));
     EXPECT_THAT(refusal("wire drop"), HasSubstr("allowed are bus, module K"));
-    EXPECT_THAT(refusal("module 4 drop"), HasSubstr("no module '4'; allowed is 1 to 3"));
+    EXPECT_THAT(refusal("module 5 drop"), HasSubstr("no module '5'; allowed is 1 to 4"));
     EXPECT_THAT(refusal("module 0 drop"), HasSubstr("no module '0'"));
     EXPECT_THAT(refusal("module 1, drop"), HasSubstr("no module ''"));
     EXPECT_THAT(refusal("module drop"), HasSubstr("no module 'drop'"));
@@ -120,7 +120,8 @@ TEST(FaultSpec, RefusesWithTheReasonWhatCannotBe) {
     EXPECT_THAT(refusal("module 3 drop on=set_gain"), HasSubstr("no command 'set_gain'"));
     EXPECT_THAT(refusal("bus foreign on=load_trajectory"), HasSubstr("nop"));
     EXPECT_THAT(refusal("module 1 sameaddr"), HasSubstr("two modules"));
-    EXPECT_THAT(refusal("module 3 stall"), HasSubstr("no feedback"));
+    EXPECT_THAT(refusal("module 3 stall"), HasSubstr("module 3 is a stepper, which has no feedback"));
+    EXPECT_THAT(refusal("module 4 stall"), HasSubstr("module 4 is a PIC-I/O, which has no motor"));
     EXPECT_THAT(refusal("bus drop twice"), HasSubstr("cannot read 'twice'"));
 }
 
