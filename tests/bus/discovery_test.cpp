@@ -335,8 +335,9 @@ TEST_P(ReadInFits, IsFoundWhole) {
         };
         const bool found = bus.connect();
         EXPECT_TRUE(found || longest > 50ms) << seed;
-        if (found)
+        if (found) {
             EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 2U) << seed;
+        }
     }
 }
 

@@ -329,8 +329,9 @@ TEST_F(Sequences, HomesAnAxisByItsRecipe) {
 SequenceReport goOnArmingLate(SequenceBench& bench) {
     unsigned turns = 0;
     for (const TimePoint end = bench.bus.now + 60s; bench.turn() && bench.bus.now < end;)
-        if (const auto arm = limitStopDue(bench.modules[0]); arm && !bench.procedure && ++turns % 5 == 0)
+        if (const auto arm = limitStopDue(bench.modules[0]); arm && !bench.procedure && ++turns % 5 == 0) {
             EXPECT_TRUE(bench.order(kX, *arm));
+        }
     return bench.run->report();
 }
 

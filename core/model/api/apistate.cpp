@@ -65,7 +65,7 @@ Json ioPinsOf(const ModuleState& module, const AxisSettings& axis) {
     Json list = Json::array();
     const auto levels = module.latest.value_or(StatusReport{}).pins;
     const auto bit = [](const auto& mask, unsigned pin) {
-        return mask ? Json((*mask >> pin & 1U) != 0) : Json();
+        return mask ? Json((unsigned{*mask} >> pin & 1U) != 0) : Json();
     };
     for (unsigned pin = 0; module.isIo() && pin < io::kPins; ++pin)
         list.push_back({{"number", pin + 1},
