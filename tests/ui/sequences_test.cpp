@@ -260,6 +260,24 @@ TEST(SequenceModels, OfferThePinsThatAModuleHas) {
     EXPECT_EQ(rows.index(1, RowsModel::Within).data().toString(), u"within 2.5 s"_s);
 }
 
+/// The same action, or the same module while no module is connected, resets nothing of the row.
+TEST(SequenceModels, ChangeNothingIfWhatIsChosenIsChosenAgain) {
+    Program program = twoPoints();
+    program.points.push_back({"Place", {}});
+    program.sequences[0].rows = {action::MoveTo{"Place", false, true, 20},
+                                 action::WaitForInput{ModuleIndex(1), InputPin::Io3, false, 4.0}};
+    RowsModel rows;
+    rows.showRows(program, "Main", 2, {});
+    QSignalSpy edits(&rows, &RowsModel::rowEdited);
+    for (int row = 0; row < rows.rowCount(); ++row)
+        for (int column = 0; column < RowsModel::ColumnCount; ++column) {
+            const QModelIndex cell = rows.index(row, column);
+            EXPECT_FALSE(rows.setData(cell, rows.data(cell, Qt::EditRole), Qt::EditRole))
+                << "row " << row << ", column " << column;
+        }
+    EXPECT_EQ(edits.size(), 0);
+}
+
 /// Checks Qt's requirements of an item model, while programs change at random.
 TEST(SequenceModels, KeepQtsDemands) {
     sim::Random random(7);

@@ -393,6 +393,9 @@ bool RowsModel::setData(const QModelIndex& index, const QVariant& value, int rol
     } else {
         if (number < 0 || number >= static_cast<double>(cell.choices.size()))
             return false;
+        // What is already chosen stays as it is: a choice may reset what else the row says.
+        if (static_cast<int>(number) == cell.chosen)
+            return false;
         choose(action, row, index.column(), static_cast<int>(number));
     }
     if (action == m_rows[row])
