@@ -431,6 +431,10 @@ TEST(EntryStates, StartInTheMiddleOnlyWhereAFreshRunWouldBe) {
     EXPECT_EQ(problems[0].name, "Pick");
     modules = {homed(servoAt(0, 1'102), 100), homed(servoAt(1, -200), 0)};
     EXPECT_THAT(whyNotRun("Main", 1, machine, modules), IsEmpty()) << "a servo rests within its friction";
+    Machine elsewhere = machine;
+    elsewhere.program.points[0].axes[0] = {kX, 1'102, false};
+    EXPECT_EQ(kinds(whyNotRun("Main", 1, elsewhere, modules)), std::vector{SequenceFault::TaughtElsewhere})
+        << "the counter says 1 102, but where that is has changed since";
     Machine forEver = machine;
     insertRow(forEver.program.sequences[0], 1, action::Repeat{0, 0});
     EXPECT_EQ(kinds(whyNotRun("Main", 2, forEver, modules)), std::vector{SequenceFault::Unreachable});

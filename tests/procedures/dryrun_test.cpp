@@ -174,6 +174,24 @@ TEST_F(DryRuns, KeepTheTravelLimitsOfAnAxisThatIsHomedFirst) {
     EXPECT_EQ(foreseen.report.places.at(0).row, 1U);
 }
 
+/// The first pass finds the home that the point was taught without.
+TEST_F(DryRuns, ForeseeThatAPointTaughtWithoutHomeIsNotUsedAgain) {
+    HomingRecipe recipe;
+    recipe.onHomeSwitch = true;
+    recipe.velocity = 100;
+    recipe.acceleration = 1'000;
+    recipe.travelLimit = recipe.timeLimit = 100;
+    bench.machine.axes[2].homing = recipe;
+    bench.modules[2].home.forget();
+    bench.machine.program.points = {{"A", {{kTable, 200, false}}}};
+    bench.machine.program.sequences = {
+        {"Main", {action::MoveTo{"A"}, action::Home{kTable}, action::Repeat{0, 2}}}};
+    const DryRun foreseen = dry("Main");
+    ASSERT_TRUE(foreseen.problems.empty());
+    EXPECT_EQ(foreseen.report.end, SequenceEnd::TaughtElsewhere);
+    EXPECT_EQ(foreseen.report.places.at(0).row, 0U);
+}
+
 TEST_F(DryRuns, DoWhatTheRowsAskOfAPicIo) {
     constexpr ModuleIndex kBox{3};
     ModuleState box;

@@ -146,6 +146,7 @@ TEST_F(Sequences, WhatTurnsRoundStartsTogetherWithTheOthers) {
 TEST_F(Sequences, AnAxisThatStaysWhereItIsDoesNotTurnRound) {
     bench.modules[0].backlash = {100, false};
     bench.machine.axes[0].arrival = {60, 0.1};
+    bench.modules[0].home.forget();
     bench.machine.program.points = {{"A", {{kX, 1'000, false}}}};
     bench.machine.program.sequences = {{"Main", {action::MoveTo{"A"}, action::Repeat{0, 5}}}};
     bench.bus.chain.set(kX, sim::Input::EncoderNoise, 10.0, bench.bus.now);
@@ -321,6 +322,35 @@ TEST_F(Sequences, HomesAnAxisByItsRecipe) {
     EXPECT_EQ(report.end, SequenceEnd::NotHomed);
     EXPECT_EQ(report.module, kTable);
     bench.expectRest();
+}
+
+/// The table is taught at 200 steps by the counter. The search finds its home, so the second pass may not go
+/// there. X, which comes first in the point, does not move again either.
+TEST_F(Sequences, APointTaughtWithoutHomeIsNotUsedOnceHomeIsFound) {
+    HomingRecipe recipe;
+    recipe.onHomeSwitch = true;
+    recipe.reverse = false;
+    recipe.velocity = 490.0;
+    recipe.acceleration = 2'000.0;
+    recipe.travelLimit = 4'000.0;
+    recipe.timeLimit = 20.0;
+    bench.machine.axes[2].homing = recipe;
+    bench.bus.chain.set(kTable, sim::Input::HomeSwitchAt, 300.0, bench.bus.now);
+    bench.modules[2].home.forget();
+    bench.machine.program.points = {{"A", {{kX, 1'000}, {kTable, 200, false}}}, {"B", {{kX, 0}}}};
+    bench.machine.program.sequences = {
+        {"Main",
+         {action::MoveTo{"A", false}, action::MoveTo{"B"}, action::Home{kTable}, action::Repeat{0, 2}}}};
+    ASSERT_THAT(whyNotRun("Main", 0, bench.machine, bench.modules), IsEmpty());
+    bench.start("Main");
+    const SequenceReport report = bench.goOn();
+    EXPECT_EQ(report.end, SequenceEnd::TaughtElsewhere);
+    EXPECT_EQ(report.module, kTable);
+    EXPECT_EQ(report.taught, "A");
+    EXPECT_EQ(report.places[0].row, 0U);
+    EXPECT_EQ(goalsOf(bench, kX), (std::vector<std::int32_t>{1'000, 0}));
+    bench.expectRest();
+    EXPECT_NEAR(static_cast<double>(bench.shafts()[2]), 300, 1) << "it stays at home";
 }
 
 // ---- limit stop for each motion ----

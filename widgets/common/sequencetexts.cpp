@@ -23,6 +23,12 @@ QString outputsUnknown(const QString& module) {
     return Texts::tr("The outputs of %1 are unknown. Set them once on the module's page.").arg(module);
 }
 
+QString mayHaveShifted(const QString& module, const std::string& point) {
+    return Texts::tr(
+               "Point \"%2\" was taught before home of %1 was known, so it may have shifted. Teach it again.")
+        .arg(module, QString::fromStdString(point));
+}
+
 /// The problem as a sentence, without the row.
 QString wrong(const SequenceProblem& problem) {
     using Kind = SequenceProblem::Kind;
@@ -56,9 +62,7 @@ QString wrong(const SequenceProblem& problem) {
             return problem.module ? Common::tr("%1: %2").arg(module, reason) : reason;
         }
         case Kind::TaughtElsewhere:
-            return Texts::
-                tr("Point \"%2\" was taught before home of %1 was known, so it may have shifted. Teach it again.")
-                    .arg(module, name);
+            return mayHaveShifted(module, problem.name);
         case Kind::NoRecipe:
             return Texts::tr("Homing of %1 is not set up. Set it up on its Homing page.").arg(module);
         case Kind::NoSuchPin:
@@ -111,6 +115,8 @@ QString why(const SequenceReport& report) {
             return Texts::tr("The A/D value of %1 did not reach its level in time.").arg(module);
         case SequenceEnd::NotHomed:
             return Texts::tr("%1 did not find home.").arg(module);
+        case SequenceEnd::TaughtElsewhere:
+            return mayHaveShifted(module, report.taught);
         case SequenceEnd::NotAnOutput:
             return notAnOutput(module);
         case SequenceEnd::OutputsUnknown:

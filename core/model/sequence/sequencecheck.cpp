@@ -102,10 +102,13 @@ public:
         const EntryState entry = entryState(m_machine, name, row);
         if (!entry.reached)
             report(SequenceProblem::Kind::Unreachable);
-        for (const auto& [index, place] : entry.places)
-            if (const ModuleState* module = moduleAt(index, m_modules);
-                module != nullptr && !isAt(place, *module))
+        for (const auto& [index, place] : entry.places) {
+            const ModuleState* module = moduleAt(index, m_modules);
+            if (module != nullptr && taughtElsewhere(place.axis, *module))
+                report(SequenceProblem::Kind::TaughtElsewhere, index, place.point);
+            else if (module != nullptr && !isAt(place, *module))
                 report(SequenceProblem::Kind::NotThere, index, place.point);
+        }
         for (const auto& [which, on] : entry.outputs)
             if (const ModuleState* module = moduleAt(which.first, m_modules);
                 module != nullptr && outputIs(which.second, *module) != on)
@@ -199,7 +202,7 @@ private:
     void checkMove(const PointAxis& axis, const ModuleState& module, const action::MoveTo& move) {
         const bool homed = m_homed.contains(axis.module);
         const bool first = m_moved.insert(axis.module).second;
-        if (!axis.fromHome && (homed || module.home.place())) {
+        if (taughtElsewhere(axis, module) || (homed && !axis.fromHome)) {
             report(SequenceProblem::Kind::TaughtElsewhere, axis.module, move.point);
             return;
         }
@@ -335,6 +338,10 @@ EntryState entryState(const Machine& machine, const std::string& sequence, std::
             },
             *rowAt(machine.program, above));
     return state;
+}
+
+bool taughtElsewhere(const PointAxis& axis, const ModuleState& module) {
+    return !axis.fromHome && module.home.place();
 }
 
 tl::expected<std::int32_t, Refusal> goalOf(const PointAxis& axis, const ModuleState& module) {

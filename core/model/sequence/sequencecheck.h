@@ -104,6 +104,8 @@ struct EntryState {
 };
 [[nodiscard]] EntryState entryState(const Machine& machine, const std::string& sequence, std::size_t row);
 
+/// True if the axis was taught with home unknown, and home is known now: the counter may have been set since.
+[[nodiscard]] bool taughtElsewhere(const PointAxis& axis, const ModuleState& module);
 /// The counter value of a point on this axis, in the axis's present state.
 [[nodiscard]] tl::expected<std::int32_t, Refusal> goalOf(const PointAxis& axis, const ModuleState& module);
 /// What the panel's own "Go to" would request, at this percentage of the axis's velocity.

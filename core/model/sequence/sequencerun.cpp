@@ -359,6 +359,13 @@ SequenceRun::RowNext SequenceRun::moveTo(const action::MoveTo& move, const Modul
     if (std::ranges::any_of(
             next, [&](const PointAxis& axis) { return awaitsLimitStop(modules[axis.module.value()], now); }))
         return Wait{};
+    // Home may have been found in this run, or by other means, since the run was checked.
+    for (const PointAxis& axis : axes.subspan(m_row.sent))
+        if (taughtElsewhere(axis, modules[axis.module.value()])) {
+            m_report.taught = move.point;
+            endBy(SequenceEnd::TaughtElsewhere, axis.module);
+            return Wait{};
+        }
     m_row.sent += count;
     return sendMoves(next, move.percent, modules);
 }

@@ -42,9 +42,10 @@ enum class SequenceEnd : std::uint8_t {
     Refused,      ///< because of `refusal`
     InputTimeout,
     AnalogTimeout,
-    NotHomed,        ///< `module` has not found its home
-    NotAnOutput,     ///< a pin of `module` has become an input
-    OutputsUnknown,  ///< of `module`, or their directions
+    NotHomed,         ///< `module` has not found its home
+    TaughtElsewhere,  ///< point `taught`: `module` was taught with home unknown, but it is known by now
+    NotAnOutput,      ///< a pin of `module` has become an input
+    OutputsUnknown,   ///< of `module`, or their directions
     // Doubts: the machine itself has no known fault.
     LinkInDoubt,
     Unresponsive,  ///< `module` does not answer, or has restarted
@@ -66,6 +67,7 @@ struct SequenceReport {
     std::optional<SequenceEnd> end{};
     std::optional<ModuleIndex> module{};
     std::optional<Refusal> refusal{};
+    std::string taught{};
 
     [[nodiscard]] bool over() const { return stage == SequenceStage::Done || stage == SequenceStage::Over; }
     bool operator==(const SequenceReport&) const = default;
