@@ -108,6 +108,27 @@ TEST(HomeFact, IsLostWithAZeroThatWasMadeNobodyKnowsWhere) {
     EXPECT_EQ(unheard.home(), std::nullopt);
 }
 
+/// Positions by the counter are the same places only while nothing sets it, or as far from home as before.
+TEST(HomeFact, WhatTheCounterCountsFromIsAnotherOnceItWasSet) {
+    Holding servo;
+    servo.stands(1'000);
+    const HomeFact::Origin before = servo.module.home.origin();
+    servo.stands(2'000);
+    EXPECT_EQ(servo.module.home.origin(), before) << "it has only moved";
+    servo.does(ResetPosition{}, 0);
+    const HomeFact::Origin zeroed = servo.module.home.origin();
+    EXPECT_NE(zeroed, before);
+    servo.module.restarted();
+    EXPECT_NE(servo.module.home.origin(), zeroed);
+
+    servo.foundAt(-700);
+    const HomeFact::Origin homed = servo.module.home.origin();
+    servo.module.restarted();
+    EXPECT_NE(servo.module.home.origin(), homed);
+    servo.foundAt(-700);
+    EXPECT_EQ(servo.module.home.origin(), homed) << "as far from home as before";
+}
+
 TEST(HomeFact, IsWhereItWasSavedByTheRegistersWord) {
     Holding servo;
     servo.stands(750);

@@ -259,6 +259,17 @@ TEST_F(Paths, OneIsDrawnFromTheMovesOfASequence) {
     EXPECT_NEAR(taught, 3'000, 5);
     EXPECT_EQ(commanded(1), taught);
 
+    // While home is unknown, a path counts from 0 of the counter, which is then somewhere else.
+    const auto* toStart = panel.window().findChild<QAbstractButton*>(u"pathToStartButton"_s);
+    const QString drawAgain = u"The counter or the home of an axis has changed. Draw the path again."_s;
+    ASSERT_NO_FATAL_FAILURE(goTo(1'000));
+    EXPECT_TRUE(panel.waitFor([&] { return toStart->isEnabled(); })) << toStart->toolTip().toStdString();
+    panel.ask(intent::ResetPosition{});
+    ASSERT_TRUE(panel.waitFor([&] { return commanded(1) == 0; }));
+    EXPECT_TRUE(panel.waitFor([&] { return !toStart->isEnabled(); }));
+    EXPECT_EQ(toStart->toolTip(), drawAgain);
+    ASSERT_NO_FATAL_FAILURE(goTo(500));
+
     // The taught point follows the counter, because it counts from home, but a drawn path does not.
     panel.ask(intent::SaveAsHome{});
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().home.place().has_value(); }));
@@ -269,13 +280,12 @@ TEST_F(Paths, OneIsDrawnFromTheMovesOfASequence) {
     // From the taught point itself, there would be nothing to draw.
     ASSERT_NO_FATAL_FAILURE(goTo(0));
     ASSERT_NO_FATAL_FAILURE(panel.click("drawPathButton"));
-    const auto* toStart = panel.window().findChild<QAbstractButton*>(u"pathToStartButton"_s);
     EXPECT_TRUE(toStart->isEnabled()) << toStart->toolTip().toStdString();
     ASSERT_NO_FATAL_FAILURE(goTo(3'000));
     panel.ask(intent::ResetPosition{});
     ASSERT_TRUE(panel.waitFor([&] { return commanded(1) == 0; }));
     EXPECT_TRUE(panel.waitFor([&] { return !toStart->isEnabled(); }));
-    EXPECT_EQ(toStart->toolTip(), u"The counter or the home of an axis has changed. Draw the path again."_s);
+    EXPECT_EQ(toStart->toolTip(), drawAgain);
     EXPECT_EQ(sim.violations(), "");
 }
 

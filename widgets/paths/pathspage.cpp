@@ -140,14 +140,14 @@ std::vector<PathColumn> PathsPage::axesNow() const {
     return axes;
 }
 
-/// In another unit, or from another home, the same counts would be other positions.
+/// In another unit, or from another origin, the same counts would be other positions.
 QString PathsPage::whyOutdated() const {
     for (std::size_t i = 0; i < m_path->axes.size(); ++i) {
         const PathColumn& axis = m_path->axes[i];
         const ModuleState* module = moduleAt(axis.module, m_link.modules);
         if (module == nullptr || !hasPathBuffer(module->info.identity) || scaleOf(axis.module) != axis.scale)
             return tr("The unit of an axis has changed. Open or draw the path again.");
-        if (!m_path->homes.empty() && module->home.counts() != m_path->homes[i])
+        if (!m_path->origins.empty() && module->home.origin() != m_path->origins[i])
             return tr("The counter or the home of an axis has changed. Draw the path again.");
     }
     return {};
@@ -373,11 +373,11 @@ void PathsPage::draw() {
         return refresh();
     }
     std::vector<PathColumn> axes = columnsOf(*table, axesNow());
-    std::vector<std::optional<std::int32_t>> homes;
+    std::vector<HomeFact::Origin> origins;
     for (const PathColumn& axis : axes)
-        homes.push_back(m_link.modules[axis.module.value()].home.counts());
+        origins.push_back(m_link.modules[axis.module.value()].home.origin());
     m_connection = m_link.connection;
-    showPath({m_sequence->currentText(), std::move(*table), std::move(axes), std::move(homes)});
+    showPath({m_sequence->currentText(), std::move(*table), std::move(axes), std::move(origins)});
 }
 
 /// Moves as to a taught point: all rules for moves apply, and a stop ends it.

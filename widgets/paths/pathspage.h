@@ -31,7 +31,7 @@ struct LoadedPath {
     PathTable table;
     std::vector<PathColumn> axes;  ///< of the table's columns, when it was read or drawn
     /// Of the axes, when it was drawn: its points count from there. Empty if it was read.
-    std::vector<std::optional<std::int32_t>> homes;
+    std::vector<HomeFact::Origin> origins;
 };
 
 /// Opens or draws a path for PIC-SERVO CMC and SC, shows it, and runs it (docs/paths.md). GUI thread.

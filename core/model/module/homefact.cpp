@@ -36,16 +36,17 @@ void HomeFact::offer(std::int32_t counts) {
 void HomeFact::takeOffer(TimePoint time) {
     if (!m_offered)
         return;
-    loseWork();
+    loseOrigin();
     m_place = Place{*m_offered, time, Source::Remembered};
     m_offered.reset();
 }
 
 void HomeFact::restarted() {
-    loseWork();
-    std::optional<Work> work = std::move(m_work);
-    *this = HomeFact();
-    m_work = std::move(work);
+    loseOrigin();
+    HomeFact unknown;
+    unknown.m_work = std::move(m_work);
+    unknown.m_lost = m_lost;
+    *this = std::move(unknown);
 }
 
 std::optional<WorkZero> HomeFact::workZero() const {
@@ -72,11 +73,11 @@ void HomeFact::useWork(const std::optional<WorkOffset>& offset, const std::optio
 
 void HomeFact::keepWork(const std::vector<WorkOffset>& offsets) {
     if (m_place && m_work && std::ranges::find(offsets, m_work->offset) == offsets.end())
-        loseWork();
+        m_work->known = false;
 }
 
 void HomeFact::forget() {
-    loseWork();
+    loseOrigin();
     m_place.reset();
     m_offered.reset();
     m_saved.reset();
@@ -105,7 +106,7 @@ std::optional<std::int32_t> HomeFact::shift(const ModuleCommand& command) const 
 
 void HomeFact::counterMoved(TimePoint time, std::optional<std::int32_t> by) {
     if (!m_place)
-        loseWork();
+        loseOrigin();
     const bool stood = m_latest && m_latest->still && m_latest->time < time && time - m_latest->time < kFresh;
     if (!stood || !by)
         forget();

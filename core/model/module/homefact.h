@@ -61,6 +61,14 @@ public:
         return m_place ? std::optional(m_place->counts) : std::nullopt;
     }
 
+    /// What positions by the chip's counter count from. As long as it is equal, they are the same places.
+    struct Origin {
+        std::optional<std::int32_t> home;
+        unsigned lost = 0;  ///< home unknown: how often what they counted from was lost in this connection
+        bool operator==(const Origin&) const = default;
+    };
+    [[nodiscard]] Origin origin() const { return m_place ? Origin{counts()} : Origin{{}, m_lost}; }
+
     /// Home was saved, and its position has not been read back yet.
     [[nodiscard]] bool awaited() const { return m_saved.has_value(); }
 
@@ -109,13 +117,16 @@ private:
         WorkOffset offset;
         bool known = true;
     };
-    void loseWork() {
+    /// Positions from before, and the work offset, are other places now.
+    void loseOrigin() {
+        ++m_lost;
         if (m_work)
             m_work->known = false;
     }
 
     std::optional<Place> m_place;
     std::optional<Work> m_work;
+    unsigned m_lost = 0;
     std::optional<std::int32_t> m_offered;
     /// Time at which Save as Home was carried out; the position is taken from the home register, once two
     /// readings agree.

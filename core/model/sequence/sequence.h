@@ -18,7 +18,9 @@ namespace nmc {
 struct PointAxis {
     ModuleIndex module;
     /// Counts (steps) from home as given by HomeFact, which is adjusted when the counter is set to 0. If home
-    /// was unknown, this is the value of the counter itself, valid until home is found or the counter is set.
+    /// was unknown, this is the value of the counter itself. Nothing moves there while home is known
+    /// (taughtElsewhere()). While home is unknown, a counter that was set since is not noticed, because a
+    /// machine without home switches has nothing else to go by.
     std::int32_t counts = 0;
     bool fromHome = true;
 
