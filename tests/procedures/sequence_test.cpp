@@ -26,6 +26,12 @@ protected:
                         order.push_back(hex.substr(3, 5));
         return order;
     }
+    /// How many operations the next turn sends; nobody carries them out.
+    [[nodiscard]] std::size_t sent() {
+        const SequenceRun::Next next = bench.run->next(bench.modules, bench.bus.now);
+        const auto* send = std::get_if<SequenceRun::Send>(&next);
+        return send != nullptr ? send->operations.size() : 0U;
+    }
     SequenceBench bench;
 };
 
@@ -427,6 +433,70 @@ TEST_F(Sequences, AStopInAHomeSearchStopsIt) {
     bench.expectRest();
 }
 
+TEST_F(Sequences, TheOtherMotorsAreStoppedWhileAHomeSearchIsCancelled) {
+    HomingRecipe recipe;
+    recipe.onHomeSwitch = true;
+    recipe.reverse = false;
+    recipe.velocity = 100.0;
+    recipe.acceleration = 2'000.0;
+    recipe.travelLimit = 4'000.0;
+    recipe.timeLimit = 20.0;
+    bench.machine.axes[2].homing = recipe;
+    bench.machine.program.points = {{"Far", {{kX, 10'000}}}};
+    bench.machine.program.sequences = {{"Main", {action::MoveTo{"Far", true, false}, action::Home{kTable}}}};
+    bench.start("Main");
+    bench.turns(60);
+    ASSERT_TRUE(bench.modules[0].moving() && bench.modules[2].moving());
+    bench.run->stop();
+    const SequenceRun::Next cancel = bench.run->next(bench.modules, bench.bus.now);
+    ASSERT_TRUE(std::holds_alternative<SequenceRun::Ask>(cancel));
+    EXPECT_EQ(sent(), 1U) << "the stop of X";
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Stopping) << "the search has not ended yet";
+}
+
+/// The load of Y is answered, but the answers are lost. The first retry comes after a quarantine of at least
+/// 100 ms (docs/link.md 2.1); five turns are 80 ms.
+TEST_F(Sequences, AStopDoesNotWaitForAModuleThatDoesNotAnswer) {
+    bench.machine.program.points = {{"X", {{kX, 10'000}}}, {"Y", {{kY, -500}}}};
+    bench.machine.program.sequences = {
+        {"Main", {action::MoveTo{"X", true, false}, action::Wait{0.3}, action::MoveTo{"Y"}}}};
+    bench.start("Main");
+    const auto loadsOfY = [this] { return bench.bus.sends("AA 02 D4"); };
+    bench.bus.losesReply = [](ByteSpan command) { return toHex(command).rfind("AA 02 D4", 0) == 0; };
+    while (loadsOfY() == 0)
+        ASSERT_TRUE(bench.turn());
+    ASSERT_TRUE(bench.modules[0].moving());
+    const std::size_t before = bench.bus.sent.size();
+    bench.run->stop();
+    bench.turns(5);
+    EXPECT_EQ(loadsOfY(), 1U);
+    EXPECT_GT(bench.bus.sends("AA 01 17 09 21", before), 0U) << "smoothly, with the amplifier on";
+    EXPECT_EQ(bench.goOn().end, SequenceEnd::ByUser);
+    bench.expectRest();
+    EXPECT_LT(bench.shafts()[0], 5'000);
+    EXPECT_NEAR(static_cast<double>(bench.shafts()[1]), 0, 2) << "it was loaded at most";
+}
+
+/// An order that is in flight may start its motor after the first stop.
+TEST_F(Sequences, WhatIsInFlightIsStoppedAgainAtItsEnd) {
+    bench.start("Main");
+    ASSERT_EQ(sent(), 1U) << "the move of all three";
+    bench.run->stop();
+    EXPECT_EQ(sent(), 3U);
+    EXPECT_EQ(sent(), 0U) << "now the results are awaited";
+    bench.run->onFinished(kX, bus::Outcome::Done);
+    for (int stop = 0; stop < 3; ++stop) {
+        EXPECT_EQ(sent(), 0U);
+        EXPECT_EQ(bench.run->report().stage, SequenceStage::Stopping);
+        bench.run->onFinished(kX, bus::Outcome::Done);
+    }
+    EXPECT_EQ(sent(), 3U);
+    for (int stop = 0; stop < 3; ++stop)
+        bench.run->onFinished(kX, bus::Outcome::Done);
+    EXPECT_EQ(sent(), 0U);
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Over);
+}
+
 TEST_F(Sequences, APauseFinishesTheRowAndChangesNothingElse) {
     bench.start("Main");
     bench.turns(10);
@@ -518,11 +588,6 @@ TEST_F(Sequences, StopsThatFindTheQueueFullAreSentAgain) {
     bench.start("Main");
     bench.turns(15);
     ASSERT_TRUE(bench.modules[0].moving());
-    const auto sent = [this] {
-        const SequenceRun::Next next = bench.run->next(bench.modules, bench.bus.now);
-        const auto* send = std::get_if<SequenceRun::Send>(&next);
-        return send != nullptr ? send->operations.size() : 0U;
-    };
     bench.run->stop();
     const std::size_t stops = sent();
     ASSERT_GT(stops, 0U);

@@ -58,6 +58,7 @@ void SequenceController::begin(SequenceRun run) {
         return;
     }
     m_operations.clear();
+    m_stops.clear();
     m_run = std::move(run);
     m_reported.reset();
     m_timer.start();
@@ -77,7 +78,7 @@ void SequenceController::advance() {
     SequenceRun::Next next = m_run->next(asOfRun(name(), m_store.link().modules), monotonicNow());
     if (auto* send = std::get_if<SequenceRun::Send>(&next))
         for (std::vector<bus::Order>& orders : send->operations)
-            m_operations.push_back(m_submit(std::move(orders)));
+            (m_run->report().end ? m_stops : m_operations).push_back(m_submit(std::move(orders)));
     if (const auto* ask = std::get_if<SequenceRun::Ask>(&next))
         obey(*ask);
     publish();
@@ -105,12 +106,14 @@ void SequenceController::publish() {
 
 bool SequenceController::take(const StoreEvent& event) {
     if (const auto* finished = std::get_if<bus::OperationFinished>(&event)) {
-        if (!m_run || std::erase(m_operations, finished->id) == 0)
+        const bool isStop = std::erase(m_stops, finished->id) > 0;
+        if (!m_run || (std::erase(m_operations, finished->id) == 0 && !isStop))
             return false;
-        // A stop that was not carried out must be reported to the user.
-        const bool stopFailed = m_run->report().end && finished->outcome != bus::Outcome::Done;
+        // A stop that was not carried out must be reported to the user, but not an order that it replaced.
+        const bool replaced = !isStop && finished->outcome == bus::Outcome::Cancelled;
+        const bool failed = m_run->report().end && finished->outcome != bus::Outcome::Done && !replaced;
         m_run->onFinished(finished->module, finished->outcome);
-        return !stopFailed;
+        return !failed;
     }
     if (!running())
         return true;

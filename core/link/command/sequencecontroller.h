@@ -77,6 +77,7 @@ private:
     std::optional<SequenceRun> m_run;
     std::optional<SequenceReport> m_reported;
     std::vector<bus::OperationId> m_operations;
+    std::vector<bus::OperationId> m_stops;  ///< those at the end of the run
     BackgroundJob m_foresight;
     std::shared_ptr<DryRun> m_foreseen;  ///< shared with the job
 };

@@ -80,7 +80,8 @@ void SequenceRun::endBy(SequenceEnd end, std::optional<ModuleIndex> module, std:
 void SequenceRun::onFinished(ModuleIndex module, bus::Outcome outcome) {
     m_inFlight -= m_inFlight > 0 ? 1U : 0U;
     if (outcome == bus::Outcome::QueueFull)
-        m_stopsSent = false;  // if it was one of the stops, they still have to go out
+        for (auto& [index, move] : m_moves)
+            move.toStop = true;  // if it was one of the stops, they still have to go out
     if (outcome == bus::Outcome::Done)
         return;
     if (outcome == bus::Outcome::Cancelled)
@@ -154,10 +155,10 @@ SequenceRun::Next SequenceRun::next(const Modules& modules, TimePoint now) {
         return Wait{};
     if (!ending())
         watch(modules, now);
-    if (m_inFlight > 0 && !m_saysNothingMore)
-        return Wait{};
     if (ending())
         return finishEnding(modules);
+    if (m_inFlight > 0)
+        return Wait{};
     if (RowNext back = turnRound(modules, now))
         return m_report.end ? finishEnding(modules) : *std::move(back);
     if (m_report.stage == SequenceStage::Pausing && !m_row.began && row() != nullptr) {
@@ -170,23 +171,28 @@ SequenceRun::Next SequenceRun::next(const Modules& modules, TimePoint now) {
     return m_report.end ? finishEnding(modules) : next;
 }
 
-/// A procedure stops its own motor; the other motors that may be moving are sent a stop.
+/// A procedure stops its own motor; the other motors that may be moving are sent a stop. Neither waits for
+/// the other, or for the result of an order, which a silent module may delay by a second.
 SequenceRun::Next SequenceRun::finishEnding(const Modules& modules) {
-    if (m_procedure && !m_procedureEnd && !m_saysNothingMore) {
-        if (std::exchange(m_cancelled, true))
-            return Wait{};
+    const bool inProcedure = m_procedure && !m_procedureEnd;
+    if (inProcedure && !m_saysNothingMore && !std::exchange(m_cancelled, true))
         return Ask{*m_procedure, intent::CancelProcedure{}};
-    }
-    if (!m_saysNothingMore && !std::exchange(m_stopsSent, true)) {
+    if (!m_saysNothingMore && (!std::exchange(m_stopsSent, true) || m_inFlight == 0)) {
         std::vector<std::vector<bus::Order>> stops;
-        for (const auto& [index, move] : m_moves)
-            if (const ModuleState* module = moduleAt(index, modules);
-                module != nullptr && !m_leftAlone.contains(index))
-                if (auto steps = stopOf(*module); !steps.empty())
-                    stops.push_back(std::move(steps));
+        for (auto& [index, move] : m_moves) {
+            // What is in flight to this motor may start it after this stop, so another one follows.
+            const bool again = m_inFlight > 0 && !move.since;
+            const ModuleState* module = moduleAt(index, modules);
+            if (!std::exchange(move.toStop, again) || module == nullptr || m_leftAlone.contains(index))
+                continue;
+            if (auto steps = stopOf(*module); !steps.empty())
+                stops.push_back(std::move(steps));
+        }
         if (!stops.empty())
             return send(std::move(stops));
     }
+    if (!m_saysNothingMore && (inProcedure || m_inFlight > 0))
+        return Wait{};
     m_report.stage = SequenceStage::Over;
     return Wait{};
 }
@@ -252,7 +258,7 @@ SequenceRun::Next SequenceRun::proceed(const Modules& modules, TimePoint now) {
 }
 
 SequenceRun::Next SequenceRun::send(std::vector<std::vector<bus::Order>> operations) {
-    m_inFlight = static_cast<unsigned>(operations.size());
+    m_inFlight += static_cast<unsigned>(operations.size());
     return Send{std::move(operations)};
 }
 

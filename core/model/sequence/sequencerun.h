@@ -141,6 +141,7 @@ private:
         LimitWatch::Limits closedBefore{};  ///< closed by an earlier motion (LimitWatch::ranInto)
         std::optional<Leg> then{};          ///< follows when this one has arrived (PointMove)
         bool turns = false;                 ///< it has, and the next one is due
+        bool toStop = true;                 ///< when the run ends, it still has to be sent a stop
         std::optional<TimePoint> since{};   ///< only later statuses show the result of the move
         Arrival arrival{};
     };
@@ -182,7 +183,7 @@ private:
     std::optional<ProcedureReport> m_procedureEnd;
     bool m_saysNothingMore = false;  ///< the motors are taken care of elsewhere
     bool m_cancelled = false;
-    bool m_stopsSent = false;
+    bool m_stopsSent = false;           ///< all of them once; what follows waits for the results
     std::set<ModuleIndex> m_leftAlone;  ///< not sent the final stop: something else controls them
     Row m_row;
 };
