@@ -52,16 +52,37 @@ std::vector<SequenceFault> kinds(const std::vector<SequenceProblem>& problems) {
     return all;
 }
 
+LinkState linkOf(std::vector<ModuleState> modules) {
+    LinkState link;
+    link.phase = LinkPhase::Connected;
+    link.modules = std::move(modules);
+    return link;
+}
+
 TEST(Teaching, CountsFromHomeWhereHomeIsKnown) {
-    const std::vector<ModuleState> modules{homed(servoAt(0, 1'300), 300), servoAt(1, -50)};
-    EXPECT_THAT(teach({kX, kY}, modules), ElementsAre(PointAxis{kX, 1'000, true}, PointAxis{kY, -50, false}));
+    const LinkState link = linkOf({homed(servoAt(0, 1'300), 300), servoAt(1, -50)});
+    EXPECT_THAT(teach({kX, kY}, link), ElementsAre(PointAxis{kX, 1'000, true}, PointAxis{kY, -50, false}));
 }
 
 TEST(Teaching, LeavesOutWhatIsNotKnown) {
-    std::vector<ModuleState> modules{servoAt(0, 5), servoAt(1, 6)};
-    modules[0].silent = true;
-    modules[1].latest->position.reset();
-    EXPECT_THAT(teach({kX, kY, ModuleIndex(7)}, modules), IsEmpty());
+    LinkState link = linkOf({servoAt(0, 5), servoAt(1, 6)});
+    link.modules[0].silent = true;
+    link.modules[1].latest->position.reset();
+    EXPECT_THAT(teach({kX, kY, ModuleIndex(7)}, link), IsEmpty());
+}
+
+/// The position of X has jumped, which may be that of another module; Y was last heard 10 s ago.
+TEST(Teaching, LeavesOutWhatIsDoubtfulOrOld) {
+    LinkState link = linkOf({servoAt(0, 5), servoAt(1, 6)});
+    EXPECT_EQ(teach({kX, kY}, link).size(), 2U);
+    bus::Sample jump;
+    jump.module = kX;
+    jump.time = TimePoint(std::chrono::seconds(10));
+    jump.report = *link.modules[0].latest;
+    jump.jumped = true;
+    link.modules[0].apply(jump);
+    link.now = jump.time;
+    EXPECT_THAT(teach({kX, kY}, link), IsEmpty());
 }
 
 TEST(Goals, AreHomePlusWhatWasTaught) {

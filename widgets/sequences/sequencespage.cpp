@@ -316,7 +316,7 @@ void SequencesPage::put(const Program& program) {
 
 void SequencesPage::teach() {
     const std::string name = m_pointName->text().simplified().toStdString();
-    const std::vector<PointAxis> taught = nmc::teach(chosenAxes(), m_link.modules);
+    const std::vector<PointAxis> taught = nmc::teach(chosenAxes(), m_link);
     edit(tr("Teach point"), [&](Program& program) {
         const auto known = std::ranges::find(program.points, name, &Point::name);
         if (known != program.points.end())
@@ -451,7 +451,7 @@ QString SequencesPage::whyNotTaught() const {
     if (chosenAxes().empty())
         return tr("Select at least one axis.");
     for (const ModuleIndex axis : chosenAxes())
-        if (nmc::teach({axis}, m_link.modules).empty())
+        if (nmc::teach({axis}, m_link).empty())
             return Common::tr("%1: %2").arg(texts::moduleName(axis),
                                             texts::refusal(Refusal::PositionUnknown));
     return {};

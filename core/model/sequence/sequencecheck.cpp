@@ -452,12 +452,12 @@ intent::Home homeIntent(const AxisSettings& settings) {
     return {settings.homing.value_or(HomingRecipe{}), homeTolerance(settings.unit)};
 }
 
-std::vector<PointAxis> teach(const std::vector<ModuleIndex>& axes, const std::vector<ModuleState>& modules) {
+std::vector<PointAxis> teach(const std::vector<ModuleIndex>& axes, const LinkState& link) {
     std::vector<PointAxis> taught;
     for (const ModuleIndex index : axes) {
-        const ModuleState* module = moduleAt(index, modules);
+        const ModuleState* module = moduleAt(index, link.modules);
         const auto position = module != nullptr ? module->position() : std::nullopt;
-        if (!position || module->silent)
+        if (!position || !isLive(link, *module))
             continue;
         const auto& home = module->home.place();
         taught.push_back(

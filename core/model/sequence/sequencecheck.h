@@ -14,6 +14,7 @@
 
 #include "model/intent/intent.h"
 #include "model/intent/travel.h"
+#include "model/module/linkstate.h"
 #include "model/module/modulestate.h"
 #include "model/sequence/sequencewalk.h"
 #include "model/settings/axisscale.h"
@@ -142,8 +143,8 @@ struct PointMove {
 [[nodiscard]] tl::expected<Intent, SequenceProblem::Kind> outputIntent(const action::SetOutput& set,
                                                                        const ModuleState& module);
 [[nodiscard]] intent::Home homeIntent(const AxisSettings& settings);
-/// The present positions of these axes; an axis that is silent or whose position is unknown is left out.
-[[nodiscard]] std::vector<PointAxis> teach(const std::vector<ModuleIndex>& axes,
-                                           const std::vector<ModuleState>& modules);
+/// The present positions of these axes; an axis whose position is unknown, doubtful or out of date (isLive())
+/// is left out.
+[[nodiscard]] std::vector<PointAxis> teach(const std::vector<ModuleIndex>& axes, const LinkState& link);
 
 }  // namespace nmc
