@@ -59,11 +59,11 @@ protected:
     }
     /// The numbers after a word of the model: the value found, and its standard deviation.
     [[nodiscard]] std::pair<double, double> found(const QString& word) {
-        static const QRegularExpression numbers(u"([\u22120-9.,]+) ± ([0-9.,]+)"_s);
+        static const QRegularExpression numbers(u"([\u2212\u202F0-9.]+) ± ([\u202F0-9.]+)"_s);
         const QString model = text("motorModel");
         const auto match = numbers.match(model, model.indexOf(word));
         const auto number = [&match](int which) {
-            return match.captured(which).replace(QChar(0x2212), u'-').remove(u',').toDouble();
+            return match.captured(which).replace(QChar(0x2212), u'-').remove(QChar(0x202F)).toDouble();
         };
         return {number(1), number(2)};
     }

@@ -2,6 +2,7 @@
 // The table of all axes: hold, step, enable and home any of them from one place.
 #include "model/settings/machine.h"
 #include "widgets/axes/axesdock.h"
+#include "widgets/axes/axespage.h"
 #include "widgets/common/requests.h"
 #include "windowtest.h"
 
@@ -102,6 +103,18 @@ TEST_F(Axes, StepByTheChosenSizeInTheirOwnUnit) {
     ASSERT_EQ(asked.size(), 1U);
     EXPECT_EQ(asked[0].first, ModuleIndex(1));
     EXPECT_EQ(std::get<intent::MoveBy>(asked[0].second).moves.counts, -20) << "a tenth of a millimetre";
+}
+
+/// A . or , between the groups of digits would be read as the decimal mark, which both are here.
+TEST_F(Axes, NameASizeInThousandsAsItIsWrittenElsewhere) {
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    Requests requests;
+    const AxesPage page(requests);
+    QLocale::setDefault(QLocale::c());
+    const auto* sizes = page.findChild<QComboBox*>(u"jogStepBox"_s);
+    ASSERT_NE(sizes, nullptr);
+    EXPECT_EQ(sizes->itemText(0), u"0,001 units"_s);
+    EXPECT_EQ(sizes->itemText(6), u"1\u202F000 units"_s);
 }
 
 TEST_F(Axes, EnableAllThatAreOff) {

@@ -217,6 +217,10 @@ TEST(ResponseWords, NoMoreDigitsThanTheDoubtLeavesAMeaning) {
     EXPECT_EQ(texts::plusMinus({-834.2, 25}, u"ms"_s), u"\u2212834 ± 25 ms"_s);
     EXPECT_EQ(texts::plusMinus({-0.5, 0.5}, u"counts"_s), u"\u22120.5 ± 0.5 counts"_s);
     EXPECT_EQ(texts::plusMinus({-0.01, 0.5}, u"counts"_s), u"0.0 ± 0.5 counts"_s) << "there is no minus zero";
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    const QString thousands = texts::plusMinus({-1'234.26, 0.5}, u"counts"_s);
+    QLocale::setDefault(QLocale::c());
+    EXPECT_EQ(thousands, u"\u22121\u202F234,3 ± 0,5 counts"_s) << "spaces separate thousands";
 }
 
 TEST(ResponseTextsOf, EveryEndOfATestSaysWhatToDo) {

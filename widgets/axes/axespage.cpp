@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QRadioButton>
 #include <QScrollArea>
 #include <algorithm>
@@ -40,7 +39,7 @@ AxesPage::AxesPage(Requests& requests, QWidget* parent)
     m_slow->setChecked(true);
     m_step->setToolTip(tr("Distance that one click on Step moves an axis, in its own unit."));
     for (const double step : kSteps)
-        m_step->addItem(tr("%1 units").arg(QLocale().toString(step)), step);
+        m_step->addItem(tr("%1 units").arg(texts::readout(step)), step);
     m_step->setCurrentIndex(kUsualStep);
     m_enableAll = new Command({.name = u"enableAllButton"_s,
                                .icon = u"power"_s,

@@ -120,7 +120,7 @@ QString responseSection(const KeptResponse& kept) {
          texts::gainsInShort(taken.gains), Common::tr("Rise %1").arg(texts::responseTime(metrics.rise)),
          Common::tr("Overshoot %1").arg(texts::responseOvershoot(metrics.overshoot)),
          Report::tr("Settling to ±%1 %: %2")
-             .arg(QLocale().toString(kept.run.bandPercent), texts::responseTime(metrics.settling)),
+             .arg(texts::readout(kept.run.bandPercent), texts::responseTime(metrics.settling)),
          Common::tr("Steady-state error %1").arg(texts::responseError(metrics.steadyError, kept.scale)),
          whenAndWhere(kept)});
 }

@@ -2,12 +2,12 @@
 #include "widgets/response/responsewords.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
+#include "widgets/common/words.h"
 
 namespace nmc::texts {
 
@@ -37,12 +37,6 @@ QString unmeasured(Unmeasured why) {
 
 Measured times(const Measured& measured, double factor) {
     return {measured.value * factor, measured.doubt * factor};
-}
-
-QString number(double value, int decimals) {
-    const QString digits = QLocale().toString(std::abs(value), 'f', decimals);
-    const bool zero = std::abs(value) * std::pow(10, decimals) < 0.5;
-    return value < 0 && !zero ? QChar(0x2212) + digits : digits;
 }
 
 }  // namespace
@@ -85,7 +79,7 @@ QString plusMinus(const Measured& measured) {
     // Rounded up, so that the value does not look more certain than it is.
     const double power = std::pow(10, decimals);
     const double shown = std::ceil(doubt * power - 1e-6) / power;
-    return u"%1 ± %2"_s.arg(number(measured.value, decimals), number(shown, decimals));
+    return u"%1 ± %2"_s.arg(fixed(measured.value, decimals), fixed(shown, decimals));
 }
 
 QString plusMinus(const Measured& measured, const QString& unit) {
@@ -122,7 +116,7 @@ QString settlingSpread(std::span<const KeptResponse> moves) {
     if (settled < moves.size())
         return ResponseTexts::tr("%1 of %2 settled").arg(settled).arg(moves.size());
     return ResponseTexts::tr("%1 to %2 ms (%3)")
-        .arg(number(least * 1e3, 1), number(most * 1e3, 1))
+        .arg(fixed(least * 1e3, 1), fixed(most * 1e3, 1))
         .arg(moves.size());
 }
 
