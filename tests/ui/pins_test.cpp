@@ -87,6 +87,16 @@ TEST_F(Pins, ADirectionIsChosenByKeys) {
     EXPECT_EQ(only<iointent::SetDirection>().inputs, 0x0FF8);
 }
 
+/// The last choice is "? unknown", which is shown until the directions are known; the first is "input".
+TEST_F(Pins, OnlyAnotherDirectionIsARequest) {
+    auto* direction = find<QComboBox>(u"pin3Direction"_s);
+    direction->setFocus();
+    QTest::keyClick(direction, Qt::Key_End);
+    EXPECT_EQ(direction->currentText(), u"input"_s);
+    emit direction->activated(direction->currentIndex());
+    EXPECT_EQ(intents.size(), 0);
+}
+
 TEST_F(Pins, WhatAnotherProgramHasLeftIsUnknownUntilAllAreInputs) {
     module.attached();
     latch(0x0801, 20);

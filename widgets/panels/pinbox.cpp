@@ -91,7 +91,7 @@ void PinBox::buildPin(QGridLayout& grid, unsigned number) {
     grid.addWidget(pin.offAtStop, row, OffAtStop, Qt::AlignHCenter);
 
     connect(pin.direction, &QComboBox::activated, this,
-            [this, number](int choice) { setDirection(number, choice == Input); });
+            [this, number](int choice) { setDirection(number, choice); });
     connect(pin.high, &QCheckBox::clicked, this, [this, number](bool high) { setOutput(number, high); });
     const auto edit = [this, number](const auto& change) {
         m_context.edit(
@@ -106,12 +106,11 @@ void PinBox::buildPin(QGridLayout& grid, unsigned number) {
             [edit](bool on) { edit([on](OutputSettings& output) { output.offAtStop = on; }); });
 }
 
-void PinBox::setDirection(unsigned pin, bool input) {
-    if (const auto inputs = m_context.state().pins.inputs) {
-        const unsigned bit = 1U << pin;
-        m_context.ask(
-            iointent::SetDirection{static_cast<std::uint16_t>(input ? *inputs | bit : *inputs & ~bit)});
-    }
+void PinBox::setDirection(unsigned pin, int choice) {
+    // Neither "unknown" nor the present direction requests anything.
+    if (const auto inputs = m_context.state().pins.inputs;
+        inputs && choice == (bitOf(*inputs, pin) ? Output : Input))
+        m_context.ask(iointent::SetDirection{static_cast<std::uint16_t>(*inputs ^ (1U << pin))});
     refresh();  // the box shows what was confirmed, not what was selected
 }
 

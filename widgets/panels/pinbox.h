@@ -42,7 +42,7 @@ private:
 
     void build(QGridLayout& grid);
     void buildPin(QGridLayout& grid, unsigned number);
-    void setDirection(unsigned pin, bool input);
+    void setDirection(unsigned pin, int choice);
     void setOutput(unsigned pin, bool high);
     void askBefore(unsigned pin, bool high);
     [[nodiscard]] QString nameOf(unsigned pin) const;
