@@ -43,6 +43,8 @@ MessageController::MessageController(MainWindow& window, const BusStore& store,
     });
     connect(&positions, &PositionKeeper::over, this,
             [this](ModuleIndex module) { end(texts::ofModule(texts::key::kPosition, module)); });
+    connect(&positions, &PositionKeeper::failed, this,
+            [this](const FileError& error) { report(texts::positionsNotKept(error)); });
 }
 
 void MessageController::keepLog(const QString& line) {

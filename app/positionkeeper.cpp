@@ -4,6 +4,7 @@
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QDir>
+#include <QFile>
 #include <QScopedValueRollback>
 #include <algorithm>
 #include <utility>
@@ -25,6 +26,17 @@ QString fileOf(const QString& folder, const QString& port) {
     return QDir(folder).filePath(QStringLiteral("positions-%1.json").arg(QLatin1String(name)));
 }
 
+/// A file that cannot be replaced is removed: home would be offered from where the axes were before. A full
+/// disk does not prevent that.
+FileWriter::Disk replacingOrRemoving(FileWriter::Disk disk) {
+    return [disk = makingFolders(std::move(disk))](const QString& path, std::string_view content) {
+        const FileWriter::Result result = disk(path, content);
+        if (!result)
+            QFile::remove(path);
+        return result;
+    };
+}
+
 bool startsMoving(const RememberedPositions& now, const RememberedPositions& kept) {
     return std::ranges::any_of(now, [&kept](const auto& axis) {
         const auto before = kept.find(axis.first);
@@ -35,7 +47,7 @@ bool startsMoving(const RememberedPositions& now, const RememberedPositions& kep
 }  // namespace
 
 PositionKeeper::PositionKeeper(QString folder, BusStore& store, FileWriter::Disk disk)
-    : m_folder(std::move(folder)), m_store(store), m_files(makingFolders(std::move(disk))) {
+    : m_folder(std::move(folder)), m_store(store), m_files(replacingOrRemoving(std::move(disk))) {
     m_keepTimer.setSingleShot(true);
     m_keepTimer.setInterval(kKeepPositionsAfterMs);
     connect(&m_keepTimer, &QTimer::timeout, this, &PositionKeeper::keep);
@@ -98,7 +110,7 @@ void PositionKeeper::leaveOut(const std::vector<ModuleIndex>& modules) {
     }
     // What this session does not track, because it only looks on, is in the file alone.
     const QString file = fileOf(m_folder, QString::fromStdString(m_store.link().port));
-    m_files.write(file, [file, left] {
+    write(file, [file, left] {
         RememberedChain chain = readRemembered(readFile(file, kMaxPositionBytes).value_or(std::string()));
         chain.positions = left(chain.positions);
         return writeRemembered(chain);
@@ -150,7 +162,7 @@ void PositionKeeper::look() {
     });
     if (startsMoving(m_memory.remembered(), m_kept.positions))
         keep();
-    else if (toKeep() != m_kept && !m_keepTimer.isActive())
+    else if ((m_failed || toKeep() != m_kept) && !m_keepTimer.isActive())
         m_keepTimer.start();
 }
 
@@ -160,10 +172,17 @@ RememberedChain PositionKeeper::toKeep() const {
 
 void PositionKeeper::keep() {
     m_keepTimer.stop();
-    if (m_file.isEmpty() || !m_loaded || toKeep() == m_kept)
+    if (m_file.isEmpty() || !m_loaded || (!m_failed && toKeep() == m_kept))
         return;
     m_kept = toKeep();
-    m_files.write(m_file, [chain = m_kept] { return writeRemembered(chain); });
+    write(m_file, [chain = m_kept] { return writeRemembered(chain); });
+}
+
+void PositionKeeper::write(const QString& file, FileWriter::Content content) {
+    m_files.write(file, std::move(content), [this](const FileWriter::Result& result) {
+        if (!std::exchange(m_failed, !result) && !result)
+            emit failed(result.error());
+    });
 }
 
 }  // namespace nmc

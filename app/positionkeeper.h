@@ -41,6 +41,8 @@ signals:
     void offered(const nmc::PositionMemory::Offer& offer);
     /// The user has accepted or declined the offer, or it no longer holds.
     void over(nmc::ModuleIndex module);
+    /// Emitted once, until writing works again: the positions are not on disk.
+    void failed(const nmc::FileError& error);
 
 private:
     void found(const bus::ChainFound& found);
@@ -48,6 +50,7 @@ private:
     void loaded();
     void begin();
     void keep();
+    void write(const QString& file, FileWriter::Content content);
     [[nodiscard]] RememberedChain toKeep() const;
     [[nodiscard]] bool isOfAnother() const;
 
@@ -56,12 +59,13 @@ private:
     FileWriter m_files;
     QString m_file;  ///< of this connection; empty: nothing is stored
     PositionMemory m_memory;
-    RememberedChain m_kept;  ///< as in the file
+    RememberedChain m_kept;  ///< as in the file, unless m_failed
     std::string m_machine;
     std::vector<ModuleIndex> m_offered;
     QTimer m_keepTimer;
     std::shared_ptr<std::string> m_read;  ///< shared with the job
     bool m_loaded = false;
+    bool m_failed = false;  ///< the last write; it is tried again, and the failure has been reported
     bool m_looking = false;
     std::optional<bus::ChainFound> m_found;  ///< reported before the file was loaded
     BackgroundJob m_loading;

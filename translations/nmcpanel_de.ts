@@ -4096,6 +4096,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 ist nicht beschreibbar. Alles andere funktioniert. Um Meldungen aufzubewahren, die Liste der Meldungen exportieren.</translation>
     </message>
     <message>
+        <source>The positions of the axes are not saved.</source>
+        <translation>Die Positionen der Achsen werden nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 is not writable. Everything else works. If the modules lose power now, search for home again: an older position may be offered.</source>
+        <translation>%1 ist nicht beschreibbar. Alles andere funktioniert. Wenn die Module jetzt ihre Versorgung verlieren, die Referenz neu suchen: Möglicherweise wird eine ältere Position angeboten.</translation>
+    </message>
+    <message>
         <source>Limit switch %1 of module %2 stopped its motor.</source>
         <translation>Endschalter %1 von Modul %2 hat seinen Motor gestoppt.</translation>
     </message>

@@ -4096,6 +4096,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No se puede escribir en %1. Todo lo demás funciona. Para conservar los mensajes, exporte la lista de mensajes.</translation>
     </message>
     <message>
+        <source>The positions of the axes are not saved.</source>
+        <translation>Las posiciones de los ejes no se guardan.</translation>
+    </message>
+    <message>
+        <source>%1 is not writable. Everything else works. If the modules lose power now, search for home again: an older position may be offered.</source>
+        <translation>No se puede escribir en %1. Todo lo demás funciona. Si los módulos se quedan ahora sin alimentación, vuelva a buscar la referencia: puede que se ofrezca una posición más antigua.</translation>
+    </message>
+    <message>
         <source>Limit switch %1 of module %2 stopped its motor.</source>
         <translation>El final de carrera %1 del módulo %2 paró su motor.</translation>
     </message>

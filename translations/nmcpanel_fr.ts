@@ -4096,6 +4096,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Écriture impossible dans %1. Tout le reste fonctionne. Pour conserver les messages, exportez la liste des messages.</translation>
     </message>
     <message>
+        <source>The positions of the axes are not saved.</source>
+        <translation>Les positions des axes ne sont pas enregistrées.</translation>
+    </message>
+    <message>
+        <source>%1 is not writable. Everything else works. If the modules lose power now, search for home again: an older position may be offered.</source>
+        <translation>Écriture impossible dans %1. Tout le reste fonctionne. Si les modules perdent maintenant leur alimentation, relancez la prise d’origine&#xa0;: une position plus ancienne peut être proposée.</translation>
+    </message>
+    <message>
         <source>Limit switch %1 of module %2 stopped its motor.</source>
         <translation>Le fin de course %1 du module %2 a arrêté son moteur.</translation>
     </message>

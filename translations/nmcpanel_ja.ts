@@ -4084,6 +4084,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1に書き込めません。ほかはすべて動作します。メッセージを残すには、メッセージ一覧をエクスポートしてください。</translation>
     </message>
     <message>
+        <source>The positions of the axes are not saved.</source>
+        <translation>軸の位置は保存されません。</translation>
+    </message>
+    <message>
+        <source>%1 is not writable. Everything else works. If the modules lose power now, search for home again: an older position may be offered.</source>
+        <translation>%1に書き込めません。ほかはすべて動作します。いまモジュールの電源が切れた場合は、原点サーチをやり直してください。古い位置が提示されることがあります。</translation>
+    </message>
+    <message>
         <source>Limit switch %1 of module %2 stopped its motor.</source>
         <translation>モジュール%2のリミットスイッチ%1でモーターが停止しました。</translation>
     </message>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last position of an axis is offered after its module has lost power, in the window.
+#include <atomic>
+
 #include "link/files/machineio.h"
 #include "tests/support/hand.h"
 #include "widgets/machine/machinemenu.h"
@@ -20,13 +22,17 @@ protected:
         ASSERT_NO_FATAL_FAILURE(panel.enable());
         panel.ask(intent::SaveAsHome{});
         ASSERT_TRUE(panel.waitFor([&] { return panel.module().home.place().has_value(); }));
-        const std::int32_t home = panel.module().home.place()->counts;
-        panel.ask(intent::Move{servomotion::Trapezoid{Counts(home + 5'000), CountsPerTick(8 << 16),
-                                                      CountsPerTickSquared(6'554)}});
-        ASSERT_TRUE(panel.waitFor([&] {
-            return !panel.module().moving() && std::abs(*panel.module().latest->position - home - 5'000) < 5;
-        }));
+        ASSERT_NO_FATAL_FAILURE(moveTo(panel, 5'000));
         ASSERT_TRUE(panel.answersFor(0.3));
+    }
+    /// Moves the servo to this distance from home, in counts, and waits until it rests there.
+    static void moveTo(VirtualPanel& panel, std::int32_t fromHome) {
+        const std::int32_t goal = panel.module().home.place()->counts + fromHome;
+        panel.ask(intent::Move{
+            servomotion::Trapezoid{Counts(goal), CountsPerTick(8 << 16), CountsPerTickSquared(6'554)}});
+        ASSERT_TRUE(panel.waitFor([&] {
+            return !panel.module().moving() && std::abs(*panel.module().latest->position - goal) < 5;
+        }));
     }
     /// Takes the power of all modules away and restores it.
     void power() { (void)sim.control(u"power-cycle all"_s); }
@@ -131,6 +137,58 @@ TEST_F(PositionKept, OneThatWasStoppedByQuittingIsOffered) {
     ASSERT_TRUE(panel.press(offer, u"Restore home"_s));
     // The counter started at 0 where the motor rests; home was at 0.
     EXPECT_NEAR(panel.module().home.place()->counts, -rests, 4 + 5);
+}
+
+/// A disk that is full from when the servo rests at 5 000 counts.
+class PositionOnAFullDisk : public PositionKept {
+protected:
+    /// Fills the disk, and moves the servo to 8 000 counts away from home.
+    void fillAndMove(VirtualPanel& panel) {
+        ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
+        ASSERT_TRUE(panel.answersFor(1.0)) << "a rest is kept half a second later";
+        ASSERT_EQ(QDir(folder.filePath(u"positions"_s)).entryList(QDir::Files).size(), 1);
+        full = true;
+        ASSERT_NO_FATAL_FAILURE(moveTo(panel, 8'000));
+        ASSERT_TRUE(panel.answersFor(2.0));
+        EXPECT_EQ(panel.count(u"positions of the axes are not saved"_s), 1) << "it is tried more often";
+    }
+    std::atomic<bool> full = false;
+    const FileWriter::Disk disk = [this](const QString& path, std::string_view content) {
+        return full ? FileWriter::Result(tl::unexpected(FileError{FileErrorKind::NoSpace, path}))
+                    : writeFile(path, content);
+    };
+};
+
+TEST_F(PositionOnAFullDisk, IsNotOfferedFromWhereTheAxisWasBefore) {
+    {
+        VirtualPanel panel({}, {}, folder.path(), disk);
+        ASSERT_NO_FATAL_FAILURE(fillAndMove(panel));
+    }
+    power();
+    VirtualPanel panel({}, {}, folder.path());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(panel.count(offer), 0);
+}
+
+TEST_F(PositionOnAFullDisk, IsWrittenOnceThereIsRoom) {
+    {
+        VirtualPanel panel({}, {}, folder.path(), disk);
+        ASSERT_NO_FATAL_FAILURE(fillAndMove(panel));
+        full = false;
+        ASSERT_TRUE(panel.answersFor(1.0));
+    }
+    power();
+    VirtualPanel panel({}, {}, folder.path());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }));
+    ASSERT_TRUE(panel.press(offer, u"Restore home"_s));
+    // It stood at 8 000, within 4 counts, and its position is saved again from 5 counts on; its counter
+    // started at 0 there.
+    EXPECT_NEAR(panel.module().home.place()->counts, -8'000, 4 + 5);
 }
 
 /// Positions are kept for the chain at a port, whichever file the machine was in when it last moved.

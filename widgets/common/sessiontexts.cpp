@@ -156,6 +156,18 @@ Message messagesNotKept(const FileError& error) {
         .details = error.detail};
 }
 
+Message positionsNotKept(const FileError& error) {
+    return {
+        .key = u"positionFile"_s,
+        .severity = Severity::Attention,
+        .headline = Texts::tr("The positions of the axes are not saved."),
+        .body =
+            Texts::tr(
+                "%1 is not writable. Everything else works. If the modules lose power now, search for home again: an older position may be offered.")
+                .arg(error.path),
+        .details = error.detail};
+}
+
 Message withRecord(Message message) {
     message.actions.prepend({MessageAction::ShowRecord, Texts::tr("Show the last 2 s")});
     return message;

@@ -142,6 +142,8 @@ namespace texts {
 [[nodiscard]] Message settingsNotSaved(const QString& file);
 /// The log of messages cannot be written.
 [[nodiscard]] Message messagesNotKept(const FileError& error);
+/// The positions of the axes, from which home is offered after a restart, cannot be written.
+[[nodiscard]] Message positionsNotKept(const FileError& error);
 /// A stop was requested after the port had gone.
 [[nodiscard]] Message stopWaits();
 /// "1 stopped and holding, 2 were off, 22 ms." `modules`: their present state.
