@@ -300,7 +300,7 @@ void MachineController::take(const Pending& from, Machine machine, bool whole) {
     emit taken(m_path);
     if (!from.restored)
         return;
-    m_restored = true;
+    m_restored = whole;
     keepUnsaved();
 }
 

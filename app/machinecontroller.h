@@ -119,7 +119,7 @@ private:
     std::optional<Pending> m_pending;
     QTimer m_keepTimer;
     bool m_keepFailed = false;  ///< the message about it has been shown
-    /// Holds an earlier session's work, which is removed once this session has stored it.
+    /// Holds all of an earlier session's work, which is removed once this session has stored it.
     bool m_restored = false;
 };
 

@@ -608,6 +608,33 @@ TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothin
     EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"Unsaved\""));
 }
 
+TEST_F(MachineFiles, UnsavedWorkForOtherHardwareIsOfferedAgainAtTheNextStart) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    {
+        VirtualPanel panel(settings);
+        panel.start();
+        open(panel, file);
+        click(panel, "applyDifferencesButton");
+        rename(panel, "Unsaved");
+    }
+    {
+        VirtualChain sim(QStringLiteral("servo,servo@3"));
+        VirtualPanel panel(settings);
+        connectTo(panel, sim);
+        ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Restore")));
+        ASSERT_NE(table(panel), nullptr);
+        tickOnly(panel, {QStringLiteral("Module 1: Name")});
+        click(panel, "applyDifferencesButton");
+        EXPECT_EQ(panel.composition().machine().axis(ModuleIndex(0)).name, "Unsaved");
+        ASSERT_TRUE(panel.answersFor(0.2));
+    }
+    VirtualPanel panel(settings);
+    panel.start();
+    ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes to \"mill\""), QStringLiteral("Restore")));
+    EXPECT_EQ(panel.composition().machine().axis(ModuleIndex(1)), twoServos().axes[1])
+        << "the other module took nothing of it";
+}
+
 TEST_F(MachineFiles, TheTableFollowsTheChainThatIsConnected) {
     VirtualChain sim(QStringLiteral("servo,servo"));
     VirtualPanel panel;
