@@ -28,6 +28,20 @@ QString folderOr(const QString& folder, const QSettings& settings) {
                             : folder;
 }
 
+/// The text to write, unless someone else has changed the file, who must not lose that. Runs in another
+/// thread.
+tl::expected<std::string, FileError> replacing(const std::optional<std::string>& before, const QString& path,
+                                               const std::string& text) {
+    if (!before)
+        return text;
+    const auto now = readFile(path, kMaxMachineFile);
+    if (now && *now != *before)
+        return tl::unexpected(FileError{FileErrorKind::ChangedElsewhere, path});
+    if (!now && now.error().trouble != FileErrorKind::NotThere)
+        return tl::unexpected(now.error());
+    return text;
+}
+
 }  // namespace
 
 MachineController::MachineController(QSettings& settings, MainWindow& window, const BusStore& store,
@@ -43,8 +57,9 @@ MachineController::MachineController(QSettings& settings, MainWindow& window, co
     MachineMenu& menu = m_window.machineMenu();
     connect(&menu, &MachineMenu::newRequested, this, &MachineController::beginNew);
     connect(&menu, &MachineMenu::openRequested, this, &MachineController::open);
-    connect(&menu, &MachineMenu::saveRequested, this, [this] { save(m_path); });
-    connect(&menu, &MachineMenu::saveAsRequested, this, &MachineController::save);
+    connect(&menu, &MachineMenu::saveRequested, this, [this] { save(m_path, m_text); });
+    // Who chooses a file that exists has agreed to replace it.
+    connect(&menu, &MachineMenu::saveAsRequested, this, [this](const QString& path) { save(path, {}); });
     connect(&menu, &MachineMenu::applyRequested, this, &MachineController::apply);
     connect(&menu, &MachineMenu::differencesDropped, this, [this] { m_pending.reset(); });
     connect(&m_store, &BusStore::linkChanged, this, &MachineController::followLink);
@@ -159,6 +174,7 @@ void MachineController::beginNew() {
     m_saved = Machine{};
     m_unknown = {};
     m_path.clear();
+    m_text.reset();
     m_saving.clear();
     changed();
     emit taken(m_path);
@@ -176,7 +192,7 @@ std::optional<MachineController::Pending> MachineController::read(const QString&
         return std::nullopt;
     }
     m_window.endMessage(texts::key::kMachineFile);
-    return Pending{path, std::move(*content), false, {}};
+    return Pending{path, std::move(*content), false, {}, {}, *text};
 }
 
 void MachineController::open(const QString& path) {
@@ -292,6 +308,7 @@ void MachineController::take(const Pending& from, Machine machine, bool whole) {
     m_machine = std::move(machine);
     m_unknown = from.content.unknown;
     m_path = whole ? from.path : QString();
+    m_text = from.text;
     m_saving.clear();
     m_saved = whole && !from.restored ? std::optional(from.content.machine) : std::nullopt;
     if (!from.restored)
@@ -304,7 +321,7 @@ void MachineController::take(const Pending& from, Machine machine, bool whole) {
     keepUnsaved();
 }
 
-void MachineController::save(const QString& path) {
+void MachineController::save(const QString& path, const std::optional<std::string>& before) {
     Machine machine = withChain(m_machine, modules(), m_store.link().baud);
     if (machine.name.empty())
         machine.name = QFileInfo(path).completeBaseName().toStdString();
@@ -318,14 +335,13 @@ void MachineController::save(const QString& path) {
     m_saving = path;
     showFile();
     m_files.write(
-        path, [text] { return text; },
-        [this, path, asked = m_machine, written = std::move(*written)](const FileWriter::Result& result) {
-            saved(path, asked, written, result);
-        });
+        path, [before, path, text] { return replacing(before, path, text); },
+        [this, path, asked = m_machine, text, written = std::move(*written)](
+            const FileWriter::Result& result) { saved(path, asked, text, written, result); });
 }
 
-void MachineController::saved(const QString& path, const Machine& asked, const ParsedMachine& written,
-                              const FileWriter::Result& result) {
+void MachineController::saved(const QString& path, const Machine& asked, const std::string& text,
+                              const ParsedMachine& written, const FileWriter::Result& result) {
     // Otherwise another machine or another file has taken its place.
     const bool wanted = m_saving == path;
     if (wanted)
@@ -343,6 +359,7 @@ void MachineController::saved(const QString& path, const Machine& asked, const P
     }
     m_saved = written.machine;
     m_path = path;
+    m_text = text;
     remember(path);
     changed();
     emit hasFile(m_path);

@@ -2666,6 +2666,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Sie ist größer als jede Maschinendatei. Prüfen, ob es die richtige Datei ist.</translation>
     </message>
     <message>
+        <source>Another program has changed it since it was opened or saved here. Open it to see the changes, or save as another file; saving as the same one replaces it.</source>
+        <translation>Ein anderes Programm hat sie geändert, seit sie hier geöffnet oder gespeichert wurde. Öffnen Sie sie, um die Änderungen zu sehen, oder speichern Sie unter einem anderen Namen; unter demselben Namen wird sie ersetzt.</translation>
+    </message>
+    <message>
         <source>See Details for the system&apos;s message.</source>
         <translation>Die Meldung des Systems steht unter „Details“.</translation>
     </message>

@@ -2666,6 +2666,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Es mayor que cualquier archivo de máquina. Compruebe que es el archivo correcto.</translation>
     </message>
     <message>
+        <source>Another program has changed it since it was opened or saved here. Open it to see the changes, or save as another file; saving as the same one replaces it.</source>
+        <translation>Otro programa lo ha modificado desde que se abrió o se guardó aquí. Ábralo para ver los cambios, o guarde con otro nombre; si guarda con el mismo, se sustituye.</translation>
+    </message>
+    <message>
         <source>See Details for the system&apos;s message.</source>
         <translation>Consulte Detalles para ver el mensaje del sistema.</translation>
     </message>

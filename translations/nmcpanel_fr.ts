@@ -2666,6 +2666,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Il est plus volumineux que tout fichier machine. Vérifiez qu’il s’agit du bon fichier.</translation>
     </message>
     <message>
+        <source>Another program has changed it since it was opened or saved here. Open it to see the changes, or save as another file; saving as the same one replaces it.</source>
+        <translation>Un autre programme l’a modifié depuis son ouverture ou son enregistrement ici. Ouvrez-le pour voir les modifications, ou enregistrez sous un autre nom&#x202f;; sous le même nom, il est remplacé.</translation>
+    </message>
+    <message>
         <source>See Details for the system&apos;s message.</source>
         <translation>Le message du système se trouve dans les détails.</translation>
     </message>

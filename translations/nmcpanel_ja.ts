@@ -2660,6 +2660,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>マシンファイルとしては大きすぎます。正しいファイルか確認してください。</translation>
     </message>
     <message>
+        <source>Another program has changed it since it was opened or saved here. Open it to see the changes, or save as another file; saving as the same one replaces it.</source>
+        <translation>ここで開くか保存した後に、別のプログラムがこのファイルを変更しました。変更を見るにはファイルを開き、両方を残すには別の名前で保存してください。同じ名前で保存すると置き換えられます。</translation>
+    </message>
+    <message>
         <source>See Details for the system&apos;s message.</source>
         <translation>システムのメッセージは「詳細」を参照してください。</translation>
     </message>

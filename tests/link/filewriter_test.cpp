@@ -9,6 +9,7 @@
 #include <future>
 #include <map>
 #include <mutex>
+#include <optional>
 
 #include "tests/support/eventually.h"
 
@@ -65,6 +66,21 @@ TEST_F(FileWriterTest, TellsWhatBecameOfIt) {
     EXPECT_EQ(told[path("folder")].error().trouble, FileErrorKind::NotAFile);
     EXPECT_EQ(told[path("none/a")].error().trouble, FileErrorKind::NoFolder);
     EXPECT_TRUE(QDir(path("folder")).exists()) << "the existing folder stays";
+}
+
+TEST_F(FileWriterTest, WritesNothingIfTheContentSaysWhyNot) {
+    FileWriter writer;
+    writer.write(path("a"), text("one"));
+    std::optional<FileWriter::Result> told;
+    writer.write(
+        path("a"),
+        [] {
+            return tl::unexpected(FileError{FileErrorKind::ChangedElsewhere, {}});
+        },
+        [&told](const FileWriter::Result& result) { told = result; });
+    ASSERT_TRUE(eventually([&] { return told.has_value(); }));
+    EXPECT_EQ(told->error().trouble, FileErrorKind::ChangedElsewhere);
+    EXPECT_EQ(content(path("a")), "one");
 }
 
 TEST_F(FileWriterTest, TellsNobodyAfterItsEnd) {

@@ -456,6 +456,32 @@ TEST_F(MachineFiles, AFolderThatIsNotThereLosesNothing) {
     EXPECT_EQ(machineIn(file).axes[0].name, "Z");
 }
 
+TEST_F(MachineFiles, OneThatSomeoneElseHasChangedIsNotOverwritten) {
+    VirtualPanel panel;
+    panel.start();
+    open(panel, file);
+    click(panel, "applyDifferencesButton");
+    Machine changed = twoServos();
+    changed.axes[1].name = "Changed elsewhere";
+    const std::string theirs = writeMachine(changed);
+    write("mill.json", theirs);
+    rename(panel, "Z");
+    save(panel);
+    EXPECT_EQ(readFile(file, kMaxMachineFile).value(), theirs);
+    EXPECT_NE(panel.standing(QStringLiteral("Could not save \"mill.json\".")), nullptr);
+    EXPECT_TRUE(panel.window().isWindowModified());
+    saveAs(panel, file);  // the dialog asks whether to replace it
+    EXPECT_EQ(panel.standing(QStringLiteral("Could not save")), nullptr);
+    EXPECT_EQ(machineIn(file).axes[0].name, "Z");
+    rename(panel, "Spindle");
+    save(panel);
+    EXPECT_EQ(machineIn(file).axes[0].name, "Spindle") << "what it has saved itself is no change";
+    ASSERT_TRUE(QFile::remove(file));
+    rename(panel, "Z");
+    save(panel);
+    EXPECT_EQ(machineIn(file).axes[0].name, "Z") << "there was nothing to lose";
+}
+
 TEST_F(MachineFiles, TheLastEightFilesAreRemembered) {
     const QString settings = directory.filePath(QStringLiteral("panel.ini"));
     {

@@ -156,6 +156,9 @@ QString fileProblem(const FileError& error) {
                 .arg(folder);
         case FileErrorKind::TooLarge:
             return Texts::tr("It is larger than any machine file. Check that it is the right file.");
+        case FileErrorKind::ChangedElsewhere:
+            return Texts::tr(
+                "Another program has changed it since it was opened or saved here. Open it to see the changes, or save as another file; saving as the same one replaces it.");
         case FileErrorKind::Other:
             return Texts::tr("See Details for the system's message.");
     }

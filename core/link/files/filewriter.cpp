@@ -42,10 +42,12 @@ struct FileWriter::Files : std::enable_shared_from_this<Files> {
         while (std::optional<Wanted> wanted = std::exchange(next[path], std::nullopt)) {
             lock.unlock();
             Result result;
-            if (wanted->content)
-                result = disk(path, wanted->content());
-            else
+            if (!wanted->content)
                 QFile::remove(path);
+            else if (const auto content = wanted->content())
+                result = disk(path, *content);
+            else
+                result = tl::unexpected(content.error());
             lock.lock();
             if (owner != nullptr && wanted->done)
                 QMetaObject::invokeMethod(

@@ -19,8 +19,8 @@ class FileWriter : public QObject {
 
 public:
     using Result = tl::expected<void, FileError>;
-    /// Called in another thread, like Disk.
-    using Content = std::function<std::string()>;
+    /// What to write, or why nothing is written. Called in another thread, like Disk.
+    using Content = std::function<tl::expected<std::string, FileError>()>;
     /// Writes all of the content or nothing.
     using Disk = std::function<Result(const QString& path, std::string_view content)>;
     /// Never called from within a call, nor for a request that was replaced by a later one.

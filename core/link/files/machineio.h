@@ -19,7 +19,8 @@ enum class FileErrorKind : std::uint8_t {
     ReadOnly,  ///< the disk is read-only for everybody
     NoSpace,
     TooLarge,
-    Other,  ///< detail holds the system's message
+    ChangedElsewhere,  ///< the file does not hold any more what was read from it, or written last
+    Other,             ///< detail holds the system's message
 };
 
 struct FileError {
