@@ -361,8 +361,8 @@ void MachineController::saved(const QString& path, const Machine& asked, const s
     m_path = path;
     m_text = text;
     remember(path);
-    changed();
     emit hasFile(m_path);
+    changed();  // what waited for the save follows at once, which may be another machine
     keepUnsaved();
 }
 

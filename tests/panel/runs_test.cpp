@@ -145,6 +145,29 @@ TEST_F(RunsKept, BesideTheMachineFile) {
     EXPECT_EQ(panel.window().stepResponses().runs()[1].run.module, ModuleIndex(1));
 }
 
+TEST_F(RunsKept, BesideAMachineThatIsSavedBeforeANewOneBegins) {
+    VirtualPanel panel({}, {}, folder.path());
+    panel.start();
+    makeRun(panel, 100);
+    ASSERT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).size() == 1; }));
+    AxisSettings axis;
+    axis.name = "X axis";
+    emit panel.window().requests().axisEdited(ModuleIndex(0), axis);
+    panel.window().activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel.window()));
+    QTest::keyClick(&panel.window(), Qt::Key_N, Qt::ControlModifier);
+    auto* save = panel.window().findChild<QAbstractButton*>(u"saveFirstButton"_s);
+    ASSERT_NE(save, nullptr);
+    QTest::mouseClick(save, Qt::LeftButton);
+    auto* dialog = panel.window().findChild<QFileDialog*>(u"saveMachineDialog"_s);
+    ASSERT_NE(dialog, nullptr);
+    testing_support::chooseFile(*dialog, file(u"mill.json"_s));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.composition().machine() == Machine{}; }));
+    EXPECT_TRUE(panel.waitFor([&] { return runsIn(file(u"mill.runs"_s)).size() == 1; }));
+    EXPECT_TRUE(runsIn(withoutMachine()).empty());
+    EXPECT_EQ(listed(panel), 0U) << "the new machine has none";
+}
+
 TEST_F(RunsKept, ThoseThatAreStillBeingReadMoveAlong) {
     {
         VirtualPanel panel({}, {}, folder.path());
