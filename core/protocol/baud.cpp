@@ -32,7 +32,7 @@ std::uint32_t baudOf(std::uint8_t brd) {
 }
 
 double realRate(std::uint8_t brd) {
-    return 1'250'000.0 / (brd + 1);
+    return static_cast<double>(kMaxBaud) / (brd + 1);
 }
 
 }  // namespace nmc

@@ -14,6 +14,9 @@ inline constexpr std::uint32_t kPowerUpBaud = 19'200;
 /// The divisor the chip starts with: 19 531 Bd.
 inline constexpr std::uint8_t kPowerUpBrd = 63;
 
+/// The highest rate, that of divisor 0 (DS-V 5.2 Set Baud Rate, 20 MHz).
+inline constexpr std::uint32_t kMaxBaud = 1'250'000;
+
 /// One rate that both chips can generate, and the divisor byte of Set Baud for it.
 struct BaudRow {
     std::uint32_t nominal;      ///< the rate that the host's port is set to

@@ -91,7 +91,9 @@ TEST(MachineFile, PointsAndSequencesAreKept) {
 }
 
 /// Nothing keeps the user from teaching a grid of 18 x 18 points, or from a long sequence. Each of the 127
-/// group addresses, 0x80 to 0xFE, can have a name.
+/// group addresses, 0x80 to 0xFE, can have a name. Divisor 0 is 1 250 000 Bd (DS-V 5.2 Set Baud Rate). A
+/// PIC-STEP's highest speed is 250 units of 200 steps/s, and its steepest ramp one such unit every 0.25 ms
+/// (DS-S 4.1, 4.2); a servo's highest number is 32 767 (DS-V 4.4), and the largest distance 2^31 - 1.
 TEST(MachineFile, WhatCanBeEnteredIsReadAgain) {
     Machine machine;
     for (int i = 0; i < 18 * 18; ++i)
@@ -102,6 +104,27 @@ TEST(MachineFile, WhatCanBeEnteredIsReadAgain) {
     machine.program.sequences[0].rows.emplace_back(action::Repeat{399, 2});
     for (unsigned address = 0x80; address <= 0xFE; ++address)
         machine.groups.push_back({static_cast<std::uint8_t>(address), "Group", {}, {}});
+    machine.baud = 1'250'000;
+    const auto axisOf = [](ModuleType type, double fastest, double steepest) {
+        constexpr double kFarthest = 2'147'483'647.0;
+        AxisSettings axis;
+        axis.expected = ModuleIdentity{type, 1};
+        axis.unit = {UnitKind::Own, -1e9, "u"};
+        axis.motion = {fastest, steepest, fastest, fastest, fastest, kFarthest};
+        axis.travel = {-2'147'483'647, 2'147'483'647, fastest};
+        axis.backlash = {kFarthest, true};
+        axis.arrival = {kFarthest, 60.0};
+        HomingRecipe& recipe = axis.homing.emplace();
+        recipe.velocity = recipe.indexVelocity = fastest;
+        recipe.acceleration = steepest;
+        recipe.travelLimit = kFarthest;
+        recipe.timeLimit = 86'400.0;
+        axis.analog = {-1e6, 1e6, "V"};
+        axis.accelerationTime = 255;
+        return axis;
+    };
+    machine.axes = {axisOf(ModuleType::Servo, 32'767.0, 32'767.0),
+                    axisOf(ModuleType::Stepper, 50'000.0, 800'000.0)};
     const auto parsed = parseMachine(writeMachine(machine));
     ASSERT_TRUE(parsed.has_value());
     EXPECT_EQ(parsed->machine, machine);

@@ -340,18 +340,23 @@ TEST(StepperHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     EXPECT_EQ(box.findChild<QAbstractButton*>(u"stepperOnIndexBox"_s), nullptr);
     EXPECT_EQ(box.findChild<QWidget*>(u"limitStopBox"_s), nullptr);
     auto* velocity = box.findChild<NumberField*>(u"stepperHomingVelocityField"_s);
-    const auto type = [velocity](const QString& words) {
-        velocity->selectAll();
-        QTest::keyClicks(velocity, words);
+    auto* acceleration = box.findChild<NumberField*>(u"stepperHomingAccelerationField"_s);
+    const auto type = [](NumberField* field, const QString& words) {
+        field->selectAll();
+        QTest::keyClicks(field, words);
     };
-    type(u"49"_s);
+    type(velocity, u"49"_s);
     EXPECT_FALSE(home->isEnabled()) << "speed 1 of mode 2x is 50 steps/s, which would be faster";
-    type(u"50"_s);
+    type(velocity, u"50"_s);
+    type(acceleration, u"800001"_s);
+    EXPECT_FALSE(home->isEnabled()) << "at most one unit of 200 steps/s every 0.25 ms (DS-S 4.2)";
+    type(acceleration, u"800000"_s);
     QTest::mouseClick(home, Qt::LeftButton);
     ASSERT_EQ(intents.size(), 1);
     const auto recipe = std::get<intent::Home>(intents.at(0).at(1).value<Intent>()).recipe;
     EXPECT_TRUE(recipe.onHomeSwitch);
     EXPECT_EQ(recipe.velocity, 50.0);
+    EXPECT_EQ(recipe.acceleration, 800'000.0);
     PanelView other{anyUnsent, settings};
     other.connected = true;
     context.show(other);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "model/intent/homingplan.h"
+#include "model/machinefile/machinelayout.h"
 #include "model/module/servodefaults.h"
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
@@ -23,8 +24,6 @@ namespace {
 using Stop = HomingRecipe::Stop;
 constexpr std::array kStops{Stop::Abruptly, Stop::Smoothly, Stop::Off};
 
-constexpr double kLongestTravel = 2'147'483'647.0;
-constexpr double kLongestTime = 86'400.0;  // s, one day
 constexpr int kFieldDigits = 8;
 }  // namespace
 
@@ -129,7 +128,7 @@ void HomingForm::buildMotion(FormGrid* grid) {
                                    .words = Common::tr("Time limit"),
                                    .unit = u"s"_s,
                                    .min = 0.1,
-                                   .max = kLongestTime,
+                                   .max = layout::kSeconds.max,
                                    .decimals = 1,
                                    .digits = kFieldDigits},
                                   this);
@@ -207,11 +206,11 @@ void HomingForm::showChip(const AxisScale& scale, const ModuleIdentity& chip, do
         double least = servodefaults::kSmallest;
         if (quantity.value == &HomingRecipe::travelLimit) {
             least = 1.0;
-            most = kLongestTravel;
+            most = layout::kDistance.max;
         } else if (m_type == ModuleType::Stepper) {
             // A request below the slowest speed of the chip would run faster than requested.
             least = velocity ? speedUnit : 1.0;
-            most = velocity ? 250.0 * speedUnit : 1e6;
+            most = velocity ? 250.0 * speedUnit : layout::kMaxStepAcceleration;
         }
         const bool valid = quantity.field->native().has_value();
         quantity.field->setScale(scale);

@@ -13,6 +13,7 @@
 #include <variant>
 
 #include "model/settings/machine.h"
+#include "protocol/baud.h"
 
 namespace nmc::layout {
 
@@ -392,7 +393,7 @@ template <typename Form, As<Machine> T>
 void fields(Form& form, T& machine) {
     auto& [name, baud, axes, groups, program, homeOrder, operatorRights] = machine;
     form.text("name", name);
-    form.whole("rate_bd", baud, {0, 1'000'000}, Need::Optional);
+    form.whole("rate_bd", baud, {0, kMaxBaud}, Need::Optional);
     form.list("axes", axes, kMaxAxes);
     form.list("groups", groups, kMaxGroups);
     auto& [points, sequences] = program;
