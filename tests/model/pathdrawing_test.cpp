@@ -250,6 +250,8 @@ TEST(PathText, ReadsBackToTheCount) {
 TEST(PathName, IsOneThatAColumnCanHave) {
     EXPECT_EQ(pathName(ModuleIndex(2), "Z axis"), "Z axis");
     EXPECT_EQ(pathName(ModuleIndex(2), ""), "Module 3");
+    EXPECT_EQ(pathName(ModuleIndex(2), " Z axis "), "Z axis") << "blanks around a cell do not belong to it";
+    EXPECT_EQ(pathName(ModuleIndex(2), " "), "Module 3");
     EXPECT_EQ(pathName(ModuleIndex(2), "up, down"), "Module 3");
     EXPECT_EQ(pathName(ModuleIndex(2), "#3"), "Module 3");
 }

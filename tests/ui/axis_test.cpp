@@ -40,6 +40,9 @@ TEST_F(Axis, ItsNameStandsEverywhere) {
     EXPECT_EQ(row.data(ChainModel::Title).toString(), u"Z axis"_s) << "its number is shown on the wire";
     EXPECT_TRUE(row.data(Qt::AccessibleTextRole).toString().startsWith(u"Module 1 \"Z axis\""_s));
     EXPECT_EQ(name->text(), u"Z axis"_s);
+    QTest::keyClick(name, Qt::Key_Space);
+    EXPECT_EQ(machine.axes.front().name, "Z axis") << "programs and path files would not find it by its name";
+    EXPECT_EQ(name->text(), u"Z axis "_s) << "another word may follow";
 }
 
 TEST_F(Axis, SaysThatAnotherAxisHasTheSameName) {

@@ -198,7 +198,7 @@ void AxisBox::connectControls() {
     // Each field edits only its own part: the value in another one may be rounded or incomplete.
     const auto keepText = [this](QLineEdit* field, auto part) {
         connect(field, &QLineEdit::textEdited, this, [this, part](const QString& text) {
-            edit([part, typed = text.toStdString()](AxisSettings& axis) { part(axis) = typed; });
+            edit([part, typed = text.trimmed().toStdString()](AxisSettings& axis) { part(axis) = typed; });
         });
     };
     const auto keepNumber = [this](NumberField* field, auto part) {
@@ -212,6 +212,8 @@ void AxisBox::connectControls() {
         m_name, [](AxisSettings & axis) -> auto& { return axis.name; });
     keepText(
         m_analogUnit, [](AxisSettings & axis) -> auto& { return axis.analog.unit; });
+    keepText(
+        m_symbol, [](AxisSettings & axis) -> auto& { return axis.unit.ownSymbol; });
     const auto keepScale = [this] {
         edit([typed = m_countsPerUnit->value(), reversed = m_reversed->isChecked()](AxisSettings& axis) {
             const double counts = typed.value_or(std::abs(axis.unit.countsPerUnit));
@@ -224,9 +226,6 @@ void AxisBox::connectControls() {
         m_analogPerCount, [](AxisSettings & axis) -> auto& { return axis.analog.perCount; });
     keepNumber(
         m_analogAtZero, [](AxisSettings & axis) -> auto& { return axis.analog.atZero; });
-    connect(m_symbol, &QLineEdit::textEdited, this, [this](const QString& text) {
-        edit([typed = text.trimmed().toStdString()](AxisSettings& axis) { axis.unit.ownSymbol = typed; });
-    });
     connect(m_unit, &QComboBox::currentIndexChanged, this, [this] {
         if (kind() == UnitKind::Native)
             m_countsPerUnit->showValue(1.0);  // as below, for the unit that is chosen next

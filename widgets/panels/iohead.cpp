@@ -38,7 +38,7 @@ IoHead::IoHead(ModuleContext& context, QWidget* parent)
         new FlowLayout(unit, {m_module, m_type, form::newLabel(Common::tr("Name"), m_name), m_name}));
     layout->addLayout(form::newLine(this, {m_glyph, m_state, {m_meaning, 1}}, 0.5));
     connect(m_name, &QLineEdit::textEdited, this, [this](const QString& text) {
-        m_context.edit([text](AxisSettings& axis) { axis.name = text.toStdString(); });
+        m_context.edit([text](AxisSettings& axis) { axis.name = text.trimmed().toStdString(); });
     });
     m_context.whenSeen(this, [this] { refresh(); });
 }

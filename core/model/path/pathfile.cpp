@@ -192,8 +192,9 @@ private:
 }  // namespace
 
 std::string pathName(ModuleIndex module, const std::string& name) {
-    const bool sayable = !name.empty() && name.find(',') == std::string::npos && !name.starts_with('#');
-    return sayable ? name : "Module " + std::to_string(module.value() + 1);
+    const std::string_view said = trimmed(name, kBlank);  // as in the cell that is read
+    const bool sayable = !said.empty() && said.find(',') == std::string::npos && !said.starts_with('#');
+    return sayable ? std::string(said) : "Module " + std::to_string(module.value() + 1);
 }
 
 PathColumn pathColumn(const std::string& name, const ModuleState& module, const AxisScale& scale) {
