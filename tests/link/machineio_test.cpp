@@ -110,6 +110,19 @@ TEST_F(MachineIo, UnsavedWorkOfAProgramThatStillRunsIsLeftToIt) {
     EXPECT_EQ(third.left()->content, "of the first");
 }
 
+TEST_F(MachineIo, UnsavedWorkThatCannotBeReadDoesNotHideWhatIsBehindIt) {
+    const QString folder = path("unsaved");
+    UnsavedWork(folder).keep({}, std::string(1'200'000, 'x'), {});  // no machine file is that large
+    {
+        UnsavedWork second(folder);
+        EXPECT_FALSE(second.left().has_value());
+        second.keep({}, "of the second", {});
+    }
+    UnsavedWork third(folder);
+    ASSERT_TRUE(third.left().has_value());
+    EXPECT_EQ(third.left()->content, "of the second");
+}
+
 TEST_F(MachineIo, UnsavedWorkThatCannotBeKeptSaysSo) {
     ASSERT_TRUE(writeFile(path("file"), "x").has_value());
     UnsavedWork work(path("file/unsaved"));

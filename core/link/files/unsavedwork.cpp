@@ -13,38 +13,40 @@ namespace {
 constexpr int kSlots = 20;
 /// The size of a machine file, preceded by its file name.
 constexpr std::size_t kMaxKept = 1'100'000;
+
+std::optional<UnsavedWork::Left> workIn(const QString& path) {
+    const auto content = readFile(path, kMaxKept);
+    const std::size_t line = content ? content->find('\n') : std::string::npos;
+    if (line == std::string::npos)
+        return std::nullopt;
+    return UnsavedWork::Left{QUrl(QString::fromStdString(content->substr(0, line))).toLocalFile(),
+                             content->substr(line + 1)};
+}
 }  // namespace
 
 UnsavedWork::UnsavedWork(const QString& folder, FileWriter::Disk disk)
     : m_folder(folder), m_files(std::move(disk)) {
     QDir().mkpath(m_folder);
-    m_leftSlot = takeSlot(Wanted::Used);
-    m_own = takeSlot(Wanted::Free);
-    if (!m_leftSlot)
-        return;
-    const auto content = readFile(m_leftSlot->path, kMaxKept);
-    const std::size_t line = content ? content->find('\n') : std::string::npos;
-    if (line == std::string::npos)
-        return;
-    m_left =
-        Left{QUrl(QString::fromStdString(content->substr(0, line))).toLocalFile(), content->substr(line + 1)};
+    // One that cannot be read does not hide those behind it.
+    for (int number = 1; number <= kSlots && !m_left; ++number)
+        if (auto slot = takeSlot(number, Wanted::Used); slot && (m_left = workIn(slot->path)))
+            m_leftSlot = std::move(slot);
+    for (int number = 1; number <= kSlots && !m_own; ++number)
+        m_own = takeSlot(number, Wanted::Free);
 }
 
 UnsavedWork::~UnsavedWork() = default;
 
-std::optional<UnsavedWork::Slot> UnsavedWork::takeSlot(Wanted wanted) const {
-    const QDir folder(m_folder);
-    for (int number = 1; number <= kSlots; ++number) {
-        Slot slot{folder.filePath(QStringLiteral("unsaved-%1").arg(number)), nullptr};
-        if (QFile::exists(slot.path) != (wanted == Wanted::Used))
-            continue;
-        slot.lock = std::make_unique<QLockFile>(slot.path + QStringLiteral(".lock"));
-        // A lock becomes void only when its program has ended, not with age.
-        slot.lock->setStaleLockTime(0);
-        if (slot.lock->tryLock(0) && QFile::exists(slot.path) == (wanted == Wanted::Used))
-            return slot;
-    }
-    return std::nullopt;
+std::optional<UnsavedWork::Slot> UnsavedWork::takeSlot(int number, Wanted wanted) const {
+    Slot slot{QDir(m_folder).filePath(QStringLiteral("unsaved-%1").arg(number)), nullptr};
+    if (QFile::exists(slot.path) != (wanted == Wanted::Used))
+        return std::nullopt;
+    slot.lock = std::make_unique<QLockFile>(slot.path + QStringLiteral(".lock"));
+    // A lock becomes void only when its program has ended, not with age.
+    slot.lock->setStaleLockTime(0);
+    if (!slot.lock->tryLock(0) || QFile::exists(slot.path) != (wanted == Wanted::Used))
+        return std::nullopt;
+    return slot;
 }
 
 void UnsavedWork::dropLeft() {

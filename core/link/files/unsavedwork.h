@@ -43,7 +43,7 @@ private:
         std::unique_ptr<QLockFile> lock;
     };
     enum class Wanted : std::uint8_t { Used, Free };
-    [[nodiscard]] std::optional<Slot> takeSlot(Wanted wanted) const;
+    [[nodiscard]] std::optional<Slot> takeSlot(int number, Wanted wanted) const;
 
     QString m_folder;
     std::optional<Slot> m_leftSlot;
