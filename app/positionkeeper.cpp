@@ -67,7 +67,12 @@ void PositionKeeper::begin(const QString& port, bool owns) {
     m_file = file;
     m_kept = {};
     m_loaded = false;
-    if (!owns)
+    load();
+}
+
+/// Not before what is still to be written is in the file.
+void PositionKeeper::load() {
+    if (m_file.isEmpty() || m_loaded || m_loading.isBusy() || m_files.isBusy(m_file))
         return;
     m_read = std::make_shared<std::string>();
     m_loading.start([into = m_read, path = m_file](const BackgroundJob::Cancelled& /*cancelled*/) {
@@ -110,11 +115,15 @@ void PositionKeeper::leaveOut(const std::vector<ModuleIndex>& modules) {
     }
     // What this session does not track, because it only looks on, is in the file alone.
     const QString file = fileOf(m_folder, QString::fromStdString(m_store.link().port));
-    write(file, [file, left] {
-        RememberedChain chain = readRemembered(readFile(file, kMaxPositionBytes).value_or(std::string()));
-        chain.positions = left(chain.positions);
-        return writeRemembered(chain);
-    });
+    m_loading.cancel();  // its module numbers are those of before
+    m_files.write(
+        file,
+        [file, left] {
+            RememberedChain chain = readRemembered(readFile(file, kMaxPositionBytes).value_or(std::string()));
+            chain.positions = left(chain.positions);
+            return writeRemembered(chain);
+        },
+        [this](const FileWriter::Result& result) { written(result); });
 }
 
 void PositionKeeper::loaded() {
@@ -175,14 +184,15 @@ void PositionKeeper::keep() {
     if (m_file.isEmpty() || !m_loaded || (!m_failed && toKeep() == m_kept))
         return;
     m_kept = toKeep();
-    write(m_file, [chain = m_kept] { return writeRemembered(chain); });
+    m_files.write(
+        m_file, [chain = m_kept] { return writeRemembered(chain); },
+        [this](const FileWriter::Result& result) { written(result); });
 }
 
-void PositionKeeper::write(const QString& file, FileWriter::Content content) {
-    m_files.write(file, std::move(content), [this](const FileWriter::Result& result) {
-        if (!std::exchange(m_failed, !result) && !result)
-            emit failed(result.error());
-    });
+void PositionKeeper::written(const FileWriter::Result& result) {
+    if (!std::exchange(m_failed, !result) && !result)
+        emit failed(result.error());
+    load();
 }
 
 }  // namespace nmc

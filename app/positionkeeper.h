@@ -45,12 +45,13 @@ signals:
     void failed(const nmc::FileError& error);
 
 private:
+    void load();
     void found(const bus::ChainFound& found);
     void look();
     void loaded();
     void begin();
     void keep();
-    void write(const QString& file, FileWriter::Content content);
+    void written(const FileWriter::Result& result);
     [[nodiscard]] RememberedChain toKeep() const;
     [[nodiscard]] bool isOfAnother() const;
 

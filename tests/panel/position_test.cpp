@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last position of an axis is offered after its module has lost power, in the window.
 #include <atomic>
+#include <functional>
+#include <utility>
+#include <vector>
 
+#include "app/positionkeeper.h"
 #include "link/files/machineio.h"
 #include "tests/support/hand.h"
 #include "widgets/machine/machinemenu.h"
@@ -137,6 +141,40 @@ TEST_F(PositionKept, OneThatWasStoppedByQuittingIsOffered) {
     ASSERT_TRUE(panel.press(offer, u"Restore home"_s));
     // The counter started at 0 where the motor rests; home was at 0.
     EXPECT_NEAR(panel.module().home.place()->counts, -rests, 4 + 5);
+}
+
+/// The disk carries out the last request first.
+TEST_F(PositionKept, IsReadOnlyWhenWhatIsLeftOutIsNotInTheFileAnyMore) {
+    {
+        VirtualPanel panel({}, {}, folder.path());
+        ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
+    }
+    const QString positions = folder.filePath(u"positions"_s);
+    const auto kept = [&positions] {
+        const QFileInfoList files = QDir(positions).entryInfoList(QDir::Files);
+        return readRemembered(readFile(files.value(0).filePath(), 10'000).value_or("")).positions.size();
+    };
+    ASSERT_EQ(kept(), 1U);
+    std::vector<std::function<void()>> waits;
+    setBackground([&waits](std::function<void()> work) { waits.push_back(std::move(work)); });
+    {
+        BusWorker worker;
+        BusStore store(worker);
+        store.begin(sim.terminal(), false, 115'200, false);
+        PositionKeeper keeper(positions, store);
+        keeper.begin(sim.terminal(), true);
+        keeper.leaveOut({ModuleIndex(0)});
+        keeper.begin(sim.terminal(), true);
+        while (!waits.empty()) {
+            const std::function<void()> last = std::move(waits.back());
+            waits.pop_back();
+            last();
+            QCoreApplication::processEvents();
+        }
+        setBackground([](const std::function<void()>& work) { work(); });
+        keeper.setMachine("mill");  // so that there is something to write at its end
+    }
+    EXPECT_EQ(kept(), 0U);
 }
 
 /// A disk that is full from when the servo rests at 5 000 counts.

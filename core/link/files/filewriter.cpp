@@ -74,6 +74,11 @@ void FileWriter::remove(const QString& path) {
     m_files->put(path, {});
 }
 
+bool FileWriter::isBusy(const QString& path) const {
+    const std::scoped_lock lock(m_files->mutex);
+    return m_files->next.contains(path);
+}
+
 bool FileWriter::finish(std::chrono::milliseconds patience) {
     std::unique_lock lock(m_files->mutex);
     return m_files->changed.wait_for(lock, patience, [this] { return m_files->next.empty(); });

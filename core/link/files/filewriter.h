@@ -33,6 +33,8 @@ public:
 
     void write(const QString& path, Content content, Done done = {});
     void remove(const QString& path);
+    /// True while something is to be done to the file; for a request with `done`, until just before that.
+    [[nodiscard]] bool isBusy(const QString& path) const;
     /// Waits until everything has been written. Returns false when the time is up before.
     bool finish(std::chrono::milliseconds patience = kPatience);
 
