@@ -74,6 +74,13 @@ void RunKeeper::open(const QString& file, const Machine& machine) {
     m_known.clear();
     m_window.stepResponses().clearRuns();
     m_reading = std::make_shared<Reading>(Reading{m_path, machine, {}, {}, {}});
+    load();
+}
+
+/// Not before what is still to be written is in the file.
+void RunKeeper::load() {
+    if (!m_reading || m_loading.isBusy() || m_files.isBusy(m_reading->path))
+        return;
     m_loading.start([into = m_reading](const BackgroundJob::Cancelled& /*cancelled*/) {
         const auto text = readFile(into->path, kMaxRunFile);
         if (!text) {
@@ -88,27 +95,28 @@ void RunKeeper::open(const QString& file, const Machine& machine) {
 }
 
 void RunKeeper::loaded() {
-    if (m_reading->problem)
-        m_window.showMessage(texts::runsNotRead(m_reading->path, *m_reading->problem));
-    else if (m_reading->error)
-        m_window.showMessage(texts::runsNotRead(*m_reading->error));
+    const std::shared_ptr<Reading> read = std::exchange(m_reading, nullptr);
+    if (read->problem)
+        m_window.showMessage(texts::runsNotRead(read->path, *read->problem));
+    else if (read->error)
+        m_window.showMessage(texts::runsNotRead(*read->error));
     else
         m_window.endMessage(texts::key::kRuns);
     std::vector<KeptResponse> runs;
-    for (KeptResponse& run : std::exchange(m_reading->runs, {})) {
-        std::optional<ModuleIndex> module = moduleOf(run, m_reading->machine);
-        for (const std::vector<ModuleIndex>& modules : m_reading->leftOut)
+    for (KeptResponse& run : read->runs) {
+        std::optional<ModuleIndex> module = moduleOf(run, read->machine);
+        for (const std::vector<ModuleIndex>& modules : read->leftOut)
             module = module ? indexWithout(modules, *module) : std::nullopt;
-        if (!module)
+        // The id is that of the run as it is in the file; what this session has written is already listed.
+        if (!module || !m_known.insert(idOf(run)).second)
             continue;
-        m_known.insert(idOf(run));  // as it is in the file
         run.run.module = *module;
         runs.push_back(std::move(run));
     }
     if (runs.empty())
         return;
     m_window.stepResponses().showKept(std::move(runs));
-    moveFrom(m_reading->path);  // the machine may have got another file meanwhile
+    moveFrom(read->path);  // the machine may have got another file meanwhile
 }
 
 void RunKeeper::follow(const QString& file) {
@@ -122,11 +130,12 @@ void RunKeeper::moveFrom(const QString& before) {
     // Runs in the data folder belong to a machine without a file, which this one no longer is.
     if (before == pathFor({}))
         m_files.write(
-            before, [before, gone = m_known] { return writeResponses(together({}, runsIn(before), gone)); });
+            before, [before, gone = m_known] { return writeResponses(together({}, runsIn(before), gone)); },
+            [this](const FileWriter::Result& /*result*/) { load(); });
 }
 
 void RunKeeper::leaveOut(const std::vector<ModuleIndex>& modules) {
-    if (m_loading.isBusy())
+    if (m_reading)
         m_reading->leftOut.push_back(modules);
     std::vector<KeptResponse> left;
     for (KeptResponse& run : m_window.stepResponses().runs())
@@ -161,6 +170,7 @@ void RunKeeper::onWritten(const FileWriter::Result& result) {
     else if (!m_failed)
         m_window.showMessage(texts::runsNotKept(result.error()));
     m_failed = !result;
+    load();
 }
 
 }  // namespace nmc

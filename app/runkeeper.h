@@ -45,6 +45,7 @@ private:
     };
 
     [[nodiscard]] QString pathFor(const QString& machineFile) const;
+    void load();
     void loaded();
     void moveFrom(const QString& before);
     void keep();
@@ -56,7 +57,7 @@ private:
     QString m_path;
     std::set<std::string> m_known;       ///< all runs listed since the machine was loaded
     bool m_failed = false;               ///< the message about it has been shown
-    std::shared_ptr<Reading> m_reading;  ///< shared with the job
+    std::shared_ptr<Reading> m_reading;  ///< shared with the job; null: what is in the file is listed
     BackgroundJob m_loading;
 };
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Step responses stay with their machine from session to session, and a file that cannot be read is not lost.
+#include <functional>
+#include <utility>
+#include <vector>
+
 #include "app/runkeeper.h"
 #include "model/machinefile/machinefile.h"
 #include "model/machinefile/responsestore.h"
@@ -183,6 +187,41 @@ TEST_F(RunsKept, ThoseThatAreStillBeingReadMoveAlong) {
     EXPECT_TRUE(QTest::qWaitFor([this] { return runsIn(file(u"mill.runs"_s)).size() == 1; }));
     EXPECT_TRUE(QTest::qWaitFor([this] { return runsIn(withoutMachine()).empty(); }))
         << "they belong to the mill";
+}
+
+/// The disk carries out the last request first.
+TEST_F(RunsKept, ThoseThatAreStillBeingMovedAreNotShownForTheNextMachine) {
+    {
+        VirtualPanel panel({}, {}, folder.path());
+        panel.start();
+        makeRun(panel, 100);
+        ASSERT_TRUE(panel.waitFor([&] { return runsIn(withoutMachine()).size() == 1; }));
+    }
+    std::vector<std::function<void()>> waits;
+    setBackground([&waits](std::function<void()> work) { waits.push_back(std::move(work)); });
+    const auto answer = [&waits] {
+        while (!waits.empty()) {
+            const std::function<void()> last = std::move(waits.back());
+            waits.pop_back();
+            last();
+            QCoreApplication::processEvents();
+        }
+    };
+    {
+        QSettings settings(file(u"window.ini"_s), QSettings::IniFormat);
+        MainWindow window(settings);
+        RunKeeper keeper(file(u"runs"_s), window);
+        keeper.open({}, Machine{});
+        answer();
+        EXPECT_EQ(window.stepResponses().runs().size(), 1U);
+        keeper.follow(file(u"mill.json"_s));
+        keeper.open({}, Machine{});  // a new machine
+        answer();
+        EXPECT_TRUE(window.stepResponses().runs().empty());
+    }
+    setBackground([](const std::function<void()>& work) { work(); });
+    EXPECT_EQ(runsIn(file(u"mill.runs"_s)).size(), 1U);
+    EXPECT_TRUE(runsIn(withoutMachine()).empty());
 }
 
 TEST_F(RunsKept, ABadFileIsSaidAndSetAside) {
