@@ -160,10 +160,7 @@ void MachineController::acceptChain(const std::vector<ModuleIdentity>& there,
         if (SequencesPage* page = m_window.sequences().builtPage())
             page->forgetEdits();
     }
-    if (m_machine.axes.size() < there.size())
-        m_machine.axes.resize(there.size());
-    for (std::size_t i = 0; i < m_machine.axes.size(); ++i)
-        m_machine.axes[i].expected = i < there.size() ? std::optional(there[i]) : std::nullopt;
+    m_machine = withModules(there, std::move(m_machine));
     changed();
 }
 

@@ -41,9 +41,9 @@ public:
     void noteGroup(const bus::GroupChange& change);
     void nameGroup(quint8 group, const QString& name);
     void setOperatorRights(const OperatorRights& rights);
-    /// Makes these modules the expected ones; those in `gone`, which no row of a sequence uses, are out of
-    /// the chain. Also in operator mode, which may have begun since the user asked for it: everything else
-    /// takes the modules to have their new numbers.
+    /// Makes these modules the expected ones (withModules()); those in `gone`, which no row of a sequence
+    /// uses, are out of the chain. Also in operator mode, which may have begun since the user asked for it:
+    /// everything else takes the modules to have their new numbers.
     void acceptChain(const std::vector<ModuleIdentity>& there, const std::vector<ModuleIndex>& gone = {});
     /// Restores the unsaved work of an earlier session.
     void restoreWork();

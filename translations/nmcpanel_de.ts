@@ -1921,6 +1921,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das Modul antwortet nicht, sein Zustand ist daher unbekannt.</translation>
     </message>
     <message>
+        <source>This is not the type of module that the machine has here, so its settings do not apply. Only stop commands work until you accept the chain as found (Chain doctor).</source>
+        <translation>Die Maschine hat hier einen anderen Modultyp, ihre Einstellungen gelten daher nicht. Bis die Kette so übernommen wird, wie sie ist (Kettendiagnose), wirken nur Stopps.</translation>
+    </message>
+    <message>
         <source>The module has no motor power.</source>
         <translation>Das Modul hat keine Motorversorgung.</translation>
     </message>
@@ -5325,6 +5329,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
         <translation>Name, Einheit, Grenzen, Geschwindigkeiten und Punkte des erwarteten Moduls werden für dieses verwendet; Reglerwerte und Parameter aus einer Maschinendatei werden ihm nicht gesendet. Wurde es absichtlich getauscht, diese Einstellungen prüfen, dann die Kette so übernehmen, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>The settings of this place are for another type of module, so they are not used, and only stop commands work. Check the cables, then scan again. If you replaced the module on purpose, accept the chain as found (Chain doctor): all but its name is then to be set again, and its positions leave the points.</source>
+        <translation>Die Einstellungen dieses Platzes gehören zu einem anderen Modultyp. Sie werden daher nicht verwendet, und nur Stopps wirken. Die Kabel prüfen, dann erneut suchen. Wurde das Modul absichtlich getauscht, die Kette so übernehmen, wie sie ist (Kettendiagnose): Dann ist alles außer seinem Namen neu einzustellen, und seine Positionen entfallen aus den Punkten.</translation>
     </message>
     <message>
         <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>

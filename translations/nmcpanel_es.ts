@@ -1921,6 +1921,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El módulo no responde, por lo que se desconoce su estado.</translation>
     </message>
     <message>
+        <source>This is not the type of module that the machine has here, so its settings do not apply. Only stop commands work until you accept the chain as found (Chain doctor).</source>
+        <translation>La máquina tiene aquí otro tipo de módulo, por lo que sus ajustes no se aplican. Hasta que acepte la cadena tal como se encontró (Diagnóstico de la cadena), solo actúan las paradas.</translation>
+    </message>
+    <message>
         <source>The module has no motor power.</source>
         <translation>El módulo no tiene alimentación del motor.</translation>
     </message>
@@ -5325,6 +5329,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
         <translation>Se usan para él el nombre, la unidad, los límites, las velocidades y los puntos del módulo esperado; las ganancias y los parámetros de un archivo de máquina no se le envían. Si sustituyó el módulo a propósito, compruebe estos ajustes y luego acepte la cadena tal como se encontró.</translation>
+    </message>
+    <message>
+        <source>The settings of this place are for another type of module, so they are not used, and only stop commands work. Check the cables, then scan again. If you replaced the module on purpose, accept the chain as found (Chain doctor): all but its name is then to be set again, and its positions leave the points.</source>
+        <translation>Los ajustes de este lugar son de otro tipo de módulo, así que no se usan y solo actúan las paradas. Compruebe los cables y vuelva a buscar. Si sustituyó el módulo a propósito, acepte la cadena tal como se encontró (Diagnóstico de la cadena): entonces hay que ajustar de nuevo todo menos su nombre, y sus posiciones se quitan de los puntos.</translation>
     </message>
     <message>
         <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>

@@ -1921,6 +1921,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le module ne répond pas&#x202f;; son état est donc inconnu.</translation>
     </message>
     <message>
+        <source>This is not the type of module that the machine has here, so its settings do not apply. Only stop commands work until you accept the chain as found (Chain doctor).</source>
+        <translation>La machine a ici un autre type de module&#x202f;; ses réglages ne s’appliquent donc pas. Seuls les arrêts agissent tant que vous n’avez pas accepté la chaîne telle quelle (Diagnostic de la chaîne).</translation>
+    </message>
+    <message>
         <source>The module has no motor power.</source>
         <translation>Le module n’a pas d’alimentation moteur.</translation>
     </message>
@@ -5325,6 +5329,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
         <translation>Le nom, l’unité, les limites, les vitesses et les points du module attendu sont utilisés pour lui&#x202f;; les gains et paramètres d’un fichier machine ne lui sont pas envoyés. Si vous avez remplacé le module volontairement, vérifiez ces réglages, puis acceptez la chaîne telle quelle.</translation>
+    </message>
+    <message>
+        <source>The settings of this place are for another type of module, so they are not used, and only stop commands work. Check the cables, then scan again. If you replaced the module on purpose, accept the chain as found (Chain doctor): all but its name is then to be set again, and its positions leave the points.</source>
+        <translation>Les réglages de cette place sont ceux d’un autre type de module&#x202f;; ils ne sont donc pas utilisés, et seuls les arrêts agissent. Vérifiez les câbles, puis relancez la recherche. Si vous avez remplacé le module volontairement, acceptez la chaîne telle quelle (Diagnostic de la chaîne)&#xa0;: tout sauf son nom est alors à régler de nouveau, et ses positions sont retirées des points.</translation>
     </message>
     <message>
         <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>

@@ -1918,6 +1918,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モジュールが応答しないため、状態は不明です。</translation>
     </message>
     <message>
+        <source>This is not the type of module that the machine has here, so its settings do not apply. Only stop commands work until you accept the chain as found (Chain doctor).</source>
+        <translation>マシンがここに想定するモジュールとは種類が異なるため、その設定は適用されません。検出結果を採用する（チェーン診断）まで、停止だけが有効です。</translation>
+    </message>
+    <message>
         <source>The module has no motor power.</source>
         <translation>モジュールにモーター電源がありません。</translation>
     </message>
@@ -5308,6 +5312,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.</source>
         <translation>想定モジュールの名前、単位、リミット、速度、ポイントがこのモジュールにも使われます。マシンファイルのゲインとパラメーターは送信されません。意図して交換した場合は、これらの設定を確認してから、検出結果を採用してください。</translation>
+    </message>
+    <message>
+        <source>The settings of this place are for another type of module, so they are not used, and only stop commands work. Check the cables, then scan again. If you replaced the module on purpose, accept the chain as found (Chain doctor): all but its name is then to be set again, and its positions leave the points.</source>
+        <translation>この場所の設定は別の種類のモジュールのものなので使われず、停止だけが有効です。ケーブルを確認してから、再スキャンしてください。意図して交換した場合は、検出結果を採用してください（チェーン診断）。その場合、名前以外はすべて設定し直しとなり、この軸の位置はポイントから除かれます。</translation>
     </message>
     <message>
         <source>Modules from %1 on are new. If they belong there, accept the chain as found.</source>

@@ -89,5 +89,42 @@ TEST(AxisRemoval, OnlyARowThatNamesTheModuleUsesIt) {
     EXPECT_EQ(userOfModules(xyz().program, {kFirst}), (RowPlace{"Main", 5}));
 }
 
+/// The numbers of a PIC-STEP are in steps, those of a PIC-SERVO in counts.
+TEST(OtherModules, AnAxisForAnotherTypeBeginsAnewAndLeavesThePoints) {
+    using testing_support::kServo;
+    using testing_support::kStep;
+    Machine machine = xyz();
+    for (AxisSettings& axis : machine.axes) {
+        axis.expected = kStep;
+        axis.unit = {UnitKind::Millimetres, 200.0, {}};
+        axis.motion.velocity = 2'000;
+        axis.travel = {0, 40'000, 3'000};
+        axis.homing.emplace().velocity = 400;
+    }
+    Machine after = machine;
+    after.axes[1] = {};
+    after.axes[1].name = "Y";
+    after.axes[1].expected = kServo;
+    after.program.points = {{"All", {{kFirst, 1, true}, {kThird, 3, false}}}};
+    EXPECT_EQ(withModules({kStep, kServo, kStep}, machine), after);
+}
+
+TEST(OtherModules, AnotherVersionANewModuleAndOneThatIsMissingChangeNoNumbers) {
+    using testing_support::kCmc;
+    using testing_support::kServo;
+    using testing_support::kStep;
+    Machine machine = xyz();
+    machine.axes[0].expected = kServo;
+    for (AxisSettings& axis : machine.axes)
+        axis.motion.velocity = 2;
+    Machine after = machine;
+    after.axes[0].expected = kCmc;
+    after.axes[1].expected = kStep;
+    EXPECT_EQ(withModules({kCmc, kStep}, machine), after);
+    after.axes[2].expected = kServo;
+    after.axes.emplace_back().expected = kServo;
+    EXPECT_EQ(withModules({kCmc, kStep, kServo, kServo}, machine), after);
+}
+
 }  // namespace
 }  // namespace nmc

@@ -170,5 +170,32 @@ TEST(ChainDiagnosis, NothingIsConcludedWithoutAConnection) {
     EXPECT_EQ(diagnose(machineExpecting({kServo}), lost).finding, Finding::NobodyAnswers);
 }
 
+/// 2000 steps/s would be 2000 counts/tick, 3.9 million counts/s.
+TEST(LinkState, SettingsForAnotherTypeAreNotThoseOfTheModuleThatIsThere) {
+    Machine machine = machineExpecting({kServo, kStep});
+    for (AxisSettings& axis : machine.axes) {
+        axis.name = "Table";
+        axis.unit = {UnitKind::Millimetres, 200.0, {}};
+        axis.motion.velocity = 2'000;
+        axis.travel = {0, 40'000, 3'000};
+    }
+    Machine servos = machine;
+    servos.axes[1] = {};
+    servos.axes[1].name = "Table";
+    servos.axes[1].expected = kStep;
+    LinkState link = linkWith({kOldServo, kServo});
+    EXPECT_EQ(usable(machine, link.modules), servos);
+    link.take(servos);
+    EXPECT_FALSE(link.modules[0].otherType()) << "another version counts alike";
+    EXPECT_TRUE(link.modules[0].replaced());
+    EXPECT_EQ(link.modules[0].travel.fastest, 3'000);
+    EXPECT_TRUE(link.modules[1].otherType());
+    EXPECT_EQ(link.modules[1].unit, UnitKind::Native);
+    EXPECT_EQ(link.modules[1].travel, TravelSettings{});
+    EXPECT_EQ(usable(machine, linkWith({kServo, kStep}).modules), machine);
+    EXPECT_EQ(usable(machine, linkWith({kServo, kUnheardModule}).modules), machine);
+    EXPECT_EQ(usable(machine, {}), machine);
+}
+
 }  // namespace
 }  // namespace nmc

@@ -47,6 +47,33 @@ TEST(Plan, EnablesWithOneStopThatHoldsAndSetsTheAmplifier) {
     EXPECT_EQ(payloads(intent::Enable{}, module), (Hex{"17 05", "0B"}));
 }
 
+/// Its speeds, limits and home would be numbers of another chip.
+TEST(Plan, OnlyStopsAModuleOfAnotherTypeThanTheMachineExpects) {
+    ModuleState module = holdingServo();
+    module.home.found(0, TimePoint{});
+    const std::vector<Intent> stops{intent::StopSmoothly{}, intent::StopAbruptly{}, intent::MotorOff{}};
+    const std::vector<Intent> others{kMove,
+                                     kRun,
+                                     intent::LoadMove{kTrapezoid},
+                                     intent::GoHome{ServoPace{}},
+                                     intent::Home{},
+                                     intent::Enable{},
+                                     intent::ApplyGains{},
+                                     intent::ResetPosition{},
+                                     intent::SetAmplifier{true},
+                                     intent::Direct{ServoCommand(servo::SetGain{})}};
+    module.expected = ModuleIdentity{ModuleType::Stepper, 1};
+    for (const Intent& stop : stops)
+        EXPECT_EQ(refusalOf(stop, module), std::nullopt) << stop.index();
+    for (const Intent& other : others)
+        EXPECT_EQ(refusalOf(other, module), Refusal::OtherType) << other.index();
+    EXPECT_EQ(whyNot(IntentKind::Hold, module), Refusal::OtherType);
+    module.expected = ModuleIdentity{ModuleType::Servo, 1};
+    for (const Intent& other : others)
+        EXPECT_NE(refusalOf(other, module), Refusal::OtherType) << other.index();
+    EXPECT_EQ(refusalOf(kMove, module), std::nullopt) << "versions of one type count alike";
+}
+
 TEST(Plan, RefusesToEnableWithoutGainsThatHold) {
     ModuleState module = servoModule();
     module.apply(sampleOf(0, kMoveDone | kPosError | kPower, 0));

@@ -104,6 +104,20 @@ TEST(Goals, AreGoneToAtAShareOfTheAxisVelocity) {
     EXPECT_EQ(move.acceleration.value(), 32'768U);
 }
 
+TEST(Goals, AreNotGoneToAtTheVelocityOfAnotherTypeOfModule) {
+    AxisSettings axis;
+    axis.expected = ModuleIdentity{ModuleType::Stepper, 1};
+    axis.motion.velocity = 2'000;  // steps/s
+    ModuleState module = servoAt(0, 0);
+    const auto wanted = moveIntent({kX, 10, false}, 100, module, usable(axis, module.info.identity));
+    ASSERT_TRUE(wanted.has_value());
+    const auto move = test::motionOf<servomotion::Trapezoid>(*wanted);
+    EXPECT_EQ(move.velocity.value(), 65'536U) << "one count per tick, until something else is set";
+    module.expected = axis.expected;
+    EXPECT_EQ(planMove({kX, 10, false}, 100, module, axis).error(), Refusal::OtherType)
+        << "nor anywhere, until the module is accepted";
+}
+
 /// The axis must arrive from below, with 50 counts of play.
 TEST(Goals, AreGoneToInTwoLegsWhereAMoveTurnsRound) {
     ModuleState module = servoAt(0, 0);

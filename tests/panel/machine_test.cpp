@@ -674,5 +674,69 @@ TEST_F(MachineFiles, TheTableFollowsTheChainThatIsConnected) {
     EXPECT_EQ(executed(sim, 1, "set_gain"), 0);
 }
 
+// ---- another type of module ----
+
+/// Its go-to speed in steps/s would be 3.9 million counts/s.
+TEST_F(MachineFiles, NumbersForAStepperAreKeptFromAServoUntilTheUserAcceptsIt) {
+    Machine machine;
+    machine.name = "Mill";
+    AxisSettings& axis = machine.axes.emplace_back();
+    axis.name = "Table";
+    axis.expected = ModuleIdentity{ModuleType::Stepper, 1};
+    axis.motion.velocity = 2'000;
+    axis.motion.holdCap = 1'000;
+    axis.travel = {-5'000, 40'000, 3'000};
+    machine.program.points = {{"Pick", {{ModuleIndex(0), 30'000, false}}}};
+    const QString path = write("table.json", writeMachine(machine));
+    const QString replaced = QStringLiteral("is not the expected module");
+    VirtualChain servo(QStringLiteral("servo"));
+    VirtualChain stepper(QStringLiteral("step"));
+    VirtualPanel panel;
+    const BusStore& store = panel.composition().store();
+    panel.start();
+    open(panel, path);
+    click(panel, "applyDifferencesButton");
+    const auto attach = [&panel](const VirtualChain& sim) {
+        panel.connectTo(sim.terminal());
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+        ASSERT_TRUE(panel.answersFor(0.3));
+    };
+
+    ASSERT_NO_FATAL_FAILURE(attach(servo));
+    EXPECT_NE(panel.standing(replaced), nullptr);
+    EXPECT_EQ(store.machine().axis(ModuleIndex(0)).motion, MotionSettings{});
+    const std::string before = told(servo);
+    panel.ask(intent::ApplyGains{kGains});
+    panel.ask(intent::Move{
+        servomotion::VelocityProfile{CountsPerTick(2'000U << 16U), CountsPerTickSquared(131), false}});
+    emit panel.window().requests().goToPoint("Pick");
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_EQ(told(servo), before) << "nothing is sent";
+    panel.type("velocityField", QStringLiteral("0.25"));
+    EXPECT_EQ(panel.composition().machine().axes, machine.axes) << "nor is anything stored";
+
+    ASSERT_NO_FATAL_FAILURE(attach(stepper));
+    EXPECT_EQ(panel.standing(replaced), nullptr);
+    EXPECT_EQ(store.machine().axis(ModuleIndex(0)), machine.axes[0]);
+    EXPECT_EQ(panel.module().travel, machine.axes[0].travel);
+
+    ASSERT_NO_FATAL_FAILURE(attach(servo));
+    EXPECT_NE(panel.standing(replaced), nullptr);
+    emit panel.window().requests().acceptChain();
+    EXPECT_EQ(panel.standing(replaced), nullptr);
+    AxisSettings anew;
+    anew.name = "Table";
+    anew.expected = ModuleIdentity{ModuleType::Servo, 4};
+    EXPECT_EQ(panel.composition().machine().axes, std::vector{anew});
+    EXPECT_TRUE(panel.composition().machine().program.points.at(0).axes.empty());
+    EXPECT_EQ(machineIn(path), machine) << "until it is saved";
+    panel.ask(intent::ApplyGains{kGains});
+    EXPECT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+    save(panel);
+    EXPECT_EQ(machineIn(path).axes[0].motion, MotionSettings{});
+    EXPECT_EQ(machineIn(path).axes[0].expected, anew.expected);
+    EXPECT_EQ(servo.violations() + stepper.violations(), "");
+}
+
 }  // namespace
 }  // namespace nmc

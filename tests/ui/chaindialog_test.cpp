@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/chain/chainmenu.h"
+#include "widgets/common/words.h"
 #include "windowtest.h"
 
 namespace nmc {
@@ -69,6 +70,34 @@ TEST_F(ChainWindow, OfAnotherModuleTheDoctorSaysThatItIsUsedWithTheSettingsOfIts
     EXPECT_TRUE(text(u"chainAdvice"_s)
                     .startsWith(u"Name, unit, limits, speeds and points of the expected module are used"_s))
         << text(u"chainAdvice"_s).toStdString();
+}
+
+TEST_F(ChainWindow, TheNumbersOfAnotherTypeOfModuleAreNeitherShownNorUsedNorReplaced) {
+    AxisSettings& axis = machine.axes.emplace_back();
+    axis.name = "Table";
+    axis.expected = ModuleIdentity{ModuleType::Stepper, 1};
+    axis.unit = {UnitKind::Millimetres, 200.0, {}};
+    axis.motion.velocity = 2'000;
+    axis.travel.fastest = 3'000;
+    const Machine before = machine;
+    window->showMachine(machine);
+    showServo({.position = 500});
+    EXPECT_EQ(text(u"positionLabel"_s), u"500"_s) << "counts";
+    EXPECT_EQ(*field(u"velocityField"_s)->value(), 1.0) << "counts/tick, as for any servo that is new";
+    EXPECT_FALSE(button(u"goButton"_s)->isEnabled());
+    EXPECT_EQ(button(u"goButton"_s)->toolTip(), texts::refusal(Refusal::OtherType));
+    EXPECT_FALSE(find<QLineEdit>(u"axisNameField"_s)->isEnabled());
+    type(u"velocityField"_s, u"0.25"_s);
+    EXPECT_EQ(machine, before) << "a number of this module is none of the other";
+    open("chainDoctorAction");
+    EXPECT_EQ(text(u"chainFinding"_s), u"Module 1 \"Table\" is not the expected module."_s);
+    EXPECT_TRUE(text(u"chainAdvice"_s).contains(u"another type of module, so they are not used"_s))
+        << text(u"chainAdvice"_s).toStdString();
+
+    machine.axes[0].expected = ModuleIdentity{ModuleType::Servo, 4};
+    window->showMachine(machine);
+    EXPECT_EQ(text(u"positionLabel"_s), u"2.500"_s) << "500 counts at 200 counts/mm";
+    EXPECT_TRUE(find<QLineEdit>(u"axisNameField"_s)->isEnabled());
 }
 
 TEST_F(ChainWindow, WhatIsThereCanBeTakenAsExpected) {

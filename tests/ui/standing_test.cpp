@@ -190,5 +190,19 @@ TEST_F(StandingTexts, AMotorThatSwingsIsToldWithAWayBack) {
     EXPECT_THAT(keys(), IsEmpty());
 }
 
+TEST_F(StandingTexts, AModuleThatWasReplacedIsToldUntilItIsExpected) {
+    servo().expected = ModuleIdentity{ModuleType::Servo, 3};
+    EXPECT_THAT(keys(), ElementsAre("replaced.1"));
+    EXPECT_TRUE(texts::standing(link, atSeconds(10)).front().body.contains(u"check these settings"_s));
+    servo().expected = ModuleIdentity{ModuleType::Stepper, 1};
+    EXPECT_THAT(keys(), ElementsAre("replaced.1"));
+    EXPECT_TRUE(texts::standing(link, atSeconds(10)).front().body.contains(u"they are not used"_s));
+    servo().silent = true;
+    EXPECT_THAT(keys(), ElementsAre("silent.1"));
+    servo().silent = false;
+    servo().expected = servo().info.identity;
+    EXPECT_THAT(keys(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace nmc

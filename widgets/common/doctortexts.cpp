@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/doctortexts.h"
 
+#include <algorithm>
+
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
@@ -37,7 +39,7 @@ QString chainFinding(const ChainDiagnosis& chain) {
                 .arg(chain.found)
                 .arg(chain.expected);
         case Finding::OtherHardware:
-            return Texts::tr("%1 is not the expected module.").arg(concernedModule(chain));
+            return notExpected(chain.at.value_or(ModuleIndex(0)));
         case Finding::MoreThanBefore:
             return Texts::tr("More modules than expected: %1 instead of %2.")
                 .arg(chain.found)
@@ -71,8 +73,9 @@ QString chainAdvice(const ChainDiagnosis& chain) {
             return Texts::tr(
                 "Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.");
         case Finding::OtherHardware:
-            return Texts::tr(
-                "Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.");
+            return notExpectedAdvice(std::ranges::any_of(chain.places, [](const ChainPlace& place) {
+                return place.found && isOtherType(place.expected, *place.found);
+            }));
         case Finding::MoreThanBefore:
             return Texts::tr("Modules from %1 on are new. If they belong there, accept the chain as found.")
                 .arg(concernedModule(chain));
@@ -84,6 +87,18 @@ QString chainAdvice(const ChainDiagnosis& chain) {
                 "Modules between it and the PC may not answer until it has its address again. Restart the network when it is safe to stop all motors and lose their positions.");
     }
     return {};
+}
+
+QString notExpected(ModuleIndex module) {
+    return Texts::tr("%1 is not the expected module.").arg(moduleName(module));
+}
+
+QString notExpectedAdvice(bool otherType) {
+    return otherType
+               ? Texts::tr(
+                     "The settings of this place are for another type of module, so they are not used, and only stop commands work. Check the cables, then scan again. If you replaced the module on purpose, accept the chain as found (Chain doctor): all but its name is then to be set again, and its positions leave the points.")
+               : Texts::tr(
+                     "Name, unit, limits, speeds and points of the expected module are used for it; gains and parameters from a machine file are not sent to it. If you replaced the module on purpose, check these settings, then accept the chain as found.");
 }
 
 QString chainVerdict(State state) {

@@ -12,6 +12,9 @@ namespace nmc::texts {
 [[nodiscard]] QString chainFinding(const ChainDiagnosis& chain);
 /// What to check, and what to do then; empty if all is well or the search is still in progress.
 [[nodiscard]] QString chainAdvice(const ChainDiagnosis& chain);
+/// The same about a module of another version or type than expected, wherever it is reported.
+[[nodiscard]] QString notExpected(ModuleIndex module);
+[[nodiscard]] QString notExpectedAdvice(bool otherType);
 [[nodiscard]] QString chainVerdict(ChainPlace::State verdict);
 [[nodiscard]] Severity severityOf(ChainPlace::State verdict);
 [[nodiscard]] Severity severityOf(ChainDiagnosis::Finding finding);

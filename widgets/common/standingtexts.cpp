@@ -2,6 +2,7 @@
 // The part of the table of texts about states, whose messages last as long as they do.
 #include <algorithm>
 
+#include "widgets/common/doctortexts.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
@@ -134,6 +135,9 @@ std::vector<Message> standing(const LinkState& link, TimePoint now,
         const ModuleIndex index = module.info.index;
         if (auto message = unheard(link, module, now))
             all.push_back(*message);
+        else if (module.replaced())
+            all.push_back(about(u"replaced"_s, index,
+                                {notExpected(index), notExpectedAdvice(module.otherType())}, {scanAgain()}));
         if (module.hasRestarted)
             continue;  // its earlier states have ended
         if (module.switchedItselfOff)

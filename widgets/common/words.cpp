@@ -153,6 +153,9 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The module does not answer, so its state is unknown.");
         case Refusal::Looking:
             return Texts::tr("Looking for modules… Until they are found, only stop commands work.");
+        case Refusal::OtherType:
+            return Texts::tr(
+                "This is not the type of module that the machine has here, so its settings do not apply. Only stop commands work until you accept the chain as found (Chain doctor).");
         case Refusal::NoPower:
             return Texts::tr("The module has no motor power.");
         case Refusal::GainsUnknown:

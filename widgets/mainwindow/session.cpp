@@ -15,6 +15,9 @@ void Session::setLink(const LinkState& state) {
     LinkState next = state;
     if (next.unplugged)
         next.modules = m_link.modules;  // the last reports are all that is known
+    const auto identity = [](const ModuleState& module) { return module.info.identity; };
+    if (!std::ranges::equal(next.modules, m_link.modules, {}, identity, identity))
+        m_machine = usable(m_usersMachine, next.modules);
     next.take(m_machine);
     const LinkState before = std::exchange(m_link, asShown(std::move(next)));
     m_link.now = before.now;
@@ -33,8 +36,9 @@ void Session::setLink(const LinkState& state) {
 }
 
 void Session::setMachine(const Machine& machine) {
-    m_machine = machine;
-    m_link.take(machine);
+    m_usersMachine = machine;
+    m_machine = usable(machine, m_link.modules);
+    m_link.take(m_machine);
     QStringList names;
     for (const AxisSettings& axis : machine.axes)
         names.append(QString::fromStdString(axis.name));

@@ -33,6 +33,7 @@ public:
     void setNow(TimePoint now);
 
     [[nodiscard]] const LinkState& link() const { return m_link; }
+    /// The machine as usable() for the modules that are shown.
     [[nodiscard]] const Machine& machine() const { return m_machine; }
     [[nodiscard]] const Procedures& procedures() const { return m_procedures; }
 
@@ -77,6 +78,7 @@ private:
     std::size_t m_selected = 0;  ///< its place in the chain; kept while there is none
     LinkState m_link;            ///< as it may be shown
     std::vector<bool> m_live;    ///< of its modules, as last reported by a signal
+    Machine m_usersMachine;
     Machine m_machine;
     Procedures m_procedures;
     bool m_disconnectWhenStopped = false;

@@ -86,7 +86,7 @@ void FirstSteps::resizeEvent(QResizeEvent* event) {
 void FirstSteps::refresh() {
     const ModuleState& module = m_context.state();
     const bool mayAct = m_context.connected() && !module.silent && !module.lookedFor && !module.readOnly &&
-                        !module.lent && !module.rights;
+                        !module.lent && !module.rights && !module.otherType();
     m_next = mayAct ? nextFirstStep(module, m_context.settings()) : std::nullopt;
     if (m_next) {
         refreshSteps(*m_next);

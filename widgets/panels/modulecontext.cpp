@@ -157,7 +157,7 @@ void ModuleContext::release() {
 void ModuleContext::edit(const SettingsEdit& edit) {
     AxisSettings settings = m_settings;
     edit(settings);
-    if (m_showing || whyNotEdited(m_state.rights) || settings == m_settings)
+    if (m_showing || whyNotEdited(m_state) || settings == m_settings)
         return;
     m_settings = settings;
     emit m_requests.axisEdited(m_state.info.index, settings);

@@ -229,7 +229,9 @@ void ModulePage::reveal(const QWidget& box) {
 }
 
 void ModulePage::lockPages() {
-    const std::optional<OperatorRights>& rights = m_context.state().rights;
+    constexpr OperatorRights kNothing{false, false, false, false, false, false};
+    const ModuleState& module = m_context.state();
+    const auto rights = module.otherType() ? std::optional(kNothing) : module.rights;
     if (m_lockedFor == rights)
         return;
     m_lockedFor = rights;

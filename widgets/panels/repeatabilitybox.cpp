@@ -134,7 +134,7 @@ QString RepeatabilityBox::whyNotUsed() const {
         return tr("No backlash was found that exceeds its uncertainty.");
     if (m_context.settings().backlash.distance == offered())
         return tr("The axis has this backlash.");
-    const auto refusal = whyNotEdited(m_context.state().rights);
+    const auto refusal = whyNotEdited(m_context.state());
     return refusal ? texts::refusal(*refusal) : QString();
 }
 

@@ -129,7 +129,7 @@ std::optional<WorkOffset> WorkBox::called() const {
 }
 
 QString WorkBox::whyLocked() const {
-    const auto locked = whyNotEdited(m_context.state().rights);
+    const auto locked = whyNotEdited(m_context.state());
     const auto reason = m_context.connected() ? locked : Refusal::NotConnected;
     return reason ? texts::refusal(*reason) : QString();
 }

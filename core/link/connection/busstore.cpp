@@ -255,9 +255,14 @@ void BusStore::declarePosition(ModuleIndex module, bool right) {
 }
 
 void BusStore::setMachine(const Machine& machine) {
-    m_machine = machine;
-    m_link.take(machine);
+    m_usersMachine = machine;
+    useMachine();
     emit linkChanged();
+}
+
+void BusStore::useMachine() {
+    m_machine = usable(m_usersMachine, m_link.modules);
+    m_link.take(m_machine);
 }
 
 void BusStore::offerHome(ModuleIndex module, std::int32_t counts) {
@@ -310,7 +315,7 @@ void BusStore::note(const bus::Readdressed& readdressed) {
     module = unknownModule(module);
     module.info = readdressed.module;
     module.readOnly = m_link.readOnly;
-    m_link.take(m_machine);
+    useMachine();
     module.rights = m_link.rights;
 }
 
@@ -418,7 +423,7 @@ void BusStore::setModules(const bus::ChainFound& chain) {
         module.silent = std::ranges::find(chain.absent, info.index) != chain.absent.end();
         m_link.modules.push_back(module);
     }
-    m_link.take(m_machine);
+    useMachine();
 }
 
 /// The history of the same chain at the same port continues after a gap, so that what led to the trouble can

@@ -45,8 +45,9 @@ public:
     void noteFocus(std::optional<ModuleIndex> module);
     /// Records the user's statement that a position is right, or in doubt.
     void declarePosition(ModuleIndex module, bool right);
-    /// Sets the user's settings for how the axes may move.
+    /// Sets the user's machine.
     void setMachine(const Machine& machine);
+    /// That machine, as usable() for the modules of the chain.
     [[nodiscard]] const Machine& machine() const { return m_machine; }
     /// Offers the home position that follows from remembered data, if those are still true.
     void offerHome(ModuleIndex module, std::int32_t counts);
@@ -118,6 +119,8 @@ private:
     /// It is unknown whether the module has carried out this command.
     void doubtCommand(ModuleIndex module, CommandCode command);
     void setModules(const bus::ChainFound& chain);
+    /// The machine applies to the modules as they are now.
+    void useMachine();
     /// It is unknown whether these modules received the last commands; from here on, only their positions
     /// show whether they move.
     void doubtMotions(const std::vector<ModuleIndex>& modules);
@@ -130,6 +133,7 @@ private:
     BusWorker& m_worker;
     QTimer m_drainTimer;
     LinkState m_link;
+    Machine m_usersMachine;
     Machine m_machine;
     std::vector<Record> m_records;
     History m_history;

@@ -313,7 +313,8 @@ std::optional<Refusal> whyInaccessible(IntentKind kind, const ModuleState& modul
                        {!module.readOnly, Refusal::ReadOnly},
                        {!module.rights || allows(*module.rights, kind), Refusal::OperatorMode},
                        {!module.lookedFor || isStop(kind), Refusal::Looking},
-                       {heard || kind == IntentKind::MotorOff, Refusal::Unresponsive}});
+                       {heard || kind == IntentKind::MotorOff, Refusal::Unresponsive},
+                       {!module.otherType() || isStop(kind), Refusal::OtherType}});
 }
 
 std::optional<Refusal> whyInaccessible(const LinkState& link) {

@@ -259,7 +259,8 @@ enum class Refusal : std::uint8_t {
     NoMotor,  ///< a PIC-I/O
     NotAnIoModule,
     Unresponsive,
-    Looking,  ///< the chain is being searched for again; stops still work
+    Looking,    ///< the chain is being searched for again; stops still work
+    OtherType,  ///< the machine has another type of module at this place; stops still work
     NoPower,
     GainsUnknown,      ///< a servo with gains 0 or unknown would not hold
     ServoRateUnknown,  ///< SR is unknown, and therefore speeds per second as well

@@ -47,6 +47,10 @@ std::optional<Refusal> whyNotEdited(const std::optional<OperatorRights>& rights)
     return rights ? std::optional(Refusal::OperatorMode) : std::nullopt;
 }
 
+std::optional<Refusal> whyNotEdited(const ModuleState& module) {
+    return module.otherType() ? Refusal::OtherType : whyNotEdited(module.rights);
+}
+
 ModuleState asOfSequence(ModuleState module) {
     constexpr OperatorRights kNothing{false, false, false, false, false, false};
     if (module.rights && module.rights->points)

@@ -16,6 +16,9 @@ namespace nmc {
 /// Why the stored machine cannot be edited: axes, points, sequences, groups, the expected chain.
 [[nodiscard]] std::optional<Refusal> whyNotEdited(const std::optional<OperatorRights>& rights);
 
+/// Why the settings of its axis cannot be edited: also those for another type of module.
+[[nodiscard]] std::optional<Refusal> whyNotEdited(const ModuleState& module);
+
 /// The module as points and sequences see it: if these are left to an operator, so is everything they consist
 /// of; if not, none of it is.
 [[nodiscard]] ModuleState asOfSequence(ModuleState module);

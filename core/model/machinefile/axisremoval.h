@@ -18,4 +18,8 @@ namespace nmc {
 /// They leave groups, points and the order of homing; no row of a sequence may use them (userOfModules()).
 [[nodiscard]] ParsedMachine withoutAxes(const std::vector<ModuleIndex>& gone, ParsedMachine from);
 
+/// The machine that has these modules. An axis that was set for another type begins anew (usable()), and
+/// leaves the points: positions are in counts of the chip as well.
+[[nodiscard]] Machine withModules(const std::vector<ModuleIdentity>& there, Machine machine);
+
 }  // namespace nmc

@@ -11,12 +11,19 @@ namespace nmc {
 void LinkState::take(const Machine& machine) {
     for (ModuleState& module : modules) {
         const AxisSettings& axis = machine.axis(module.info.index);
+        module.expected = axis.expected;
         module.unit = axis.unit.kind;
         module.travel = axis.travel;
         module.backlash = axis.backlash;
         module.limitStop = axis.limitStop;
         module.home.keepWork(axis.workOffsets);
     }
+}
+
+Machine usable(Machine machine, const std::vector<ModuleState>& modules) {
+    for (std::size_t i = 0; i < std::min(machine.axes.size(), modules.size()); ++i)
+        machine.axes[i] = usable(machine.axes[i], modules[i].info.identity);
+    return machine;
 }
 
 LinkState asShown(LinkState link) {

@@ -57,9 +57,13 @@ struct LinkState {
     /// and a stop waits for it.
     [[nodiscard]] bool hasChain() const { return isOpen() || unplugged; }
     /// Copies the machine's settings on how its axes may move into their modules, where every precondition
-    /// finds them.
+    /// finds them. They must be usable() for these modules.
     void take(const Machine& machine);
 };
+
+/// The machine as it applies to the modules that are there, with every axis as usable() for its module. The
+/// user's own machine stays as it is, and applies again once the expected modules are back.
+[[nodiscard]] Machine usable(Machine machine, const std::vector<ModuleState>& modules);
 
 /// The state as it may be displayed: a module that is no longer polled, because the link is lost or addresses
 /// are being assigned again, counts as not answering, whatever it reported last, and sends no replies. While

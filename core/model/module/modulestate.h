@@ -63,6 +63,8 @@ struct ModuleState : ServoRegisters {
     LimitWatch limits;
     /// The home position, which is not the content of the chip's home register.
     HomeFact home;
+    /// The module that the machine has at this place; empty: any.
+    std::optional<ModuleIdentity> expected;
     // How the axis may move, as set by the user; the preconditions in model/intent check these.
     UnitKind unit = UnitKind::Native;
     TravelSettings travel;
@@ -111,6 +113,13 @@ struct ModuleState : ServoRegisters {
     [[nodiscard]] bool isStepper() const { return info.identity.type == ModuleType::Stepper && isKnown(); }
     [[nodiscard]] bool isIo() const { return info.identity.type == ModuleType::Io && isKnown(); }
     [[nodiscard]] bool isKnown() const { return nmc::isKnown(info.identity); }
+    /// Not of the expected type or version.
+    [[nodiscard]] bool replaced() const {
+        return expected && *expected != info.identity && info.identity != kUnheardModule;
+    }
+    /// Not of the expected type: the settings of the axis do not apply to it, and it is only stopped, until
+    /// the user has accepted it.
+    [[nodiscard]] bool otherType() const { return isOtherType(expected, info.identity); }
     /// As last reported.
     [[nodiscard]] std::optional<std::int32_t> position() const {
         return latest ? latest->position : std::nullopt;

@@ -136,6 +136,23 @@ struct AxisSettings {
     bool operator==(const AxisSettings&) const = default;
 };
 
+/// True if an axis was set for another type of module than the one that is there. Its numbers are then in the
+/// units of another chip: steps/s are not counts/tick, and a step is not a count.
+[[nodiscard]] inline bool isOtherType(const std::optional<ModuleIdentity>& expected,
+                                      const ModuleIdentity& there) {
+    return expected && expected->type != there.type && there != kUnheardModule;
+}
+/// What is true of an axis whichever module is there: all of it for the type that it was set for, and for
+/// another type only its name, and what is expected. Pure.
+[[nodiscard]] inline AxisSettings usable(const AxisSettings& axis, const ModuleIdentity& there) {
+    if (!isOtherType(axis.expected, there))
+        return axis;
+    AxisSettings unset;
+    unset.name = axis.name;
+    unset.expected = axis.expected;
+    return unset;
+}
+
 /// A module is in exactly one group (DS-V 4.1); FF, the initial group, is not one of these.
 struct GroupSettings {
     std::uint8_t address = 0x81;  ///< 0x80..0xFE
