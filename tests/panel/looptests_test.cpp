@@ -124,5 +124,20 @@ TEST_F(TestsOfTheLoop, EndItHoldsTheMotor) {
     EXPECT_FALSE(panel.module().moving());
 }
 
+/// The stop that ends a sine replaces a command of the test's own, which nobody misses.
+TEST_F(TestsOfTheLoop, EndingASineIsNoNews) {
+    panel.type("frequencyFromField", u"0.5"_s);
+    panel.type("frequencyToField", u"1"_s);
+    panel.type("frequencyAmplitudeField", u"200"_s);
+    ASSERT_NO_FATAL_FAILURE(panel.click("frequencyStartButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return std::abs(position()) > 100; }));
+    ASSERT_NO_FATAL_FAILURE(panel.click("frequencyEndButton"));
+    ASSERT_TRUE(ended("frequency"));
+    ASSERT_TRUE(panel.answersFor(0.8));
+    EXPECT_TRUE(panel.module().servoOn());
+    EXPECT_FALSE(panel.module().moving());
+    EXPECT_EQ(panel.count(u"A stop replaced"_s), 0) << panel.headlines().join(u'\n').toStdString();
+}
+
 }  // namespace
 }  // namespace nmc

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "link/command/procedurecontroller.h"
 
+#include <utility>
+
 #include "base/overloaded.h"
 #include "link/clock.h"
 #include "model/intent/rights.h"
@@ -97,6 +99,7 @@ void ProcedureController::forget() {
     for (auto& [module, run] : m_runs)
         end(run);
     m_runs.clear();
+    m_replaced.clear();
     m_timer.stop();
     emitReports();
 }
@@ -133,10 +136,18 @@ void ProcedureController::ask(Run& run, const ModuleState& module, TimePoint now
         if (send->orders.empty())
             run.procedure->onFinished(bus::Outcome::Done);
         else
-            run.operation = m_submit(std::move(*send));
+            replace(run, m_submit(std::move(*send)));
     }
     over = std::holds_alternative<Procedure::End>(next);
+    if (over)
+        replace(run, std::nullopt);
     publish(run);
+}
+
+/// The end of what it replaces is the procedure's doing, and no news.
+void ProcedureController::replace(Run& run, std::optional<bus::OperationId> next) {
+    if (const auto before = std::exchange(run.operation, next))
+        m_replaced.push_back(*before);
 }
 
 void ProcedureController::publish(Run& run) {
@@ -169,6 +180,8 @@ void ProcedureController::suspect(std::optional<ModuleIndex> module) {
 }
 
 bool ProcedureController::finished(const bus::OperationFinished& finished) {
+    if (std::erase(m_replaced, finished.id) > 0)
+        return true;
     for (auto& [module, run] : m_runs)
         if (run.operation == finished.id) {
             run.operation.reset();

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "link/connection/busstore.h"
 #include "model/procedure/procedure.h"
@@ -66,6 +67,7 @@ private:
     void look();
     void advance();
     void ask(Run& run, const ModuleState& module, TimePoint now, bool& over);
+    void replace(Run& run, std::optional<bus::OperationId> next);
     void publish(Run& run);
     void report(Run& run, const ProcedureReport& report);
     void emitReports();
@@ -78,7 +80,8 @@ private:
     Submit m_submit;
     QTimer m_timer;
     std::map<ModuleIndex, Run> m_runs;
-    std::deque<ProcedureReport> m_reports;  ///< not emitted yet
+    std::vector<bus::OperationId> m_replaced;  ///< in flight, by the last steps of their procedures
+    std::deque<ProcedureReport> m_reports;     ///< not emitted yet
     bool m_stopping = false;
 };
 
