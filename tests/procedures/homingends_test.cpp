@@ -80,5 +80,34 @@ TEST(Homing, AStopByWhoeverCancelsItsCommandsIsLeftAsItIs) {
     EXPECT_EQ(bench.bus.sends("AA 01 19 00", before), 1U);
 }
 
+/// A quarantine takes 100 ms (link.md 2.1), in which the motor would go on searching.
+TEST(Homing, TheStopThatEndsASearchDoesNotWaitForAQuarantine) {
+    ServoBench bench(servoVersion(), 2);
+    ASSERT_TRUE(bench.enable());
+    HomingRecipe recipe = slowRecipe();
+    recipe.onLimit1 = true;
+    bench.begin(intent::Home{recipe});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Searching));
+    bench.settle();
+    const auto timeouts = bench.bus.engine.statistics().timeouts;
+    bench.bus.losesReply = [](ByteSpan command) { return command.size() > 1 && command[1] == 2; };
+    ASSERT_TRUE(bench.bus.runUntil([&] { return bench.bus.engine.statistics().timeouts > timeouts; }, 1s));
+    bench.bus.losesReply = {};
+    const std::size_t before = bench.bus.sent.size();
+    const TimePoint asked = bench.bus.now;
+    const Duration slice = std::exchange(bench.sliceTime, Duration{});
+    bench.procedure->cancel();
+    ASSERT_TRUE(bench.turn());
+    ASSERT_TRUE(bench.bus.runUntil([&] { return bench.bus.sends("AA 01 17", before) > 0; }, 1s));
+    EXPECT_LT(bench.bus.now - asked, 15ms);
+    bench.sliceTime = slice;
+    EXPECT_EQ(bench.goOn(5).stage, ProcedureStage::Cancelled);
+    EXPECT_EQ(bench.bus.sends("AA 01 17", before), 1U);
+    EXPECT_EQ(bench.bus.sends("AA 01 19 00", before), 1U) << "and then it searches no longer";
+    EXPECT_FALSE(bench.searches());
+    EXPECT_EQ(bench.truth().commandVelocity, 0);
+    bench.bus.expectNoViolations();
+}
+
 }  // namespace
 }  // namespace nmc::test

@@ -111,6 +111,9 @@ public:
         if (auto* send = std::get_if<Procedure::Send>(&next)) {
             if (m_overtaken)
                 keepWhatIsHarmless(send->orders);
+            if (procedure->ends())
+                if (auto stops = takeStops(send->orders); !stops.empty())
+                    bus.submit(std::move(stops));
             if (send->orders.empty())
                 procedure->onFinished(bus::Outcome::Done);
             else

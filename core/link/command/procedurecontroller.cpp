@@ -133,6 +133,9 @@ void ProcedureController::ask(Run& run, const ModuleState& module, TimePoint now
     if (auto* send = std::get_if<Procedure::Send>(&next)) {
         if (run.overtaken)
             keepWhatIsHarmless(send->orders);
+        if (run.procedure->ends())
+            if (auto stops = takeStops(send->orders); !stops.empty())
+                replace(run, m_submit({.id = {}, .orders = std::move(stops)}));
         if (send->orders.empty())
             run.procedure->onFinished(bus::Outcome::Done);
         else

@@ -155,6 +155,8 @@ public:
     void cancel();
     /// It ends early, and its stop has yet to be returned.
     [[nodiscard]] bool stopsLater() const { return m_end && !m_lastWordSent; }
+    /// It has ended, or does so early: what next() returns from now on only ends what it has started.
+    [[nodiscard]] bool ends() const { return m_end || m_report.over(); }
     /// The bus has been asked to keep the gains on trial (Engine::keepTrial); other kinds have none.
     virtual void keep() {}
     /// Passes new gains, which apply from the next edge on. Returns false when the procedure has no use for
@@ -167,7 +169,8 @@ protected:
 
     /// Returns the next step; called while nothing is in flight and the procedure has not ended early.
     [[nodiscard]] virtual Next proceed(const ModuleState& module, TimePoint now) = 0;
-    /// Returns the final orders for an early end; may be empty. Called again if the queue was full.
+    /// Returns the final orders for an early end, stops first; may be empty. Called again if the queue was
+    /// full.
     [[nodiscard]] virtual std::vector<bus::Order> lastWord(const ModuleState& module) const = 0;
     /// Called after the final orders: returns any further steps, and End when there are none; finish() if
     /// the goal has been reached all the same.
@@ -195,8 +198,6 @@ protected:
     [[nodiscard]] Next finish();
     /// Ends the procedure with this failure; next() then gives up at once. Only the first failure counts.
     [[nodiscard]] Next fail(ProcedureFailure failure);
-    /// It has ended, or does so early.
-    [[nodiscard]] bool ends() const { return m_end || m_report.over(); }
 
     ProcedureReport m_report;
     /// The procedure may have started the motor, and nothing else has stopped it or switched it off since.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/procedures.h"
 
+#include <algorithm>
+
 #include "model/intent/backlash.h"
 #include "model/intent/stepperplan.h"
 #include "model/procedure/approach.h"
@@ -14,6 +16,7 @@
 #include "model/procedure/squarewave.h"
 #include "model/procedure/stepsrun.h"
 #include "model/procedure/trygains.h"
+#include "module/stopmanner.h"
 
 namespace nmc {
 
@@ -74,6 +77,16 @@ void keepWhatIsHarmless(std::vector<bus::Order>& orders) {
                is<stepper::SetHoming>(step.command);
     };
     std::erase_if(orders, std::not_fn(harmless));
+}
+
+std::vector<bus::Order> takeStops(std::vector<bus::Order>& orders) {
+    const auto stops = [](const bus::Order& order) { return stopManner(order.command).has_value(); };
+    const auto rest = std::ranges::find_if_not(orders, stops);
+    if (rest == orders.end())
+        return {};
+    std::vector<bus::Order> taken(orders.begin(), rest);
+    orders.erase(orders.begin(), rest);
+    return taken;
 }
 
 }  // namespace nmc

@@ -17,4 +17,9 @@ namespace nmc {
 /// switch anything on.
 void keepWhatIsHarmless(std::vector<bus::Order>& orders);
 
+/// Splits the orders that end a procedure into the stops with which they begin and the rest: a stop that is
+/// an operation by itself does not wait for what is queued (docs/link.md 2.6). Returns the stops, and leaves
+/// the rest; returns nothing if there is no rest.
+[[nodiscard]] std::vector<bus::Order> takeStops(std::vector<bus::Order>& orders);
+
 }  // namespace nmc
