@@ -219,6 +219,21 @@ TEST(StepperState, MotorOffAtHomeIsNoFault) {
     EXPECT_EQ(stepper.module.activity(), Activity::AmplifierOff);
 }
 
+/// That the search is over is believed one reply later than that the motor is off (bus/trust.h).
+TEST(StepperState, MotorOffAtHomeIsNoFaultBeforeTheSearchIsSeenToBeOver) {
+    Stepper stepper = Stepper::running();
+    stepper::SetHoming homing;
+    homing.onHomeSwitchChange = homing.motorOff = true;
+    stepper.was(homing);
+    stepper.says(kRuns | kStepHoming);
+    stepper.says(kStepPower | kStepHoming);
+    for (int reply = 0; reply < 3; ++reply) {
+        stepper.says(kStepPower);
+        EXPECT_FALSE(stepper.module.switchedItselfOff) << reply;
+        EXPECT_EQ(stepper.module.activity(), Activity::AmplifierOff) << reply;
+    }
+}
+
 /// Without a condition, Set Homing Mode cancels the search (protocol.md 2).
 TEST(StepperState, ASearchThatIsCancelledDoesNotExplainThatTheMotorIsOff) {
     Stepper stepper = Stepper::running();

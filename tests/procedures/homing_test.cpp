@@ -319,6 +319,37 @@ TEST_F(Failing, OneLostReplyChangesNothing) {
     bench.bus.expectNoViolations();
 }
 
+TEST_F(Failing, OneReplyThatSaysItIsOffEndsNothing) {
+    ASSERT_TRUE(bench.enable());
+    bench.putSwitch(Input::Limit1, -1'000, true);
+    bench.begin(intent::Home{onLimit1()});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Searching));
+    bench.settle();
+    bench.sayOff();
+    const Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
+    EXPECT_TRUE(std::holds_alternative<Procedure::Wait>(next));
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_FALSE(report.failure);
+    expectZeroAt(bench, -1'000);
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(Failing, ASearchThatIsCancelledWhileItMayBeOffIsStopped) {
+    ASSERT_TRUE(bench.enable());
+    bench.begin(intent::Home{onLimit1()});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Searching));
+    bench.settle();
+    bench.sayOff();
+    const std::size_t before = bench.bus.sent.size();
+    bench.procedure->cancel();
+    const Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
+    EXPECT_TRUE(std::holds_alternative<Procedure::Wait>(next)) << "a stop might switch it on";
+    EXPECT_EQ(bench.goOn(5).stage, ProcedureStage::Cancelled);
+    EXPECT_EQ(bench.bus.sends("AA 01 17", before), 1U);
+    expectQuiet();
+}
+
 TEST_F(Failing, ASearchThatWasNotAnsweredIsStopped) {
     ASSERT_TRUE(bench.enable());
     bench.bus.losesReply = [](ByteSpan command) { return command.size() >= 4 && command[2] == 0x19; };

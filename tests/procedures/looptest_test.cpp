@@ -373,6 +373,18 @@ TEST_F(LoopTests, ASineIsCancelledAtOnce) {
     EXPECT_EQ(bench.truth().commandPosition, command);
 }
 
+TEST_F(LoopTests, OneReplyThatSaysTheServoIsOffEndsNoSine) {
+    ASSERT_NO_FATAL_FAILURE(beginSines());
+    bench.sayOff();
+    const Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
+    EXPECT_TRUE(std::holds_alternative<Procedure::Wait>(next));
+    ASSERT_TRUE(bench.turn());
+    bench.procedure->cancel();
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.stage, ProcedureStage::Cancelled);
+    EXPECT_FALSE(report.failure);
+}
+
 TEST_F(LoopTests, AStopOfAllEndsASineForGood) {
     ASSERT_NO_FATAL_FAILURE(beginSines());
     bench.bus.engine.stopAll(bench.bus.now);

@@ -131,6 +131,18 @@ TEST_F(MoveBy, ATripFailsItAndNothingIsSwitchedOnAgain) {
     bench.bus.expectNoViolations();
 }
 
+TEST_F(MoveBy, OneReplyThatSaysItIsOffEndsNothing) {
+    ASSERT_TRUE(bench.enable());
+    bench.begin(by(500, 2));
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.settle();
+    bench.sayOff();
+    const Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
+    EXPECT_TRUE(std::holds_alternative<Procedure::Wait>(next));
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Done);
+    EXPECT_EQ(goals().size(), 2U);
+}
+
 TEST_F(MoveBy, ALinkInDoubtEndsIt) {
     ASSERT_TRUE(bench.enable());
     bench.begin(by(20'000, 3));

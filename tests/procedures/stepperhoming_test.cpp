@@ -154,6 +154,22 @@ TEST_F(StepperHoming, M14_WithoutASwitchTheTravelLimitEndsIt) {
     bench.bus.expectNoViolations();
 }
 
+TEST_F(StepperHoming, OneReplyThatSaysItIsOffEndsNothing) {
+    ASSERT_TRUE(enable());
+    bench.set(Input::HomeSwitchAt, static_cast<double>(bench.stepperTruth().shaft + 900));
+    bench.begin(intent::Home{recipe()});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Searching));
+    bench.settle();
+    bench.sayOff();
+    const Procedure::Next next = bench.procedure->next(bench.module(), bench.bus.now);
+    EXPECT_TRUE(std::holds_alternative<Procedure::Wait>(next));
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_FALSE(report.failure);
+    EXPECT_EQ(bench.stepperTruth().position, 0);
+    bench.bus.expectNoViolations();
+}
+
 class StepEndedIn : public StepperHoming, public testing::WithParamInterface<ProcedureStage> {};
 
 TEST_P(StepEndedIn, ByCancel) {

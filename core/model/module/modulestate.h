@@ -157,6 +157,10 @@ struct ModuleState : ServoRegisters {
     [[nodiscard]] bool positionDoubtful() const;
     /// The servo, or the amplifier of a stepper, is on: the motor holds or moves.
     [[nodiscard]] bool driveOn() const;
+    /// The drive switched itself off, according to one reply; the next one decides (docs/link.md 2.4).
+    [[nodiscard]] bool maybeOff() const {
+        return !silent && (isStepper() ? stepper.maybeOff() : m_looksWhileOff == 1);
+    }
     /// SC: limit protection is enabled (I/O Control), and the limit in this direction, -1 or 1, is closed;
     /// forward is limit 1.
     [[nodiscard]] bool limitEnds(int direction) const;

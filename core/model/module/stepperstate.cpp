@@ -47,9 +47,9 @@ void StepperState::watchAmplifier(bool wasOn) {
         return;
     const bool homeFound = m_homingSwitchesOff && !m_status.homing();
     m_homingSwitchesOff = m_homingSwitchesOff && !homeFound;
+    m_offOnce = !m_offOnce && !homeFound;
     if (homeFound)
         return;
-    m_offOnce = !m_offOnce;
     if (m_offOnce) {
         m_offCause = whatActs();
         return;

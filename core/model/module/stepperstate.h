@@ -32,6 +32,8 @@ public:
     /// The module switched its amplifier off without a command, according to two replies in a row, and has
     /// not been on since.
     [[nodiscard]] bool offByItself() const { return m_offByItself; }
+    /// According to one reply; the next one decides.
+    [[nodiscard]] bool maybeOff() const { return m_offOnce; }
     [[nodiscard]] bool moving() const { return m_startedAt || m_status.moving(); }
     [[nodiscard]] StepperMode mode() const;
     /// Direction of the present motion; empty: it stands still, or another host started it.

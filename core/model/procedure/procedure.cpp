@@ -11,6 +11,10 @@ Procedure::Procedure(ModuleIndex module, ProcedureKind kind) {
 }
 
 Procedure::Next Procedure::next(const ModuleState& module, TimePoint now) {
+    // The next reply decides whether this is a failure, and also whether a stop is needed: to a motor that is
+    // off, none is sent.
+    if (module.maybeOff() && !m_report.over())
+        return Wait{};
     if (interruptible()) {
         whileItLasts(module);
         m_inFlight = !m_end;
