@@ -223,6 +223,18 @@ TEST(ResponseWords, NoMoreDigitsThanTheDoubtLeavesAMeaning) {
     EXPECT_EQ(thousands, u"\u22121\u202F234,3 ± 0,5 counts"_s) << "spaces separate thousands";
 }
 
+/// 1000 counts are a millimetre, and the axis is reversed: 25 counts ahead are 0.025 mm behind, and half a
+/// count is 0.0005 mm either way.
+TEST(ResponseWords, AnErrorOnAReversedAxisIsAsCertainAsOnAnother) {
+    const AxisScale reversed = AxisScale::servo({UnitKind::Millimetres, -1'000.0, {}}, 1);
+    const AxisScale forward = AxisScale::servo({UnitKind::Millimetres, 1'000.0, {}}, 1);
+    const Measured error{25, 0.5};
+    EXPECT_EQ(texts::responseError(error, forward), u"0.0250 ± 0.0005 mm"_s);
+    EXPECT_EQ(texts::responseError(error, reversed), u"\u22120.0250 ± 0.0005 mm"_s);
+    EXPECT_EQ(texts::responseErrorSize(error, forward), u"0.0250 ± 0.0005 mm"_s);
+    EXPECT_EQ(texts::responseErrorSize(error, reversed), u"0.0250 ± 0.0005 mm"_s) << "it has no sign";
+}
+
 TEST(ResponseTextsOf, EveryEndOfATestSaysWhatToDo) {
     using enum ProcedureFailure;
     const std::vector loop{TravelLimit,        Unstable,    NotStill, WentOff,

@@ -111,8 +111,8 @@ QString responseSection(const KeptResponse& kept) {
              Report::tr("Settling to ±%1 counts for %2 s: %3")
                  .arg(texts::readout(kept.run.window.counts), texts::readout(kept.run.window.dwell),
                       texts::responseTime(move->settling)),
-             Report::tr("Peak error %1").arg(texts::responseError(move->peak, kept.scale)),
-             Report::tr("RMS error %1").arg(texts::responseError(move->rms, kept.scale)),
+             Report::tr("Peak error %1").arg(texts::responseErrorSize(move->peak, kept.scale)),
+             Report::tr("RMS error %1").arg(texts::responseErrorSize(move->rms, kept.scale)),
              whenAndWhere(kept)});
     return htmlSection(
         Common::tr("Step response"), picture(plot, kStepPicture, Common::tr("Step response")),

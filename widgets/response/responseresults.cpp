@@ -98,8 +98,8 @@ void ResponseResults::showRun(int column, const KeptResponse* kept, std::span<co
             cells[MoveSettling] = texts::responseTime(move->settling);
             if (!runs.empty())
                 cells[Spread] = texts::settlingSpread(seriesOf(runs, *kept));
-            cells[PeakError] = texts::responseError(move->peak, kept->scale);
-            cells[RmsError] = texts::responseError(move->rms, kept->scale);
+            cells[PeakError] = texts::responseErrorSize(move->peak, kept->scale);
+            cells[RmsError] = texts::responseErrorSize(move->rms, kept->scale);
             cells[SlewError] = texts::responseError(move->slew, kept->scale);
         }
         cells[Interval] = Common::tr("%1 ms").arg(texts::readout(metrics.interval * 1e3, 3));

@@ -125,7 +125,12 @@ QString responseOvershoot(const Figure& percent) {
 }
 
 QString responseError(const Figure& counts, const AxisScale& scale) {
-    return counts ? plusMinus(times(*counts, scale.position(1.0)), unitOf(scale))
+    return counts ? plusMinus({scale.position(counts->value), scale.distance(counts->doubt)}, unitOf(scale))
+                  : unmeasured(counts.error());
+}
+
+QString responseErrorSize(const Figure& counts, const AxisScale& scale) {
+    return counts ? plusMinus(times(*counts, scale.distance(1.0)), unitOf(scale))
                   : unmeasured(counts.error());
 }
 

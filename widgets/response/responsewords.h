@@ -26,6 +26,8 @@ namespace nmc::texts {
 [[nodiscard]] QString settlingSpread(std::span<const KeptResponse> moves);
 [[nodiscard]] QString responseOvershoot(const Figure& percent);
 [[nodiscard]] QString responseError(const Figure& counts, const AxisScale& scale);
+/// Of an error without its sign.
+[[nodiscard]] QString responseErrorSize(const Figure& counts, const AxisScale& scale);
 /// "limited to 127", "at least 23", "unknown"; of 255.
 [[nodiscard]] QString peakPwm(const std::optional<PwmDemand>& demand);
 
