@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 
+#include "model/intent/homingplan.h"
 #include "model/tuning/nextsteps.h"
 #include "tests/procedures/procedurebench.h"
 
@@ -183,6 +184,37 @@ TEST_F(Moves, AreRefusedBeforeAnythingMoves) {
     EXPECT_EQ(refusal(thereAndBack(5'001)), Refusal::BeyondTravel);
     EXPECT_EQ(refusal(thereAndBack(5'000)), std::nullopt);
     EXPECT_EQ(motions(before), 0U);
+}
+
+/// The motor stands on limit switch 1 at first, which it must be able to leave.
+class MovesOffASwitch : public Moves {
+protected:
+    void SetUp() override {
+        bench.putSwitch(sim::Input::Limit1, 100, true);
+        ASSERT_TRUE(hold());
+        bench.module().limitStop.eachMotion = true;
+        ASSERT_TRUE(bench.perform(*limitStopDue(bench.module())));
+        ASSERT_FALSE(bench.module().homing.onLimit1());
+    }
+};
+
+TEST_F(MovesOffASwitch, AreWatchedOnceTheyHaveLeftIt) {
+    intent::StepSeries wanted = thereAndBack(600);
+    wanted.counts = {600, 300, -300};
+    const ProcedureReport report = bench.run(wanted);
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_EQ(report.round, 3U);
+    EXPECT_EQ(bench.truth().commandPosition, 600);
+    EXPECT_TRUE(bench.module().homing.onLimit1());
+    EXPECT_EQ(bench.bus.sends("AA 01 19"), 2U) << "it is armed once more, and not before each move";
+    bench.bus.expectNoViolations();
+}
+
+TEST_F(MovesOffASwitch, EndWhereTheyComeBackToIt) {
+    const ProcedureReport report = bench.run(thereAndBack(600));
+    EXPECT_EQ(report.failure, ProcedureFailure::StoppedShort);
+    EXPECT_EQ(report.round, 2U);
+    EXPECT_TRUE(bench.truth().servoOn) << "it holds at the switch";
 }
 
 TEST_F(Moves, AStopEndsThemForGood) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "model/intent/homingplan.h"
 #include "model/intent/looptestplan.h"
 #include "module/profiledload.h"
 
@@ -30,6 +31,8 @@ ResponseMethod LoopTest::methodOf(ResponseMethod wanted, const ModuleState& modu
 LoopTest::Next LoopTest::proceed(const ModuleState& module, TimePoint now) {
     if (const auto failure = trouble(module))
         return fail(*failure);
+    if (m_arms)
+        return start(module);
     if (m_report.stage == ProcedureStage::Preparing)
         return prepare(module, now);
     return m_report.stage == ProcedureStage::Moving ? goOn(module, now) : settle(module, now);
@@ -59,6 +62,11 @@ LoopTest::Next LoopTest::prepare(const ModuleState& module, TimePoint now) {
 }
 
 LoopTest::Next LoopTest::start(const ModuleState& module) {
+    // Due if the motor has left a closed limit switch; while a procedure runs, nothing else arms it.
+    const auto arm = limitStopDue(module);
+    m_arms = arm && !m_arms;
+    if (m_arms)
+        return send(orders({limitStop(*arm)}));
     // The state may have changed during the wait for standstill.
     if (!module.goal() || !module.gains)
         return fail(ProcedureFailure::Refused);

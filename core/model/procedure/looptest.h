@@ -39,7 +39,7 @@ protected:
     [[nodiscard]] std::int32_t from() const { return m_from; }
     /// Shaft position at the start, in counts.
     [[nodiscard]] std::int32_t stood() const { return m_stood; }
-    /// Called at standstill: starts from here with begin().
+    /// Called at standstill: arms the limit stop if it is due, and starts from here with begin().
     [[nodiscard]] Next start(const ModuleState& module);
     /// The method by which this module makes the test. CMC and SC keep a velocity through every stop
     /// (docs/family.md): after a step by profile, a move of another program that loads only its goal would
@@ -72,6 +72,7 @@ private:
 
     std::int32_t m_from = 0;
     std::int32_t m_stood = 0;
+    bool m_arms = false;     ///< the limit stop has just been armed, and start() goes on
     bool m_limited = false;  ///< the chip was armed to stop by itself when the test began
     bool m_calming = false;
     StandstillWait m_rest;
