@@ -254,6 +254,34 @@ TEST_F(LoopTestsInTheWindow, AReportSaysWithWhichGainsAndWhereEachPartWasMeasure
     EXPECT_FALSE(page.section(u"<h3>"_s, 0, 1).contains(u"simulated"_s));
 }
 
+/// Hidden, the step responses do not follow the selection.
+TEST_F(LoopTestsInTheWindow, AReportHasNoMotorOfAnotherModule) {
+    openWith();
+    showServos({{.held = true}, {.held = true}});
+    ResponseDock& responses = window->stepResponses();
+    responses.open();
+    ASSERT_TRUE(eventually([&] { return responses.seen(); }));
+    responses.showRun(ramp());
+    ModelBox& model = responses.page().model();
+    model.find(ModuleIndex(0));
+    Identified motor;
+    motor.motor.gain = {788, 8};
+    motor.motor.timeConstant = {0.0129, 0.0002};
+    motor.runs.push_back({{0.0, 500.0}, {0.01, 590.0}});
+    model.showMotor(ModuleIndex(0), motor);
+    EXPECT_TRUE(model.motorWords(ModuleIndex(0)).join(u'\n').contains(u"Gain 788"_s));
+    responses.close();
+    ASSERT_TRUE(eventually([&] { return !responses.seen(); }));
+    select(1);
+    QSignalSpy saves(&window->requests(), &Requests::save);
+    click(u"tuningReportButton"_s);
+    testing_support::chooseFile(*find<QFileDialog>(u"reportFileDialog"_s), u"/home/anna/tuning.html"_s);
+    ASSERT_EQ(saves.size(), 1);
+    const QString page = QString::fromStdString(saves[0][1].value<FileContent>()());
+    EXPECT_TRUE(page.contains(u"Module 2"_s));
+    EXPECT_FALSE(page.contains(u"Gain 788"_s));
+}
+
 TEST_F(LoopTestsInTheWindow, ALineThatIsTooSlowIsNamed) {
     openWith();
     report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(8), 20);

@@ -46,7 +46,7 @@ void saveTuningReport(const Session& session, ResponseDock& responses, LoopTests
     for (const KeptResponse& run : responses.page().runs())
         if (run.run.module == info.index)
             report.run = run;
-    report.motor = responses.page().model().motorWords();
+    report.motor = responses.page().model().motorWords(info.index);
     if (const FrequencyPage::Found* last = tests.frequency().last())
         report.frequency = *last;
     askWhereToSave(window,

@@ -105,8 +105,8 @@ std::vector<const KeptResponse*> ModelBox::runsOf(std::optional<ModuleIndex> mod
     return mine;
 }
 
-const ModelBox::Found* ModelBox::found() const {
-    const auto entry = m_servo ? m_found.find(*m_servo) : m_found.end();
+const ModelBox::Found* ModelBox::found(std::optional<ModuleIndex> module) const {
+    const auto entry = module ? m_found.find(*module) : m_found.end();
     return entry != m_found.end() ? &entry->second : nullptr;
 }
 
@@ -253,8 +253,8 @@ void ModelBox::refreshSteps() {
             : tr("The motor jumps by the distance of the step and back, then twice as far and back; the model is then found from these steps. Make sure that everything it drives can move freely."));
 }
 
-QStringList ModelBox::motorWords() const {
-    const Found* found = this->found();
+QStringList ModelBox::motorWords(ModuleIndex module) const {
+    const Found* found = this->found(module);
     return found != nullptr && found->motor ? texts::motorFound(*found->motor) : QStringList();
 }
 

@@ -72,8 +72,8 @@ public:
     [[nodiscard]] const Prediction* prediction() const;
     /// The run about() as the motor model reproduces it.
     [[nodiscard]] const std::vector<ResponsePoint>& fittedPoints() const { return m_fitted; }
-    /// The constants of the motor model, one per line; empty if none was found.
-    [[nodiscard]] QStringList motorWords() const;
+    /// The constants of the module's motor model, one per line; empty if none was found.
+    [[nodiscard]] QStringList motorWords(ModuleIndex module) const;
     /// Number of the last run from which the motor model was found.
     [[nodiscard]] std::optional<int> about() const { return m_about; }
 
@@ -99,7 +99,8 @@ private:
     /// runs, including the last one.
     [[nodiscard]] std::vector<std::int32_t> nextSteps() const;
     [[nodiscard]] std::vector<const KeptResponse*> runsOf(std::optional<ModuleIndex> module) const;
-    [[nodiscard]] const Found* found() const;
+    [[nodiscard]] const Found* found(std::optional<ModuleIndex> module) const;
+    [[nodiscard]] const Found* found() const { return found(m_servo); }
 
     ResponseForm& m_form;
     QPushButton* m_identify = nullptr;
