@@ -570,6 +570,36 @@ TEST_F(Responses, AMoveIsRequestedWithItsOwnPaceThereAndBack) {
     EXPECT_FALSE(field(u"responseDistanceField"_s)->problemText().isEmpty());
 }
 
+/// 1000 counts are a millimetre. A tick is SR times 0.512 ms (DS-V 4.3): at SR 4, 10 mm/s are 20.48 counts
+/// per tick, and 100 mm/s² 0.4194304 counts per tick squared; at SR 1, 5.12 and 0.0262144. Times 65 536,
+/// rounded.
+TEST_F(Responses, AMoveWithAnotherServoRateIsAsFastAsTheFieldsSay) {
+    openWith();
+    machine.axes.resize(1);
+    machine.axes[0].unit = {UnitKind::Millimetres, 1'000.0, {}};
+    machine.axes[0].gains = someGains();
+    window->showMachine(machine);
+    showChanged([](ModuleState& module) {
+        module.gains->sr = 4;
+        module.servoRate = 4;
+    });
+    find<QComboBox>(u"responseMethodBox"_s)->setCurrentIndex(2);
+    type(u"responseVelocityField"_s, u"10"_s);
+    type(u"responseAccelerationField"_s, u"100"_s);
+    const auto pace = [this](const QString& answer) {
+        intents.clear();
+        click(u"responseButton"_s);
+        click(answer);
+        EXPECT_EQ(intents.size(), 1);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return std::get<intent::StepSeries>(intents.takeFirst().at(1).value<Intent>()).each.pace;
+    };
+    EXPECT_EQ(pace(u"stepWithoutButton"_s),
+              (ServoPace{CountsPerTick(1'342'177), CountsPerTickSquared(27'488)}));
+    EXPECT_EQ(pace(u"applyAndStepButton"_s),
+              (ServoPace{CountsPerTick(335'544), CountsPerTickSquared(1'718)}));
+}
+
 TEST_F(Responses, MovesAreJudgedByWindowAndDwell) {
     openWith();
     for (const unsigned round : {1U, 2U, 3U})

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 #include <utility>
 
 #include "model/intent/gainsplan.h"
@@ -334,6 +335,20 @@ QString ResponseForm::unsentGains() const {
     return differ.join(u", "_s);
 }
 
+/// What the fields say of this pace, in ticks of another length.
+ServoPace ResponseForm::atServoRate(const ServoPace& pace, int servoRate) const {
+    const AxisScale& shown = m_velocity->scale();
+    const AxisScale then = AxisScale::servo(shown.unit(), servoRate);
+    const auto velocity = shown.velocity(toCounts(pace.velocity));
+    const auto acceleration = shown.acceleration(toCounts(pace.acceleration));
+    if (!velocity || !acceleration)
+        return pace;
+    const double fastest = servodefaults::fastest(m_module->info.identity);
+    return {CountsPerTick(servodefaults::toFixed(std::min(*then.nativeVelocity(*velocity), fastest))),
+            CountsPerTickSquared(servodefaults::toFixed(
+                std::min(*then.nativeAcceleration(*acceleration), servodefaults::kLargest)))};
+}
+
 void ResponseForm::askWhichGains(const intent::StepSeries& wanted, const std::vector<std::int32_t>& series) {
     const ModuleIndex index = m_module->info.index;
     const auto go = [this, index, own = series.empty()](const intent::StepSeries& steps) {
@@ -348,6 +363,7 @@ void ResponseForm::askWhichGains(const intent::StepSeries& wanted, const std::ve
     };
     intent::StepSeries applied = wanted;
     applied.each.gains = m_staged;
+    applied.each.pace = atServoRate(wanted.each.pace, m_staged->sr);
     AskDialog::ask({.name = u"stepGainsDialog"_s,
                     .title = tr("Gains not sent"),
                     .text = text,

@@ -76,6 +76,7 @@ private:
     [[nodiscard]] std::vector<const NumberField*> fieldsInUse() const;
     [[nodiscard]] bool moves() const;
     [[nodiscard]] QString unsentGains() const;
+    [[nodiscard]] ServoPace atServoRate(const ServoPace& pace, int servoRate) const;
 
     Requests& m_requests;
     QuantityField* m_distance = nullptr;
