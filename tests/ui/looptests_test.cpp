@@ -335,6 +335,28 @@ TEST_F(LoopTestsInTheWindow, EdgesOfAnEarlierConnectionAreNotKept) {
     EXPECT_TRUE(label(u"squareWaveResults"_s).isEmpty());
 }
 
+/// A connection that is opened as soon as the last one has closed is not seen disconnected in between.
+TEST_F(LoopTestsInTheWindow, ThoseOfAnotherConnectionAreForgotten) {
+    openWith();
+    LinkState link = connectedTo({Servo{.held = true}.state()});
+    link.connection = 1;
+    window->showLink(link);
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20));
+    window->loopTests().squareWave().showEdge(ramp());
+    EXPECT_TRUE(button(u"frequencyExportButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"squareWaveKeepButton"_s)->isEnabled());
+    LinkState connecting = link;
+    connecting.connection = link.connection = 2;
+    connecting.phase = LinkPhase::Connecting;
+    connecting.modules.clear();
+    window->showLink(connecting);
+    window->showLink(link);
+    EXPECT_FALSE(button(u"frequencyExportButton"_s)->isEnabled());
+    EXPECT_FALSE(button(u"squareWaveKeepButton"_s)->isEnabled());
+    EXPECT_TRUE(label(u"frequencyFigures"_s).isEmpty()) << label(u"frequencyFigures"_s).toStdString();
+    EXPECT_TRUE(label(u"squareWaveResults"_s).isEmpty());
+}
+
 /// 10 counts there and back, half a period of 0.1 s.
 TEST(SquarePlotHands, KeysAndADoubleClickZoomAndFit) {
     SquarePlot plot;

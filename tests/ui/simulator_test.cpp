@@ -70,13 +70,14 @@ QJsonObject ioState() {
 
 class Simulator : public WindowTest {
 protected:
-    void attach(int modules = 2) {
+    void attach(int modules = 2, std::uint32_t connection = 1) {
         std::vector<ModuleState> found;
         for (int i = 0; i < modules; ++i)
             found.push_back(Servo{.index = i}.state());
         LinkState link = connectedTo(std::move(found));
         link.port = "simulator";
         link.simulated = true;
+        link.connection = connection;
         window->showLink(link);
     }
     QDockWidget* dock() { return find<QDockWidget>(u"simulatorDock"_s); }
@@ -305,6 +306,16 @@ TEST_F(Simulator, ViolationsAreCounted) {
                                                                  {u"bytes"_s, u"AA 02 0D 0F"_s}}}}});
     EXPECT_EQ(text(u"simViolations"_s), u"1"_s);
     EXPECT_TRUE(find(u"simViolations"_s)->toolTip().contains(u"unknown_command"_s));
+}
+
+/// One that is opened as soon as the last one has closed is not seen disconnected in between.
+TEST_F(Simulator, AnotherConnectionBeginsWithNothingKnown) {
+    attach();
+    answer(u"stats"_s,
+           {{u"modules"_s, QJsonArray{1, 2}}, {u"violation_count"_s, 1}, {u"violations"_s, QJsonArray{}}});
+    EXPECT_EQ(text(u"simViolations"_s), u"1"_s);
+    attach(2, 2);
+    EXPECT_EQ(text(u"simViolations"_s), u"–"_s);
 }
 
 TEST_F(Simulator, ATypedLineGetsItsAnswerWhole) {

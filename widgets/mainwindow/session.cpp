@@ -21,17 +21,20 @@ void Session::setLink(const LinkState& state) {
     next.take(m_machine);
     const LinkState before = std::exchange(m_link, asShown(std::move(next)));
     m_link.now = before.now;
-    const bool another = state.phase != before.phase || state.connection != before.connection ||
-                         state.port != before.port || state.simulated != before.simulated ||
-                         state.readOnly != before.readOnly || state.lent != before.lent;
-    if (state.phase != before.phase && state.phase == LinkPhase::Connecting) {
+    // One that is opened as soon as the last one has closed is not seen disconnected in between.
+    const bool sameConnection = state.connection == before.connection;
+    const LinkPhase phase = sameConnection ? before.phase : LinkPhase::Disconnected;
+    const bool another = state.phase != before.phase || !sameConnection || state.port != before.port ||
+                         state.simulated != before.simulated || state.readOnly != before.readOnly ||
+                         state.lent != before.lent;
+    if (state.phase != phase && state.phase == LinkPhase::Connecting) {
         m_procedures.clear();
         m_link.now.reset();
     }
-    m_disconnectWhenStopped = m_disconnectWhenStopped && isOpen();
+    m_disconnectWhenStopped = m_disconnectWhenStopped && sameConnection && isOpen();
     m_live = liveModules();
     if (another)
-        emit phaseChanged(before.phase);
+        emit phaseChanged(phase);
     emit changed();
 }
 

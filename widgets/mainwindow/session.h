@@ -62,7 +62,8 @@ public:
 
 signals:
     void selectionChanged();
-    /// The connection or its phase has changed; changed() follows.
+    /// The connection or its phase has changed; changed() follows. `before`: its phase, Disconnected if there
+    /// was another connection.
     void phaseChanged(nmc::LinkPhase before);
     void changed();
     /// Only the age of what is shown has changed.

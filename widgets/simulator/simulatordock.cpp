@@ -38,15 +38,15 @@ void SimulatorDock::closeEvent(QCloseEvent* event) {
 }
 
 void SimulatorDock::appear() {
-    toggleViewAction()->setVisible(m_attached);
+    toggleViewAction()->setVisible(m_attached.has_value());
     setVisible(m_attached && m_wanted);
 }
 
 void SimulatorDock::showLink(const LinkState& link) {
-    const bool attached = link.simulated && link.isOpen();
+    const auto attached = link.simulated && link.isOpen() ? std::optional(link.connection) : std::nullopt;
     if (attached && m_bench == nullptr)
         build();
-    if (attached && !m_attached)
+    if (attached && attached != m_attached)
         m_bench->begin();
     m_attached = attached;
     if (m_bench != nullptr)

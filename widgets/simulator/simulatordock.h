@@ -43,7 +43,7 @@ private:
     void want(bool wanted);
 
     SimulatorBench* m_bench = nullptr;
-    bool m_attached = false;
+    std::optional<std::uint32_t> m_attached;  ///< number of the connection
     bool m_wanted = true;
 };
 
