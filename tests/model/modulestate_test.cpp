@@ -336,6 +336,22 @@ TEST(ModuleState, AServoThatAnotherHostLeftMovingIsMoving) {
     EXPECT_EQ(module.activity(), Activity::Holding);
 }
 
+/// Attached: the status of a PIC-STEP says whether it moves, and a PIC-I/O has no motor.
+TEST(ModuleState, OnlyTheMotionOfAServoThatIsOnShowsInItsSecondReport) {
+    for (const ModuleIdentity identity :
+         {ModuleIdentity{ModuleType::Servo, 4}, ModuleIdentity{ModuleType::Stepper, 1},
+          ModuleIdentity{ModuleType::Io, 1}}) {
+        ModuleState module;
+        module.info = {ModuleIndex(0), BusAddress(1), identity};
+        module.attached();
+        EXPECT_FALSE(module.motionSeen());
+        module.apply(sampleOf(0.1, kPower, kServoOn));
+        EXPECT_EQ(module.motionSeen(), !module.isServo()) << static_cast<int>(identity.type);
+        module.apply(sampleOf(0.2, kPower, kServoOn));
+        EXPECT_TRUE(module.motionSeen()) << static_cast<int>(identity.type);
+    }
+}
+
 /// DS-V 4.5: SR is 1 after power-up and reset. It is set with the gains, and cannot be read back.
 TEST(ModuleState, TheServoRateIsKnownFromPowerUpUntilAnotherHostMayHaveSetIt) {
     ModuleState module = servoModule();

@@ -637,6 +637,22 @@ TEST_F(OtherPrograms, EndAJogByAStopAndNothingIsSaidOfAHoldThatExpired) {
     EXPECT_EQ(panel.count(texts::holdExpired({ModuleIndex(0)}).headline), 0);
 }
 
+class OtherProgramsAtAllTypes : public OtherPrograms {
+protected:
+    OtherProgramsAtAllTypes() : OtherPrograms(u"servo,step,io"_s) {}
+};
+
+/// The modules have kept their addresses, so nothing is known of what they were sent before.
+TEST_F(OtherProgramsAtAllTypes, WaitForModulesThatWereFoundAsTheyWere) {
+    panel.disconnect();
+    ASSERT_TRUE(panel.waitFor([&] { return !sim.open(); }));
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    OtherProgram client(panel, path());
+    client.hello();
+    EXPECT_TRUE(client.call("wait").contains("result"));
+    EXPECT_TRUE(client.call("wait", {{"axis", 2}}).contains("result"));
+}
+
 /// Whatever arrives, it is answered or its sender is cut off, and nothing moves.
 TEST_F(OtherPrograms, SurviveNonsense) {
     std::mt19937 random(7);

@@ -274,7 +274,7 @@ void ModuleState::restarted() {
 }
 
 void ModuleState::attached() {
-    m_motionUnknown = true;
+    m_motionUnknown = isServo();
     amplifierEnabled.reset();
     velocity.reset();
     servoRate.reset();

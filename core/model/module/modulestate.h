@@ -92,8 +92,8 @@ struct ModuleState : ServoRegisters {
     void apply(const bus::CommandExecuted& executed);
     /// The module lost all its settings.
     void restarted();
-    /// The module was found as another host left it: whether it moves is unknown until it is stopped, moved
-    /// or off.
+    /// The module was found as another host left it: whether a servo moves is unknown until it is stopped,
+    /// moved or off.
     void attached();
     /// A command may have reached the module, but its answer was lost: whether it moves is unknown, whatever
     /// was believed before.
