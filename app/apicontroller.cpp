@@ -153,10 +153,8 @@ void ApiController::gone(Client client) {
             stops = true;
         }
         for (const ModuleIndex module : session.requests.moved())
-            if (!rests(module)) {
-                m_commander.carryOut(module, intent::StopSmoothly{});
-                stops = true;
-            }
+            if (!rests(module))
+                stops |= m_commander.stop(module);
     }
     if (!session.program.isEmpty())
         emit reported(texts::programGone(session.program, stops));

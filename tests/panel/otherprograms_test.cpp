@@ -461,6 +461,21 @@ TEST_F(OtherPrograms, LeaveNoMotorMovingWhenTheyVanish) {
     EXPECT_EQ(panel.module().activity(), Activity::Holding);
 }
 
+/// It hears nothing for a while, so the stop has to be sent again.
+TEST_F(OtherPrograms, LeaveNoMotorMovingWhoseModuleIsSilentWhenTheyVanish) {
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(setGoing(client));
+    sim.tell("fault module 1 mute tx");
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().silent; }));
+    client.vanish();
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"Program \"scan.py\" has disconnected"_s) == 1; }));
+    EXPECT_EQ(panel.count(u"the motors that it moved are stopped"_s), 1);
+    EXPECT_TRUE(moves(sim));
+    sim.tell("fault clear");
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().silent; }));
+    EXPECT_LT(*panel.module().latest->position, 900'000);
+}
+
 TEST_F(OtherPrograms, LeaveNoMotorMovingThatOnlyTheyHaveCommanded) {
     OtherProgram client(panel, path());
     ASSERT_NO_FATAL_FAILURE(setGoing(client));

@@ -99,6 +99,19 @@ std::optional<bus::OperationId> Commander::carryOut(ModuleIndex index, const Int
     return id;
 }
 
+bool Commander::stop(ModuleIndex index) {
+    const ModuleState* module = m_store.module(index);
+    Orders orders = module != nullptr ? stopOf(*module) : Orders();
+    m_sequences.takeOver(index, true);
+    if (orders.empty()) {
+        m_procedures.cancel(index);
+        return false;
+    }
+    submit({.id = {}, .orders = std::move(orders)});
+    m_procedures.overtake(index);
+    return true;
+}
+
 bool Commander::hold(const bus::HoldToMove& wanted) {
     const ModuleState* module = m_store.module(wanted.module);
     const auto hold = module != nullptr ? withinTravel(wanted, *module) : tl::unexpected(TravelProblem{});

@@ -33,6 +33,9 @@ public:
 
     /// Emits sent() or refused(), unless the intent needs no command. Returns the operation, if it is one.
     std::optional<bus::OperationId> carryOut(ModuleIndex module, const Intent& intent);
+    /// Stops the motor smoothly, even if its module is believed silent. Returns false if nothing is on that
+    /// could be stopped; emits nothing.
+    [[nodiscard]] bool stop(ModuleIndex module);
     /// Towards a travel limit, the held motion becomes a move to it. Returns false if it is not possible now;
     /// nothing is sent then.
     [[nodiscard]] bool hold(const bus::HoldToMove& wanted);

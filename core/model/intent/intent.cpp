@@ -215,6 +215,11 @@ Plan plan(const Intent& intent, const ModuleState& module) {
     return orders;
 }
 
+Orders stopOf(ModuleState module) {
+    module.silent = false;
+    return plan(intent::StopSmoothly{}, module).value_or(Orders());
+}
+
 std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
     if (module.isStepper())
         return whyNotStep(kind, module);

@@ -325,6 +325,8 @@ using Plan = tl::expected<Orders, Refusal>;
 /// Returns the commands for an intent, in order, or the precondition that is not met. The same preconditions
 /// enable and disable the controls: what whyNot() reports is greyed out and explained.
 [[nodiscard]] Plan plan(const Intent& intent, const ModuleState& module);
+/// The commands that stop the motor smoothly, even if the module is believed silent; empty if nothing is on.
+[[nodiscard]] Orders stopOf(ModuleState module);
 
 /// The kinds of request for which a panel shows a control; values still being typed do not matter here.
 enum class IntentKind : std::uint8_t {

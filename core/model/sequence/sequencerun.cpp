@@ -24,13 +24,6 @@ LimitWatch::Limits limitsRunInto(const ModuleState& module) {
     return {module.limits.ranInto(0), module.limits.ranInto(1)};
 }
 
-/// The commands that stop the motor, even if the module is believed silent; empty if nothing is on.
-std::vector<bus::Order> stopOf(ModuleState module) {
-    module.silent = false;
-    auto steps = plan(intent::StopSmoothly{}, module);
-    return steps ? std::move(*steps) : std::vector<bus::Order>{};
-}
-
 SequenceEnd timeoutOf(const action::WaitForInput& /*wait*/) {
     return SequenceEnd::InputTimeout;
 }
