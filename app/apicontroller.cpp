@@ -538,14 +538,15 @@ ApiController::Json ApiController::stateOf(std::optional<ModuleIndex> module) co
     return state;
 }
 
-/// All axes are those that answer, and those that the client has moved.
+/// All axes are those that answer, those that the client has moved, and those that may still move although
+/// all motors were to stop.
 std::vector<ModuleIndex> ApiController::awaited(const Session& session,
                                                 std::optional<ModuleIndex> module) const {
     if (module)
         return {*module};
     std::vector<ModuleIndex> all;
     for (const ModuleState& each : m_store.link().modules)
-        if (!each.silent || session.requests.moved().contains(each.info.index))
+        if (!each.silent || each.stopUnconfirmed || session.requests.moved().contains(each.info.index))
             all.push_back(each.info.index);
     return all;
 }

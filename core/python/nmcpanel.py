@@ -196,7 +196,8 @@ class Panel:
     def stop(self) -> None:
         """STOP ALL; always possible. It cancels what is commanded before wait() returns.
 
-        wait() then raises NotCarriedOut if moves of this program were cut short, but only once all motors are at rest.
+        wait() then raises NotCarriedOut if moves of this program were cut short, but only once all motors are at rest;
+        with the reason Unresponsive, a module that does not answer has not confirmed the stop.
         """
         self.call("stop")
 

@@ -264,6 +264,28 @@ TEST_F(OtherPrograms, WaitForTheEndOfAStopThatWouldCancelWhatComesNext) {
     EXPECT_TRUE(client.answer(wait).contains("result"));
 }
 
+TEST_F(OtherPrograms, AreNotToldThatAllMotorsRestWhileOneHasNotConfirmedAStop) {
+    OtherProgram client(panel, path());
+    client.hello();
+    const auto falls = [&](bool silent) {
+        sim.tell(silent ? "fault module 2 mute tx" : "fault clear");
+        return panel.waitFor([&] { return panel.module(1).silent == silent; });
+    };
+    ASSERT_TRUE(falls(true));
+    EXPECT_TRUE(client.call("wait").contains("result")) << "it has moved none of them";
+    const int stop = client.request("stop");
+    const int wait = client.request("wait");
+    EXPECT_EQ(client.answer(stop)["result"]["sent"], true);
+    EXPECT_EQ(client.answer(wait)["error"]["data"]["reason"], "Unresponsive");
+    OtherProgram next(panel, path());
+    next.hello();
+    EXPECT_EQ(next.call("wait")["error"]["data"]["reason"], "Unresponsive") << "whoever has requested it";
+    ASSERT_TRUE(falls(false));
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.module(1).stopUnconfirmed; }));
+    ASSERT_TRUE(falls(true));
+    EXPECT_TRUE(client.call("wait").contains("result")) << "it has confirmed the stop";
+}
+
 TEST_F(OtherPrograms, WaitNoLongerForAStopOnceTheLineIsLost) {
     OtherProgram client(panel, path());
     ASSERT_NO_FATAL_FAILURE(ready(client));

@@ -353,9 +353,12 @@ void BusStore::note(const bus::StopFinished& stopped) {
     for (const ModuleIndex module : stopped.stopped)
         if (known(module))
             m_link.modules[module.value()].confirmedAtRest();
-    doubtMotions(stopped.unreached);
-    doubtMotions(stopped.unconfirmed);
-    doubtMotions(stopped.noStopKnown);
+    for (const auto* missing : {&stopped.unreached, &stopped.unconfirmed, &stopped.noStopKnown}) {
+        doubtMotions(*missing);
+        for (const ModuleIndex module : *missing)
+            if (known(module))
+                m_link.modules[module.value()].stopUnconfirmed = true;
+    }
     for (Record& record : m_records)
         record.open = true;
 }

@@ -255,6 +255,7 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
 
 void ModuleState::restarted() {
     hasRestarted = true;
+    stopUnconfirmed = false;
     static_cast<ServoRegisters&>(*this) = {};
     speed.forget();
     counting.forget();
@@ -294,6 +295,7 @@ void ModuleState::doubtGains() {
 }
 
 void ModuleState::confirmedAtRest() {
+    stopUnconfirmed = false;
     motion = motion == MotionMode::Velocity ? motion : MotionMode::None;
     goalVelocity = 0.0;
     stopped(servoOn() ? servo::StopManner::Abruptly : servo::StopManner::MotorOff, info.identity);
