@@ -14,6 +14,7 @@
 #include "app/panelsettings.h"
 #include "app/translations.h"
 #include "app/unixsignals.h"
+#include "link/connection/crashburst.h"
 #include "link/files/machineio.h"
 #include "model/machinefile/machinefile.h"
 #include "protocol/baud.h"
@@ -229,6 +230,8 @@ void waitFor(const Condition& condition) {
 
 int runAtOwnLine(const Options& options, QSettings& settings) {
     const bool serves = options.commands.value(0).value(0) == kServe;
+    const nmc::crashburst::HandlerStack stack;
+    nmc::crashburst::installHandlers();
     nmc::HeadlessLine line(settings, readMachine(options.machine));
     const nmc::UnixSignals interruption(&line.worker());
     bool found = false, lost = false, interrupted = false, ended = false;

@@ -17,6 +17,9 @@ HeadlessLine::HeadlessLine(QSettings& settings, const Machine& machine)
     connect(&m_store, &BusStore::happened, this, &HeadlessLine::take);
     connect(&m_store, &BusStore::linkChanged, this, &HeadlessLine::reportStanding);
     connect(&m_store, &BusStore::linkChanged, this, &HeadlessLine::announce);
+    m_sleep.follow(m_store);
+    connect(&m_sleep, &SleepInhibitor::stopWanted, &m_worker, &BusWorker::stopAll);
+    connect(&m_sleep, &SleepInhibitor::stopWanted, &m_commander, &Commander::endRuns);
     connect(&m_connection, &Connection::ended, this, &HeadlessLine::ended);
     connect(&m_connection, &Connection::reported, this, &HeadlessLine::reported);
     connect(&m_ports, &PortController::reported, this, &HeadlessLine::reported);

@@ -12,13 +12,15 @@
 #include "link/connection/busstore.h"
 #include "link/connection/busworker.h"
 #include "link/connection/processguard.h"
+#include "link/connection/sleepinhibitor.h"
 #include "model/settings/machine.h"
 
 namespace nmc {
 
 /// A connection to a port or to the simulator without a window, at which programs are let in and one of them
 /// may move motors without being asked: there is nobody to ask. What the window would do for safety is here
-/// as well: travel limits, the stop of everything at the end, and the guardian. GUI thread.
+/// as well: travel limits, the stop of everything at the end and before the computer sleeps, and the
+/// guardian. GUI thread.
 class HeadlessLine : public QObject {
     Q_OBJECT
 
@@ -53,6 +55,7 @@ private:
     BusWorker m_worker;
     BusStore m_store{m_worker};
     Commander m_commander{m_store, m_worker};
+    SleepInhibitor m_sleep;
     PortController m_ports{PortController::Places()};
     Connection m_connection;
     ApiController m_api{m_store, m_worker, m_connection, m_commander};

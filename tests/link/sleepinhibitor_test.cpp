@@ -11,6 +11,7 @@
 #include <QDBusUnixFileDescriptor>
 #include <QProcess>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <array>
 
 #include "link/connection/simulatortransport.h"
@@ -139,6 +140,30 @@ TEST_F(H05_SleepInhibitor, HasTheMotorsStoppedAndSleepWaitsForThat) {
     emit logind.PrepareForSleep(false);  // and is opened again
     ASSERT_EQ(connection.carryOut(move(0, 100'000'000)), bus::Outcome::Done);
     EXPECT_TRUE(connection.waitUntil([this] { return logind.held() == 1; }));
+}
+
+/// This is the system bus of a process that has a line without a window.
+TEST_F(H05_SleepInhibitor, HasTheMotorsOfNmcctlStopped) {
+    constexpr int kNotCarriedOut = 5;  // the manual's page nmcctl, Exit codes
+    const QTemporaryDir folder;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("DBUS_SYSTEM_BUS_ADDRESS"), address);
+    for (const char* name : {"XDG_RUNTIME_DIR", "XDG_CONFIG_HOME", "XDG_DATA_HOME"})
+        environment.insert(QLatin1String(name), folder.path());
+    QProcess nmcctl;
+    nmcctl.setProcessEnvironment(environment);
+    nmcctl.start(QStringLiteral(NMCCTL_PATH), {QStringLiteral("--simulator=servo"), QStringLiteral("-")});
+    nmcctl.write(
+        "gains 1 --set kp=200 kd=2000 ki=20 il=200 ol=255 cl=0 el=8000 sr=1\n"
+        "enable 1\n"
+        "move 1 100000000\n");
+    nmcctl.closeWriteChannel();
+    ASSERT_TRUE(eventually([this] { return logind.held() == 1; })) << nmcctl.readAllStandardError().data();
+
+    emit logind.PrepareForSleep(true);
+    ASSERT_TRUE(eventually([&nmcctl] { return nmcctl.state() == QProcess::NotRunning; }));
+    EXPECT_EQ(nmcctl.exitCode(), kNotCarriedOut) << nmcctl.readAllStandardError().data();
+    EXPECT_EQ(logind.held(), 0);
 }
 
 /// On a read-only connection, motors are for another host to stop.
