@@ -39,6 +39,12 @@ std::uint8_t StepperSpeed::speedFor(double stepsPerSecond) const {
     return static_cast<std::uint8_t>(within(std::round(stepsPerSecond / unit()), stepper::kSpeedRange));
 }
 
+std::uint8_t StepperSpeed::speedBelow(double stepsPerSecond) const {
+    constexpr double kGrain = 1e-9;  // absorbs the rounding of a speed that is a whole number of units
+    return static_cast<std::uint8_t>(
+        within(std::floor(stepsPerSecond / unit() + kGrain), stepper::kSpeedRange));
+}
+
 stepper::TimerCount StepperSpeed::timerFor(double stepsPerSecond) const {
     const double slowest = std::max(stepsPerSecond, slowestTimed());
     const double exact = 65'536.0 + kReload * m_multiplier - m_multiplier * kTimerRate / slowest;

@@ -30,6 +30,8 @@ public:
 
     /// The integer speed nearest to the requested one, within 1..250.
     [[nodiscard]] std::uint8_t speedFor(double stepsPerSecond) const;
+    /// The highest integer speed that is not above the requested one, within 1..250.
+    [[nodiscard]] std::uint8_t speedBelow(double stepsPerSecond) const;
     /// The timer count nearest to the requested speed, within 1..65 452, with its nearest integer speed.
     [[nodiscard]] stepper::TimerCount timerFor(double stepsPerSecond) const;
 

@@ -204,14 +204,31 @@ TEST(ApiMethods, MoveAtNoVelocityThatTheChipDoesNotHave) {
     EXPECT_TRUE(isRefused("move", 2, 49));
     EXPECT_FALSE(isRefused("move", 2, 12'500));
     EXPECT_TRUE(isRefused("move", 2, 12'501));
-    // A jog below the lowest speed of a profile would be at that speed (DS-S 5.1).
+    // Below the lowest speed of a profile, it would be at that speed (DS-S 5.1): 4 times 50 steps/s.
     chain.link.modules[1].stepper.parameters->minimumProfileSpeed = 4;
     EXPECT_FALSE(isRefused("jog", 2, -200));
     EXPECT_TRUE(isRefused("jog", 2, -199));
+    EXPECT_FALSE(isRefused("move", 2, 200));
+    EXPECT_TRUE(isRefused("move", 2, 199));
     // 200 steps are 3 degrees: 3 degrees/s are as slow as that, however they are rounded.
     chain.machine.axes[1].unit = {UnitKind::Degrees, 200.0 / 3.0};
     EXPECT_FALSE(isRefused("jog", 2, 3));
     EXPECT_TRUE(isRefused("jog", 2, 2.9));
+}
+
+/// In 8x, a unit of speed is 200 steps/s (DS-S 4.3).
+TEST(ApiMethods, MoveAStepperNoFasterThanItWasAsked) {
+    Chain chain;
+    chain.link.modules[1].stepper.parameters = stepper::SetParameters{.speedMode = stepper::SpeedMode::X8};
+    const auto speedOf = [&](double velocity) {
+        const auto move =
+            chain.intentOf<intent::Move>("move", {{"axis", 2}, {"to", 1}, {"velocity", velocity}});
+        return std::get<steppermotion::Trapezoid>(std::get<StepperMotion>(move.motion)).speed;
+    };
+    EXPECT_EQ(speedOf(310), 1);
+    EXPECT_EQ(speedOf(399), 1);
+    EXPECT_EQ(speedOf(400), 2);
+    EXPECT_EQ(speedOf(50'000), 250);
 }
 
 TEST(ApiMethods, RefuseWhatCannotBeMeant) {

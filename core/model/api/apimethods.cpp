@@ -124,14 +124,15 @@ struct AxisCall {
         AxisSettings axis = settings;
         if (has("velocity")) {
             const StepperSpeed mode = stepperdefaults::speedMode(module.stepper, settings);
-            const auto native = module.isStepper()
-                                    ? velocity(mode.slowest(), mode.fastest())
-                                    : velocity(servodefaults::kSmallest, servodefaults::kLargest);
+            const auto native =
+                module.isStepper()
+                    ? velocity(stepperdefaults::slowestProfile(module.stepper, settings), mode.fastest())
+                    : velocity(servodefaults::kSmallest, servodefaults::kLargest);
             if (!native)
                 return tl::unexpected(native.error());
             if (value("velocity") < 0)
                 return tl::unexpected(wrong("velocity"));
-            axis.motion.velocity = *native;
+            axis.motion.velocity = module.isStepper() ? mode.ofSpeed(mode.speedBelow(*native)) : *native;
         }
         if (has("acceleration")) {
             const auto native = scale.nativeAcceleration(value("acceleration"));

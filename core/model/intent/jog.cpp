@@ -2,7 +2,6 @@
 #include "model/intent/jog.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "model/intent/stepperplan.h"
 #include "model/intent/travel.h"
@@ -10,14 +9,6 @@
 #include "model/module/stepperdefaults.h"
 
 namespace nmc {
-
-namespace {
-
-/// Absorbs the rounding of a speed that is a whole number of the chip's units.
-constexpr double kGrain = 1e-9;
-constexpr double kMostUnits = 250;  // DS-S 5.1, Load Trajectory
-
-}  // namespace
 
 JogRange jogRange(const ModuleState& module, const AxisSettings& axis) {
     if (module.isStepper()) {
@@ -43,8 +34,7 @@ std::optional<bus::HoldToMove> jog(const ModuleState& module, const AxisSettings
     const auto& parameters = module.stepper.parameters;
     if (!parameters)
         return std::nullopt;
-    const double units = std::floor(speed / StepperSpeed(parameters->speedMode).unit() + kGrain);
-    hold.pace = bus::StepperPace{static_cast<std::uint8_t>(std::clamp(units, 1.0, kMostUnits)),
+    hold.pace = bus::StepperPace{StepperSpeed(parameters->speedMode).speedBelow(speed),
                                  stepperdefaults::accelerationTime(axis)};
     return hold;
 }
