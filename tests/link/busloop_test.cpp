@@ -4,6 +4,7 @@
 #include "link/connection/busloop.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <array>
 #include <atomic>
@@ -62,6 +63,25 @@ TEST(BusLoop, CanBeOpenedAgainAndDestroyedWhileOpen) {
     }
     EXPECT_EQ(rig.count<PortClosed>(), 0U)
         << "each connection replaced the one before, whose end is not reported";
+}
+
+/// The stops are owed to the modules until a connection has confirmed them.
+TEST(BusLoop, PassesTheStopsOnThatItCouldNotSendWithoutADescriptor) {
+    HurriedRig rig;
+    bus::EngineConfig config = simulatorConfig();
+    config.unconfirmed.push_back({{ModuleIndex(0), BusAddress(1), servoChain(1).front()}, StopManner::Off});
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+    const rlimit none{0, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+    rig.openSimulator(config, servoChain(1));
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+    ASSERT_TRUE(rig.waitFor<PortClosed>());
+    const PortClosed& closed = *rig.last<PortClosed>();
+    EXPECT_EQ(closed.error->problem, PortProblem::TooManyFiles);
+    ASSERT_EQ(closed.unconfirmed.size(), 1U);
+    EXPECT_EQ(closed.unconfirmed[0].module.address, BusAddress(1));
+    EXPECT_EQ(closed.unconfirmed[0].manner, StopManner::Off);
 }
 
 /// Closes the loop when it is destroyed, while the loop waits for its thread in order to open the next

@@ -51,7 +51,8 @@ void BusLoop::open(TransportFactory factory, bus::EngineConfig config) {
     (void)m_channel.records.takeAll();
     m_channel.publish({});
     if (!descriptorsLeft()) {
-        m_channel.post(PortClosed{PortError{PortProblem::TooManyFiles, {}, {}, {}, {}}});
+        m_channel.post(
+            PortClosed{PortError{PortProblem::TooManyFiles, {}, {}, {}, {}}, std::move(config.unconfirmed)});
         return;
     }
     m_channel.requests.begin(closes);
