@@ -5,8 +5,10 @@
 
 #include <QSocketNotifier>
 #include <atomic>
+#include <chrono>
 #include <csignal>
 
+#include "link/connection/bussession.h"
 #include "link/connection/busworker.h"
 #include "link/connection/wakeup.h"
 
@@ -14,8 +16,10 @@ namespace nmc {
 
 namespace {
 
-/// The stop is confirmed within 1 s; the rest is a reserve for a slow disk.
-constexpr unsigned kPatience = 3;  // s
+using namespace std::chrono_literals;
+
+/// Time for the stop to be confirmed, and a reserve for a slow disk.
+constexpr auto kPatience = std::chrono::ceil<std::chrono::seconds>(BusSession::kLongestClose) + 2s;
 
 /// All that the handler may access: it may do no more than write to a descriptor. Set while a UnixSignals
 /// exists.
@@ -27,7 +31,7 @@ void onSignal(int) {
         worker->close();
     if (const Wakeup* wakeup = g_wakeup)
         wakeup->wake();
-    ::alarm(kPatience);
+    ::alarm(static_cast<unsigned>(kPatience.count()));
 }
 
 void handle(void (*handler)(int)) {

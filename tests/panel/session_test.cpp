@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program is requested to end, or hangs: what happens to the motors.
+#include <unistd.h>
+
 #include <csignal>
 
 #include "app/unixsignals.h"
+#include "link/connection/bussession.h"
 #include "tests/support/virtualpanel.h"
 
 namespace nmc {
@@ -41,6 +44,15 @@ TEST(H04_Signal, StopsTheMotorsWhileTheGuiThreadIsBlocked) {
     EXPECT_FALSE(sim.driven(0));
     EXPECT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }))
         << "the port was closed, too";
+}
+
+/// During a search, the stop is confirmed only once its modules are known.
+TEST(H04_Signal, LeavesTheTimeThatClosingMayTake) {
+    const UnixSignals system(nullptr);
+    QSignalSpy asked(&system, &UnixSignals::terminationAsked);
+    std::raise(SIGTERM);
+    EXPECT_GT(std::chrono::seconds(::alarm(0)), BusSession::kLongestClose);
+    EXPECT_TRUE(asked.wait());
 }
 
 TEST(H01_FrozenPanel, HasItsMotorsStoppedAndSaysSo) {

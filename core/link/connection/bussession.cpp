@@ -20,8 +20,6 @@ namespace {
 constexpr Duration kStatisticsEvery = std::chrono::milliseconds(100);
 /// How long closing waits for the motors to confirm their stop.
 constexpr Duration kCloseTimeout = std::chrono::seconds(1);
-/// The limit when closing during a search that has found modules: the longest time that a search takes.
-constexpr Duration kCloseInSearchTimeout = std::chrono::seconds(5);
 
 }  // namespace
 
@@ -76,7 +74,7 @@ std::optional<PortError> BusSession::converse() {
         reportLending();
         publishRecords();
         if (m_closeBy && now >= *m_closeBy && m_engine.stopMayStillReach())
-            m_closeBy = std::max(*m_closeBy, m_closeAsked + kCloseInSearchTimeout);
+            m_closeBy = std::max(*m_closeBy, m_closeAsked + kLongestClose);
         if (m_closeBy && (!m_engine.stopping() || now >= *m_closeBy))
             return std::nullopt;
 

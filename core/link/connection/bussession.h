@@ -23,6 +23,10 @@ namespace nmc {
 /// the passing of time into calls of the engine, and carries out the engine's output. Bus thread.
 class BusSession {
 public:
+    /// The limit of closing, which is reached only during a search that has found modules: the longest time
+    /// that a search takes.
+    static constexpr Duration kLongestClose = std::chrono::seconds(5);
+
     /// All references are borrowed. `asleepSoFar`: see link/clock.h.
     BusSession(BusChannel& channel, Transport& transport, const bus::EngineConfig& config,
                std::vector<LoopGuard*> guards, std::function<Duration()> asleepSoFar);
