@@ -117,7 +117,8 @@ class Panel:
             raise PanelError(f"{path}: {error.strerror or error}") from error
         self._lines = self._socket.makefile("r", encoding="utf-8")
         self._last_id = 0
-        self._notifications: deque[dict[str, Any]] = deque(maxlen=KEPT_NOTIFICATIONS)
+        self._notifications: deque[dict[str, Any]] = deque()
+        self._dropped = 0  #: samples, before the next that are handed out
         self._sampling = 0  #: iterators of samples() that have begun and not ended
         name = program or Path(sys.argv[0]).name or "python"
         try:
@@ -150,7 +151,7 @@ class Panel:
         while True:
             line = self._read()
             if "method" in line:
-                self._notifications.append(line)
+                self._keep(line)
             elif line.get("id") in (self._last_id, None):  # None: the panel could not read the line
                 if "error" in line:
                     error = line["error"]
@@ -162,6 +163,18 @@ class Panel:
                     kind = ControlLost if reason == "NoControl" else NotCarriedOut if begun else Refused
                     raise kind(message, code, reason)
                 return line["result"]
+
+    def _keep(self, line: dict[str, Any]) -> None:
+        """For notifications(). While too many wait, the oldest of those go of which the panel drops some itself."""
+        self._notifications.append(line)
+        if len(self._notifications) <= KEPT_NOTIFICATIONS:
+            return
+        oldest = next((old for old in self._notifications if old["method"] in ("samples", "state")), None)
+        if oldest is None:
+            return
+        self._notifications.remove(oldest)
+        if oldest["method"] == "samples":
+            self._dropped += oldest["params"]["missed"] + sum(len(each["rows"]) for each in oldest["params"]["modules"])
 
     def _send(self, text: str) -> None:
         try:
@@ -226,11 +239,15 @@ class Panel:
     # ---- what arrives unasked ----
 
     def notifications(self) -> Iterator[dict[str, Any]]:
-        """What was subscribed to, as it arrives; without end."""
+        """What was subscribed to, as it arrives; without end.
+
+        What arrives during a call waits. If that is too much, samples and states are dropped; the samples are "missed".
+        """
         while True:
-            while self._notifications:
-                yield self._notifications.popleft()
-            line = self._read()
+            line = self._notifications.popleft() if self._notifications else self._read()
+            if line.get("method") == "samples":
+                line["params"]["missed"] += self._dropped
+                self._dropped = 0
             if "method" in line:
                 yield line
 
@@ -241,8 +258,8 @@ class Panel:
         """
         self.call("subscribe", samples=True)
         if self._sampling == 0:  # what waits then was sent to an iterator that has ended
-            others = [line for line in self._notifications if line["method"] != "samples"]
-            self._notifications = deque(others, maxlen=KEPT_NOTIFICATIONS)
+            self._notifications = deque(line for line in self._notifications if line["method"] != "samples")
+            self._dropped = 0
         self._sampling += 1
         gaps = 0  # how often this program was too slow
         told: dict[int, int] = {}  # how many of them the samples of an axis have shown

@@ -184,6 +184,24 @@ class WithoutAPanel(unittest.TestCase):
         self.assertEqual(gaps, [(1, False), (1, False), (2, False), (2, False), (1, True), (1, False),
                                 (1, False), (1, False), (2, True), (2, False)])
 
+    def test_drops_no_event_where_too_much_arrives_during_a_call(self):
+        def samples(time, missed):
+            rows = [[time, 0, None, None, 0, 0, 0, False, None]]
+            return {"method": "samples", "params": {"missed": missed, "modules": [{"axis": 1, "rows": rows}]}}
+
+        event, state, lost = ({"method": method, "params": {}} for method in ("event", "state", "control_lost"))
+
+        def answers(request):
+            begun = request["method"] == "state"
+            return [*([event, samples(1, 0), state, samples(2, 5), samples(3, 0), lost] if begun else []),
+                    {"id": request["id"], "result": {}}]
+
+        with unittest.mock.patch("nmcpanel.KEPT_NOTIFICATIONS", 3), Panel(PanelAsWritten(self, answers).path) as panel:
+            panel.state()
+            lines = list(itertools.islice(panel.notifications(), 3))
+        # The samples 1 and 2, and the five that the panel had dropped between them.
+        self.assertEqual(lines, [{"jsonrpc": "2.0", **line} for line in (event, samples(3, 7), lost)])
+
     def test_finds_the_sockets_where_qt_has_them(self):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
