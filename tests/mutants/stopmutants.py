@@ -45,8 +45,8 @@ STOPPING = (
     )),
     Mutant("suspect-motion-goes-on", "faults.md M-17: a motor that is not where it should be is stopped", (
         Edit("core/bus/engine.cpp",
-             "    halt(module, StopCause::MotionSuspect, off ? StopManner::Off : StopManner::Abruptly);",
-             "    static_cast<void>(off);\n    cancelAll(Change::Kind::Cancelled);"),
+             "    haltAxes({module}, StopCause::MotionSuspect, off ? StopManner::Off : StopManner::Abruptly);",
+             "    static_cast<void>(off);\n    notify({Change::Kind::Stopped, {module}});"),
     )),
 )
 
