@@ -71,6 +71,7 @@ TEST_F(FileWriterTest, TellsWhatBecameOfIt) {
 TEST_F(FileWriterTest, WritesNothingIfTheContentSaysWhyNot) {
     FileWriter writer;
     writer.write(path("a"), text("one"));
+    ASSERT_TRUE(writer.finish(kPatience));
     std::optional<FileWriter::Result> told;
     writer.write(
         path("a"),

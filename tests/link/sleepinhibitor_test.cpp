@@ -9,6 +9,7 @@
 
 #include <QDBusConnection>
 #include <QDBusUnixFileDescriptor>
+#include <QDir>
 #include <QProcess>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -148,8 +149,11 @@ TEST_F(H05_SleepInhibitor, HasTheMotorsOfNmcctlStopped) {
     const QTemporaryDir folder;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("DBUS_SYSTEM_BUS_ADDRESS"), address);
-    for (const char* name : {"XDG_RUNTIME_DIR", "XDG_CONFIG_HOME", "XDG_DATA_HOME"})
-        environment.insert(QLatin1String(name), folder.path());
+    // Each is a folder of its own: what is made for settings may be open to others, a folder of sockets not.
+    for (const char* name : {"XDG_RUNTIME_DIR", "XDG_CONFIG_HOME", "XDG_DATA_HOME"}) {
+        ASSERT_TRUE(QDir(folder.path()).mkdir(QLatin1String(name)));
+        environment.insert(QLatin1String(name), folder.filePath(QLatin1String(name)));
+    }
     QProcess nmcctl;
     nmcctl.setProcessEnvironment(environment);
     nmcctl.start(QStringLiteral(NMCCTL_PATH), {QStringLiteral("--simulator=servo"), QStringLiteral("-")});
