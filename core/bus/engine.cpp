@@ -746,6 +746,8 @@ void Engine::dropWorkOf(const Task& task) {
     for (Work& work : m_works)
         if (work.task == &task)
             work.task = nullptr;
+    if (m_ending != nullptr && m_ending->task == &task)
+        m_ending->task = nullptr;
 }
 
 /// Drops what is in flight. It remains open whether its command was carried out; the belief already allows
@@ -777,6 +779,13 @@ void Engine::takeEnds(TimePoint now) {
 void Engine::onEnd(ReplyEnd end, TimePoint now) {
     Work work = std::move(m_works.front());
     m_works.pop_front();
+    m_ending = &work;
+    conclude(work, end, now);
+    m_ending = nullptr;
+}
+
+/// What the answer shows may halt a module: the task then no longer waits for this end.
+void Engine::conclude(Work& work, ReplyEnd& end, TimePoint now) {
     examine(work.ask, end);
     m_recorder.add(work.ask, end);
     count(end);

@@ -232,6 +232,7 @@ private:
     // ---- end of an exchange ----
     void takeEnds(TimePoint now);
     void onEnd(ReplyEnd end, TimePoint now);
+    void conclude(Work& work, ReplyEnd& end, TimePoint now);
     void examine(const Ask& ask, ReplyEnd& end);
     void count(const ReplyEnd& end);
     void noteHealth(const Ask& ask, const ReplyEnd& end, TimePoint now);
@@ -293,6 +294,7 @@ private:
                                   &m_readdress, &m_restartSearch, &m_search, &m_recovery, &m_wayBack,
                                   &m_wellAgain, &m_stops,         &m_polls};
     std::optional<Work> m_again;  ///< waits to be repeated
+    Work* m_ending = nullptr;     ///< in onEnd(), taken from m_works
 };
 
 }  // namespace nmc::bus

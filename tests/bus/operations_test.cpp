@@ -469,6 +469,23 @@ TEST_F(StopOfOne, IsNotRepeatedIfItWasToSwitchTheServoOn) {
     EXPECT_EQ(bus.count<OwedStopConfirmed>(), 0U);
 }
 
+/// The first operation is cancelled by what its own answer shows; that answer is not the second one's.
+TEST(Operations, AreNotEndedByTheAnswerToAnotherThatWasCancelled) {
+    VirtualBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, kOnePerTick, true)}), Outcome::Done);
+    bus.runFor(300ms);
+    const OperationId first = bus.submit({toServo(0, servo::ClearStickyBits{})});
+    const OperationId second = bus.submit({toServo(1, SaveAsHome{})});
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends("AA 01 0B") == 1; }, 1s));
+    bus.engine.setTravelLimits({{std::nullopt, 0}});  // it is beyond that already
+    bus.runFor(500ms);
+    ASSERT_EQ(bus.count<StoppedBeforeLimit>(), 1U);
+    EXPECT_EQ(bus.outcomeOf(first), Outcome::Cancelled);
+    EXPECT_EQ(bus.outcomeOf(second), Outcome::Done);
+    EXPECT_EQ(bus.sends("AA 02 0C"), 1U);
+}
+
 TEST(Operations, WithoutAConnectionAreCancelled) {
     VirtualBus bus(servos(1));
     EXPECT_EQ(bus.perform({toServo(0, Nop{})}), Outcome::Cancelled);
