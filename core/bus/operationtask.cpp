@@ -23,10 +23,12 @@ constexpr unsigned kRepeatsAfterLook = 2;
 bool OperationTask::onChange(const Change& change) {
     if (!change.cancelsAll())
         return change.kind == Change::Kind::Stopped && cancelFor(change.modules);
+    const bool stopsAll = change.kind == Change::Kind::StopAll || change.kind == Change::Kind::GivenUp;
+    if (!stopsAll && !m_commands.empty() && m_commands.group() == nullptr)
+        oweStop(m_commands.order());  // it may not have arrived
     for (Event& event : m_commands.cancelAll())
         report(std::move(event));
     m_verification.reset();
-    const bool stopsAll = change.kind == Change::Kind::StopAll || change.kind == Change::Kind::GivenUp;
     stopsAll ? m_group.drop() : m_group.cancel({});
     return true;
 }
@@ -180,7 +182,8 @@ void OperationTask::onStepEnd(const Ask& ask, const ReplyEnd& end) {
 /// A stop that was not answered is repeated until it is. Not if the servo was off: it would be switched on.
 void OperationTask::oweStop(const Order& order) {
     const auto manner = stopManner(order.command);
-    if (manner && (*manner == StopManner::Off || m_chain.belief(order.module).on()))
+    if (manner && m_chain.has(order.module) &&
+        (*manner == StopManner::Off || m_chain.belief(order.module).on()))
         m_chain.owe(order.module, StopCause::GroupStop, *manner);
 }
 

@@ -469,6 +469,22 @@ TEST_F(StopOfOne, IsNotRepeatedIfItWasToSwitchTheServoOn) {
     EXPECT_EQ(bus.count<OwedStopConfirmed>(), 0U);
 }
 
+TEST_F(StopOfOne, IsNotLostIfTheChainIsSearchedForMeanwhile) {
+    bus.onCommand = [](std::vector<std::uint8_t>& command) {
+        if (command.size() > 1 && command[1] == 1)
+            command.clear();
+    };
+    const OperationId id = stop();
+    bus.runFor(60ms);
+    ASSERT_FALSE(bus.outcomeOf(id)) << "it is still being retried";
+    bus.engine.connect(bus.now);
+    bus.onCommand = {};
+    bus.runFor(1ms);
+    EXPECT_EQ(bus.outcomeOf(id), Outcome::Cancelled);
+    EXPECT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() == 1; }, 10s));
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0);
+}
+
 /// The first operation is cancelled by what its own answer shows; that answer is not the second one's.
 TEST(Operations, AreNotEndedByTheAnswerToAnotherThatWasCancelled) {
     VirtualBus bus(servos(2));
