@@ -101,32 +101,37 @@ void Engine::submit(Operation operation, TimePoint now) {
 }
 
 /// While the chain is being searched for or is lost, stops are sent all the same: blindly, and again until
-/// they are confirmed. Not while the line is lent, nor once it is no longer known which module has which
-/// address.
-bool Engine::stopsBlindly() const {
-    const bool unsettled = !m_connected || m_search.active();
-    return unsettled && !m_config.readOnly && !lent() && !m_search.givesAddresses();
+/// they are confirmed. So is one that comes during a stop of all modules, which may be gentler. Not while the
+/// line is lent, nor once it is no longer known which module has which address.
+bool Engine::takesStopsOnly() const {
+    return !settled() && !m_config.readOnly && !lent() && !m_search.givesAddresses();
 }
 
 bool Engine::oweStops(const Operation& operation) {
-    const bool known = std::ranges::all_of(operation.orders,
-                                           [this](const Order& order) { return m_chain.has(order.module); });
-    if (!stopsBlindly() || !known)
+    const bool stopping = m_connected && !m_search.active();
+    const auto fits = [&](const Order& order) {
+        return m_chain.has(order.module) && (!stopping || isAsOwed(order));
+    };
+    if (!takesStopsOnly() || !std::ranges::all_of(operation.orders, fits))
         return false;
     for (const Order& order : operation.orders)
-        m_chain.owe(order.module, StopCause::GroupStop, *stopManner(order.command));
+        if (const StopManner manner = *stopManner(order.command); !stopping || mayOwe(order.module, manner))
+            m_chain.owe(order.module, StopCause::GroupStop, manner);
     return true;
 }
 
+/// The command is what an owed stop would send. Stop Here is not: it has a position of its own. Neither is a
+/// stop of a servo that is off: it switches the servo on.
+bool Engine::isAsOwed(const Order& order) const {
+    return m_chain.has(order.module) &&
+           stopFor(m_chain.belief(order.module), *stopManner(order.command)) == order.command;
+}
+
 /// A stop that would have to wait, or leave a hold of its motor behind, takes the way of a stop of a group.
-/// Returns false if it may go as an operation, or is not what an owed stop sends: Stop Here has a position of
-/// its own, and a stop of a servo that is off switches it on.
+/// Returns false if it may go as an operation, or is not what an owed stop sends.
 bool Engine::haltAtOnce(const Operation& operation, TimePoint now) {
-    const auto asOwed = [this](const Order& order) {
-        return m_chain.has(order.module) &&
-               stopFor(m_chain.belief(order.module), *stopManner(order.command)) == order.command;
-    };
-    if (!accepting() || !std::ranges::all_of(operation.orders, asOwed))
+    if (!accepting() ||
+        !std::ranges::all_of(operation.orders, [this](const Order& order) { return isAsOwed(order); }))
         return false;
     const std::vector<ModuleIndex> stopped = stoppedBy(operation);
     const bool waits = !m_operations.empty() || (m_path.active() && !m_path.isFor(stopped)) ||
@@ -151,7 +156,7 @@ void Engine::keepTrial(ModuleIndex module, TimePoint now) {
 
 void Engine::submit(const GroupOperation& operation, TimePoint now) {
     const auto* command = std::get_if<GroupCommand>(&operation.what);
-    if (command != nullptr && isStop(command->action) && (accepting() || stopsBlindly()))
+    if (command != nullptr && isStop(command->action) && (accepting() || takesStopsOnly()))
         m_events.emplace_back(stopGroup(operation, *command));
     else if (!accepting() || !m_operations.submit(operation))
         m_events.emplace_back(GroupFinished{operation.id, refusal(), operation.what, {}, false});

@@ -196,8 +196,9 @@ private:
     [[nodiscard]] GroupFinished stopGroup(const GroupOperation& operation, const GroupCommand& command);
     [[nodiscard]] std::vector<ModuleIndex> membersOf(std::uint8_t group) const;
     void beginPath(const Operation& operation, TimePoint now);
-    [[nodiscard]] bool stopsBlindly() const;
+    [[nodiscard]] bool takesStopsOnly() const;
     [[nodiscard]] bool oweStops(const Operation& operation);
+    [[nodiscard]] bool isAsOwed(const Order& order) const;
     [[nodiscard]] bool haltAtOnce(const Operation& operation, TimePoint now);
     void beginTrial(const Operation& operation, TimePoint now);
     /// These modules are sent a stop: a path with one of them ends.

@@ -4,6 +4,7 @@
 
 #include "bus/commandlane.h"
 #include "bus/stoplane.h"
+#include "tests/bus/groups.h"
 #include "tests/bus/scriptedbus.h"
 #include "tests/bus/steps.h"
 #include "tests/support/virtualbus.h"
@@ -55,6 +56,34 @@ TEST(StopAll, KeepsAServoThatIsOffOff) {
     EXPECT_FALSE(bus.servo(1).servoOn);
     EXPECT_EQ(bus.sends("AA 02 17", from), 0U);
     EXPECT_EQ(bus.sends("AA FF", from), 0U) << "not all of them may receive the same packet";
+}
+
+/// The first stops do not arrive, and the user does not wait for the end of the stop of all modules.
+TEST(StopAll, LetsAMotorBeSwitchedOffMeanwhile) {
+    for (const bool group : {false, true}) {
+        GroupBus bus(servos(2));
+        ASSERT_TRUE(bus.connect());
+        ASSERT_EQ(bus.put(0, kGroup).outcome, Outcome::Done);
+        ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, 65'536, true)}), Outcome::Done);
+        bus.runFor(300ms);
+        bus.onCommand = [](std::vector<std::uint8_t>& command) {
+            if (command.size() > 3 && command[2] == 0x17 &&
+                command[3] == 0x05)  // stop abruptly, amplifier on
+                command.clear();
+        };
+        bus.engine.stopAll(bus.now);
+        bus.runFor(50ms);
+        ASSERT_TRUE(bus.engine.stopping());
+        if (group)
+            bus.submitGroup(GroupCommand{kGroup, GroupCommand::Action::MotorOff});
+        else
+            EXPECT_EQ(bus.perform({motorOff(0)}), Outcome::Done);
+        EXPECT_TRUE(bus.runUntil([&] { return !bus.servo(0).servoOn; }, 200ms));
+        EXPECT_EQ(bus.perform({enable(1)}), Outcome::Cancelled) << "it would switch that servo on";
+        ASSERT_TRUE(bus.runUntil([&] { return bus.count<StopFinished>() == 1; }, 5s));
+        EXPECT_THAT(bus.last<StopFinished>()->unreached, IsEmpty());
+        EXPECT_FALSE(bus.servo(1).servoOn);
+    }
 }
 
 TEST(StopAll, SwitchesOffAPwmOutput) {
