@@ -175,7 +175,9 @@ std::vector<Order> Chain::stops() const {
     std::vector<Order> stops;
     for (const Module& module : m_modules) {
         const ModuleInfo& info = module.belief.info();
-        auto stop = stopFor(module.belief);
+        // A motor that has to be switched off is not held instead.
+        const StopManner owed = module.owed ? module.owed->target.manner() : StopManner::Smoothly;
+        auto stop = stopFor(module.belief, firmer(StopManner::Abruptly, owed));
         if (!stop)
             continue;
         stops.push_back({info.index, *stop});

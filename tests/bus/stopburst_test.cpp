@@ -50,6 +50,20 @@ TEST(StopBurst, IsKnownBeforeTheCommandThatNeedsItLeaves) {
     EXPECT_EQ(toHex(atLeaving), kStopsTheFirst);
 }
 
+/// The motor has been switched off, but that is not known: a stop that keeps the servo on would switch it on
+/// again.
+TEST(StopBurst, SwitchesOffWhatWasToBeSwitchedOff) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0)}), Outcome::Done);
+    bus.losesReply = [](ByteSpan) { return true; };
+    EXPECT_EQ(bus.perform({motorOff(0)}), Outcome::NoAnswer);
+    EXPECT_FALSE(bus.servo(0).servoOn);
+    const std::string burst = toHex(bus.engine.stopBurst());
+    EXPECT_NE(burst.find("AA 01 17 02 1A"), std::string::npos) << burst;
+    EXPECT_EQ(burst.find("AA 01 17 05"), std::string::npos) << burst;
+}
+
 TEST(StopBurst, IsForTheRateOfTheChainWhileTheLineIsElsewhere) {
     EngineConfig config;
     config.baud = 115'200;
