@@ -468,14 +468,16 @@ bool Engine::dispatch(TimePoint now) {
     }
     offer(true, m_wayBack);
     // A servo that swings is not seen at rest before its gains are restored.
-    offer(m_stops.allSent() && m_connected, m_trials);
+    offer(m_stops.allSent() && !m_search.active(), m_trials);
     offer(true, m_stops);
     if (taken == Turn::Free)
         taken = repeat(true, now);
     offer(live, m_recovery, m_restartSearch);
     if (taken == Turn::Free)
         taken = repeat(false, now);
-    offer(live, m_search, m_rate, m_readdress, m_trials);
+    offer(live, m_search, m_rate, m_readdress);
+    // Also once the link has been given up: the gains from before are part of its stop.
+    offer(!m_search.active(), m_trials);
     // Operations submitted for the module before a hold come first: a stop sent after the start would end the
     // motion while the hold considers it running.
     offer(live && !(m_hold.active() && m_operations.concerns(m_hold.module())), m_hold);

@@ -78,6 +78,16 @@ TEST_F(Trials, EndWhenTheTimeIsOverWithNobodyAsking) {
     bus.expectNoViolations();
 }
 
+/// A module that has restarted makes the panel stop everything, and send nothing more to the others.
+TEST_F(Trials, EndWhenTheLinkIsGivenUp) {
+    beginTrial(kOther);
+    bus.chain.powerCycle(ModuleIndex(1), bus.now);
+    EXPECT_TRUE(comesBack(5s));
+    const auto end = finished();
+    ASSERT_TRUE(end);
+    EXPECT_EQ(end->outcome, Outcome::Cancelled);
+}
+
 TEST_F(Trials, EndBeforeTheGroupStarts) {
     for (const std::uint8_t member : {std::uint8_t{0}, std::uint8_t{1}}) {
         ASSERT_EQ(bus.put(member, kGroup).outcome, Outcome::Done);
