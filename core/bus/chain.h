@@ -87,6 +87,10 @@ public:
         Health health;
         std::optional<OwedStop> owed{};
         std::optional<Trial> trial{};
+        /// Nothing may start its motor yet: a stop comes first, or the gains from before a trial do.
+        [[nodiscard]] bool forbidsStart() const {
+            return (owed && owed->forbidsStart()) || (trial && trial->phase == Trial::Phase::Returning);
+        }
         /// Since when there is an unanswered command that may have been carried out.
         std::optional<TimePoint> unanswered{};
     };

@@ -92,7 +92,7 @@ GroupWork::GroupPermit GroupWork::permitGroup(const GroupCommand& command) const
             return {Permission::Never, info.index};
         const ModuleCommand own = commandFor(command.action, info.identity.type);
         Permission verdict = permit(module.belief, own);
-        if (mayStartMotion(own) && module.owed && module.owed->forbidsStart())
+        if (mayStartMotion(own) && module.forbidsStart())
             verdict = Permission::Never;
         // With nothing stored, it is unknown what Synch Output would set.
         if (info.identity.type == ModuleType::Io && command.action == GroupCommand::Action::StartMotion &&

@@ -110,8 +110,7 @@ Next HoldTask::next(TimePoint /*now*/) {
     const Belief& module = m_chain.belief(start.module);
     if (!module.fresh() || !module.items())
         return m_chain.look(Purpose::Hold, start.module);
-    const auto& owed = m_chain.at(start.module).owed;
-    if (owed && owed->forbidsStart())
+    if (m_chain.at(start.module).forbidsStart())
         return Idle{};
     // Load Trajectory would switch a servo on, which a hold must never do.
     if (!module.on()) {

@@ -99,11 +99,10 @@ void OperationTask::report(Event event) {
 Next OperationTask::send() {
     const Order& order = m_commands.order();
     Ask ask = m_chain.command(Purpose::Operation, order);
-    auto& owed = m_chain.at(order.module).owed;
-    if (owed && mayStartMotion(order.command)) {
-        if (owed->forbidsStart())
+    if (mayStartMotion(order.command)) {
+        if (m_chain.at(order.module).forbidsStart())
             return forbid();
-        owed.reset();  // the user wants it to move again
+        m_chain.at(order.module).owed.reset();  // the user wants it to move again
     }
     ask.reported = true;
     ask.retry = m_attempts > 0;

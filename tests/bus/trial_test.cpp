@@ -88,6 +88,23 @@ TEST_F(Trials, EndWhenTheLinkIsGivenUp) {
     EXPECT_EQ(end->outcome, Outcome::Cancelled);
 }
 
+/// As long as it has the gains that were tried, it must not move.
+TEST_F(Trials, AreOverBeforeTheirModuleMoves) {
+    beginTrial(kOther);
+    unsigned lost = 0;
+    bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+        const bool gain = command.size() > 2 && command[1] == 1 && (command[2] & 0x0FU) == 0x06;
+        if (gain && lost++ < 3)
+            command.clear();
+    };
+    EXPECT_EQ(bus.perform({loadMove(0, 1'000), start(0)}), Outcome::Forbidden);
+    EXPECT_EQ(lost, 3U) << "all attempts";
+    EXPECT_TRUE(has(kOther));
+    EXPECT_NEAR(bus.servo(0).position, 0, 3);
+    EXPECT_TRUE(comesBack(1s));
+    EXPECT_EQ(bus.perform({loadMove(0, 1'000), start(0)}), Outcome::Done);
+}
+
 TEST_F(Trials, EndBeforeTheGroupStarts) {
     for (const std::uint8_t member : {std::uint8_t{0}, std::uint8_t{1}}) {
         ASSERT_EQ(bus.put(member, kGroup).outcome, Outcome::Done);
