@@ -190,6 +190,8 @@ void HoldTask::giveUp(HoldExpired::Reason reason) {
 }
 
 Line::Script HoldTask::onEnd(const Ask& ask, const ReplyEnd& end, TimePoint /*now*/) {
+    if (!m_wanted || ask.module != m_wanted->module)
+        return {};  // that hold has ended, and its motor is owed a stop
     if (!ask.reported) {
         // Unknown: nothing is started, and what was started is stopped.
         if (end.result != ReplyResult::Accepted)

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bus/gate.h"
+#include "bus/rejoin.h"
 
 namespace nmc::bus {
 
@@ -74,7 +75,7 @@ void TrialTask::forgetAll() {
 void TrialTask::rejoin(const Chain& before) {
     for (const Chain::Module& old : before.modules())
         for (Chain::Module& module : m_chain.modules())
-            if (old.trial && old.belief.info().address == module.belief.info().address)
+            if (old.trial && sameModule(old.belief.info(), module.belief.info()))
                 module.trial = old.trial;
 }
 
