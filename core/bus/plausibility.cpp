@@ -280,9 +280,11 @@ bool Plausibility::repeatsZeros(const StatusReport& report) const {
 }
 
 /// Power is checked once per tick (DS-V 4.5): the reply to a command that switches the servo on may show it
-/// on, whether there is power or not.
+/// on, whether there is power or not. An SC reports a supply that is too high as no power, and leaves its
+/// servo on (docs/family.md).
 bool Plausibility::onWithoutPower(const ReplyEnd& end) const {
-    if (m_identity.type != ModuleType::Servo || !end.report.aux || end.report.servoStatus().powerOn())
+    if (m_identity.type != ModuleType::Servo || isSc(m_identity) || !end.report.aux ||
+        end.report.servoStatus().powerOn())
         return false;
     const bool commanded = m_mayEnable && end.latched < *m_mayEnable + kTakesEffect;
     const bool homed = m_known.status && (*m_known.status & ~end.report.status & kHomingBit) != 0;

@@ -22,7 +22,7 @@ enum class Rejection : std::uint8_t {
     VelocityJump,   ///< a velocity change that no motor can make in the time
     // PIC-SERVO (DS-V 5.3).
     OffWithoutBits,    ///< servo off, but pos_error or move_done is not set
-    OnWithoutPower,    ///< servo on without motor power
+    OnWithoutPower,    ///< servo on without motor power (not an SC)
     SlewWithoutAccel,  ///< slew_done without accel_done
     StickyCleared,     ///< a sticky bit was cleared without Clear Sticky Bits
     // PIC-STEP (DS-S 5.2).

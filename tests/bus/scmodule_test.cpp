@@ -74,6 +74,22 @@ TEST_F(ScOnTheBus, ItsAmplifierIsNotChangedWhileTheServoIsOn) {
     EXPECT_TRUE(truth().servo.later->antiphase);
 }
 
+/// Above 4.5 V, POWER_ON is 0 and the servo stays on (docs/family.md, Voltage sense).
+TEST_F(ScOnTheBus, AnswersWhileItsSupplyIsTooHigh) {
+    ASSERT_EQ(bus.perform({enable(kSc)}), Outcome::Done);
+    bus.chain.set(ModuleIndex(kSc), sim::Input::VoltSense, 4.8, bus.now);
+    bus.runFor(3s);
+    ASSERT_TRUE(truth().servo.servoOn);
+    EXPECT_EQ(bus.count<ModuleUnresponsive>(), 0U);
+    EXPECT_EQ(bus.engine.statistics().rejected, 0U);
+    const StatusReport shown = bus.lastSample(kSc).value().report;
+    EXPECT_FALSE(shown.servoStatus().powerOn());
+    EXPECT_TRUE(servo::AuxByte{shown.aux.value()}.servoOn());
+    const auto stopped = bus.stopAll();
+    ASSERT_TRUE(stopped);
+    EXPECT_TRUE(stopped->unreached.empty());
+}
+
 TEST_F(ScOnTheBus, AConfigurationIsSavedAndTheOthersKeepWhatTheyHave) {
     ASSERT_EQ(bus.perform({gains(0), enable(0), loadMove(0, 1'000), start(0)}), Outcome::Done);
     bus.runFor(2s);
