@@ -351,8 +351,7 @@ bool Plausibility::explainedByItsSpeed(const ReplyEnd& end) const {
 
 std::optional<Rejection> Plausibility::stepperMotion(const Known& known, const ReplyEnd& end) const {
     const double travelled = distance(*known.position, *end.report.position);
-    const bool moved = stepper::StatusByte{*known.status}.moving() || end.report.stepperStatus().moving() ||
-                       m_position.isOpen();
+    const bool moved = known.moved || end.report.stepperStatus().moving() || m_position.isOpen();
     if (!moved && !m_motion.isOpen() && travelled != 0)
         return Rejection::MovedWhileStopped;
     const double most = ticks(end.latchedBy - known.from) + 1;
@@ -373,6 +372,8 @@ double Plausibility::unexplained(const Known& known, const ReplyEnd& end) const 
 void Plausibility::take(Known& known, const ReplyEnd& end) const {
     const StatusReport& report = end.report;
     known.status = report.status;
+    // A reply to a challenge has no position: the motion that brought the motor elsewhere may end in it.
+    known.moved = report.stepperStatus().moving() || (known.moved && !report.position);
     if (report.aux)
         known.aux = report.aux;
     if (report.pins)

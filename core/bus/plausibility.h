@@ -66,6 +66,7 @@ private:
         std::optional<std::int32_t> home;
         std::optional<std::int32_t> position;
         std::optional<std::int16_t> velocity;
+        bool moved = false;   ///< PIC-STEP: it was moving with the position, or in a reply since
         bool allLow = false;  ///< PIC-I/O: its pins and A/D values are 0
         TimePoint from, to;   ///< the position was latched between these
         double spread = 0;    ///< of recent velocities, counts per tick

@@ -353,6 +353,11 @@ TEST(Plausibility, RejectsAStepperThatMovedWhileItStood) {
     EXPECT_EQ(told.says({.position = 1}), std::nullopt) << "one step between two queries";
     Stepper ended({.status = 0x4D, .timer = 60'000});
     EXPECT_EQ(ended.says({.position = 12}), std::nullopt) << "it was moving when it was last queried";
+    // The motion ends in a doubt, whose first query asks for the type and version alone.
+    Stepper doubted({.status = 0x4D, .timer = 60'000});
+    EXPECT_EQ(doubted.says({}, 0x20), std::nullopt);
+    EXPECT_EQ(doubted.says({.position = 12}), std::nullopt) << "it moved since the last position";
+    EXPECT_EQ(doubted.says({.position = 13}), Rejection::MovedWhileStopped) << "it stands there";
 }
 
 TEST(Plausibility, RejectsMoreThanFiftyThousandStepsASecond) {
