@@ -49,6 +49,12 @@ struct Plausibility::Sent {
     const ServoRegisters& sent;
     TimePoint latched;
 
+    void operator()(const ResetPosition&) const { p.m_counter = 0; }
+    void operator()(const servo::SetPosition& set) const { p.m_counter = set.position.value(); }
+    void operator()(const servo::ResetRelativeToHome&) const {
+        if (p.m_known.position && p.m_known.home && !p.m_home.isOpen())
+            p.m_counter = countsBetween(*p.m_known.home, *p.m_known.position);
+    }
     void operator()(const SaveAsHome&) const { p.m_home.open(latched); }
     void operator()(const servo::SetHoming&) const { homing(); }
     void operator()(const stepper::SetHoming&) const { homing(); }
@@ -156,8 +162,10 @@ void Plausibility::Allowance::onReply(TimePoint latched) {
 }
 
 void Plausibility::onSent(const ModuleCommand& command, const ServoRegisters& sent, TimePoint latched) {
-    if (setsCounter(command))
+    if (setsCounter(command)) {
         m_position.open(latched);
+        m_counter.reset();
+    }
     visitCommand(Sent{*this, sent, latched}, command);
 }
 
@@ -257,9 +265,11 @@ std::optional<Rejection> Plausibility::against(const Known& known, const ReplyEn
     const auto impossible = motion(known, end);
     if (!impossible || !m_position.isOpen())
         return impossible;
-    Known reset = known;  // the counter may have been reset
-    reset.position = 0;
-    return motion(reset, end);
+    if (!m_counter)
+        return std::nullopt;  // it may have been set to any value
+    Known set = known;
+    set.position = m_counter;
+    return motion(set, end);
 }
 
 std::optional<Rejection> Plausibility::motion(const Known& known, const ReplyEnd& end) const {

@@ -113,6 +113,7 @@ private:
     bool m_explained = false;  ///< the reply's own velocity suggests that another host started a motion
     bool m_jumped = false;     ///< true until takeJump()
     Allowance m_position;
+    std::optional<std::int32_t> m_counter;  ///< what the last command sets the counter to, if that is known
     Allowance m_home;
     Allowance m_homing;
     Allowance m_sticky;

@@ -319,6 +319,24 @@ TEST(Plausibility, BelievesAPositionThatWasReset) {
     EXPECT_EQ(other.says({.position = 50'000}), Rejection::PositionJump) << "it is not anywhere else either";
 }
 
+TEST(Plausibility, BelievesACounterThatWasSetToAValue) {
+    Servo servo({.position = 500, .home = 200});
+    servo.sends(ServoCommand(servo::SetPosition{Counts(100'000)}));
+    EXPECT_EQ(servo.says({.position = 0, .home = 200}), Rejection::PositionJump)
+        << "this one sets it elsewhere";
+    EXPECT_EQ(servo.says({.position = 100'000, .home = 200}), std::nullopt);
+    // 100 000 minus home; what the other resets would give is as implausible as before.
+    servo.sends(ServoCommand(servo::ResetRelativeToHome{}));
+    EXPECT_EQ(servo.says({.position = 0, .home = 200}), Rejection::PositionJump);
+    EXPECT_EQ(servo.says({.position = 99'800, .home = 200}), std::nullopt);
+    EXPECT_FALSE(servo.plausibility.takeJump());
+    // Home has just been saved, and no reply has shown where.
+    Servo unread({.position = 50'000});
+    unread.sends(ServoCommand(SaveAsHome{}));
+    unread.sends(ServoCommand(servo::ResetRelativeToHome{}));
+    EXPECT_EQ(unread.says({.position = 0, .home = 50'000}), std::nullopt);
+}
+
 TEST(Plausibility, RejectsAVelocityThatNoMotorReaches) {
     Servo servo;
     EXPECT_EQ(servo.says({.velocity = 257}), Rejection::VelocityJump) << "500 000 edges a second";

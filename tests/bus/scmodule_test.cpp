@@ -74,6 +74,25 @@ TEST_F(ScOnTheBus, ItsAmplifierIsNotChangedWhileTheServoIsOn) {
     EXPECT_TRUE(truth().servo.later->antiphase);
 }
 
+/// To a value, and to the position minus home, which neither command changes (docs/family.md, Reset
+/// Position).
+TEST_F(ScOnTheBus, SetsItsCounterWithoutADoubt) {
+    ASSERT_EQ(bus.perform({enable(kSc)}), Outcome::Done);
+    const auto setsTo = [&](const Order& order, std::int32_t counts) {
+        EXPECT_EQ(bus.perform({order}), Outcome::Done);
+        bus.runFor(1s);
+        EXPECT_NEAR(bus.lastSample(kSc).value().report.position.value(), counts, 3);
+    };
+    setsTo(toServo(kSc, servo::SetPosition{Counts(100'000)}), 100'000);
+    setsTo(toServo(kSc, SaveAsHome{}), 100'000);
+    setsTo(toServo(kSc, servo::SetPosition{Counts(-50'000)}), -50'000);
+    setsTo(toServo(kSc, servo::ResetRelativeToHome{}), -150'000);
+    EXPECT_EQ(bus.engine.statistics().rejected, 0U);
+    for (const Sample& sample : bus.all<Sample>())
+        EXPECT_FALSE(sample.jumped);
+    bus.expectNoViolations();
+}
+
 /// Above 4.5 V, POWER_ON is 0 and the servo stays on (docs/family.md, Voltage sense).
 TEST_F(ScOnTheBus, AnswersWhileItsSupplyIsTooHigh) {
     ASSERT_EQ(bus.perform({enable(kSc)}), Outcome::Done);
