@@ -209,7 +209,8 @@ void Recovery::passed(ModuleIndex module, TimePoint now) {
 void Recovery::failed(ModuleIndex module, TimePoint now) {
     m_doubt.reset();
     m_findings.lost = module;
-    if (!m_chain.answers(module))
+    m_lostAnswering = m_chain.answers(module);
+    if (!m_lostAnswering)
         return m_chain.schedule().onTimeout(module, now);
     lose(module, now);
 }

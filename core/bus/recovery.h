@@ -66,6 +66,8 @@ public:
     /// The module is not queried any more.
     void dropDoubt(ModuleIndex module);
     void dropDoubt() { m_doubt.reset(); }
+    /// The module that failed its challenge last had been answering until then.
+    [[nodiscard]] bool lostAnswering() const { return m_lostAnswering; }
     /// The module was found elsewhere not to answer: it is silent from now on, and reported as such.
     void lose(ModuleIndex module, TimePoint now);
 
@@ -121,9 +123,10 @@ private:
     Duration m_quarantine = kMinQuarantine;
     std::optional<Doubt> m_doubt;
     Silence m_silence;
-    bool m_lost = false;     ///< all modules are silent, since loseAll(), until one passes its challenge
-    bool m_givenUp = false;  ///< until reset(): LinkLost is not reported any more
-    Health m_health;         ///< of the whole link
+    bool m_lost = false;  ///< all modules are silent, since loseAll(), until one passes its challenge
+    bool m_lostAnswering = false;  ///< see lostAnswering()
+    bool m_givenUp = false;        ///< until reset(): LinkLost is not reported any more
+    Health m_health;               ///< of the whole link
     Findings m_findings;
 };
 

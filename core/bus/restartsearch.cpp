@@ -16,10 +16,17 @@ constexpr unsigned kAsks = 3;
 
 }  // namespace
 
-void RestartSearch::onLost(ModuleIndex module) {
-    const bool first = std::exchange(m_lookedFor, module) != module;
-    if (first || m_chain.rate() == kPowerUpBaud)
-        m_stage = Stage::Ask;
+void RestartSearch::onLost(ModuleIndex /*module*/) {
+    if (m_recovery.lostAnswering() || m_chain.rate() == kPowerUpBaud)
+        begin();
+}
+
+bool RestartSearch::onChange(const Change& change) {
+    if (change.kind == Change::Kind::Search || change.kind == Change::Kind::GivenUp)
+        m_stage = Stage::None;
+    else if (change.kind == Change::Kind::Interrupted && m_stage == Stage::Back)
+        begin();  // the answer was dropped with the query, and the module may not be lost again
+    return false;
 }
 
 void RestartSearch::onProbeFailed() {

@@ -18,7 +18,8 @@ class RestartSearch : public Task {
 public:
     RestartSearch(const Shared& shared, Recovery& recovery) : Task(shared), m_recovery(recovery) {}
 
-    /// A module has just failed its challenge.
+    /// A module has just failed its challenge. One that was silent before it is looked for again only at the
+    /// power-up rate: at another, the others would be out of reach too often.
     void onLost(ModuleIndex module);
     /// A silent module did not answer again.
     void onProbeFailed();
@@ -30,11 +31,7 @@ public:
 
     [[nodiscard]] bool wants(TimePoint /*now*/) const override { return m_stage != Stage::None; }
     [[nodiscard]] Next next(TimePoint now) override;
-    bool onChange(const Change& change) override {
-        if (change.kind == Change::Kind::Search || change.kind == Change::Kind::GivenUp)
-            m_stage = Stage::None;
-        return false;
-    }
+    bool onChange(const Change& change) override;
     Line::Script onEnd(const Ask& ask, const ReplyEnd& end, TimePoint now) override;
 
 private:
@@ -44,13 +41,16 @@ private:
         Back,    ///< switches back to the chain's rate
         Others,  ///< there is one: do the others still answer?
     };
+    void begin() {
+        m_stage = Stage::Ask;
+        m_asks = 0;
+    }
     void onUnaddressed(const ReplyEnd& end);
     void name();
     void report(ModuleIndex module, bool quiet);
 
     Recovery& m_recovery;
     Stage m_stage = Stage::None;
-    std::optional<ModuleIndex> m_lookedFor;
     std::optional<ModuleIdentity> m_unaddressed;
     std::vector<ModuleIndex> m_others;
     bool m_again = false;  ///< the next of these modules has been queried once

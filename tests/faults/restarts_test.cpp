@@ -17,6 +17,9 @@ using namespace bus;
 using namespace std::chrono_literals;
 using testing::Contains;
 
+/// To a module without an address.
+constexpr const char* kQueryOfRestarted = "AA 00 13 20 33";
+
 [[nodiscard]] bool restarted(const FaultyBus& bus, std::uint8_t module) {
     for (const auto& event : bus.all<ModuleRestarted>())
         if (event.module == ModuleIndex(module))
@@ -85,12 +88,11 @@ TEST(F15_ModulePowerCycledAlone, IsWellAgainAfterARestart) {
 
 /// The answer about another module, from before the chain was searched for again, says nothing of this one.
 TEST(F15_ModuleSilentAfterAnotherRestarted, IsNotCalledRestartedWhenAStopCutsTheQueryOff) {
-    const std::string query = "AA 00 13 20 33";  // to a module without an address
     FaultyBus bus(servos(2));
     ASSERT_TRUE(bus.connectAndEnable());
     std::size_t from = bus.sent.size();
     bus.fault("module 2 powercycle");
-    ASSERT_TRUE(bus.runUntil([&] { return bus.sends(query, from) > 0; }, 10s));
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends(kQueryOfRestarted, from) > 0; }, 10s));
     from = bus.sent.size();
     ASSERT_TRUE(bus.runUntil([&] { return bus.sends("AA 01 13 20 34", from) > 0; }, 1s))
         << "the other module is asked whether it still answers";
@@ -102,7 +104,7 @@ TEST(F15_ModuleSilentAfterAnotherRestarted, IsNotCalledRestartedWhenAStopCutsThe
     const std::size_t restarts = bus.count<ModuleRestarted>();
     from = bus.sent.size();
     bus.fault("module 1 silent");
-    ASSERT_TRUE(bus.runUntil([&] { return bus.sends(query, from) > 0; }, 10s));
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends(kQueryOfRestarted, from) > 0; }, 10s));
     ASSERT_TRUE(bus.stopAll());
     bus.runFor(5s);
     EXPECT_EQ(bus.count<ModuleRestarted>(), restarts);
@@ -153,6 +155,37 @@ TEST(F16_PowerCycledAtTheHigherRate, StopsTheOthers) {
     EXPECT_TRUE(bus.stands(0));
     ASSERT_EQ(bus.count<StopFinished>(), 1U);
     EXPECT_TRUE(FaultyBus::stopped(*bus.last<StopFinished>(), 0));
+}
+
+/// It had been looked for in vain when its plug was loose.
+TEST(F16_PowerCycledAtTheHigherRate, IsRecognisedAfterASilence) {
+    FaultyBus bus(servos(2), kFast);
+    ASSERT_TRUE(bus.connectAndEnable());
+    const std::size_t from = bus.sent.size();
+    bus.fault("module 2 silent");
+    const auto silent = [&] {
+        const auto told = bus.last<ModuleUnresponsive>();
+        return told && told->silent;
+    };
+    ASSERT_TRUE(bus.runUntil(silent, 10s));
+    bus.runFor(2s);
+    ASSERT_GT(bus.sends(kQueryOfRestarted, from), 0U);
+    bus.clearFaults();
+    ASSERT_TRUE(bus.runUntil([&] { return !silent(); }, 10s));
+    bus.runFor(500ms);
+    ASSERT_EQ(bus.count<ModuleRestarted>(), 0U);
+    bus.fault("module 2 powercycle");
+    EXPECT_TRUE(bus.runUntil([&] { return restarted(bus, 1); }, 10s));
+}
+
+TEST(F16_PowerCycledAtTheHigherRate, IsRecognisedAlthoughAStopCutsTheQueryOff) {
+    FaultyBus bus(servos(2), kFast);
+    ASSERT_TRUE(bus.connectAndEnable());
+    const std::size_t from = bus.sent.size();
+    bus.fault("module 2 powercycle");
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends(kQueryOfRestarted, from) > 0; }, 10s));
+    ASSERT_TRUE(bus.stopAll());
+    EXPECT_TRUE(bus.runUntil([&] { return restarted(bus, 1); }, 10s));
 }
 
 // ---- F-37: two at one address ----
