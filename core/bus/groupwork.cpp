@@ -18,10 +18,12 @@ namespace {
 
 void GroupWork::cancel(const std::vector<ModuleIndex>& stopped) {
     const std::optional<GroupRun> run = std::exchange(m_run, std::nullopt);
-    if (!run || !run->starts())
+    if (!run)
         return;
     for (const GroupMember& member : run->members())
-        if (std::ranges::find(stopped, member.module) == stopped.end())
+        if (!run->starts())
+            m_chain.takeUnanswered(member.module, run->latched());  // its outcome remains unknown
+        else if (std::ranges::find(stopped, member.module) == stopped.end())
             m_halfStarted.push_back(member);
 }
 
@@ -183,7 +185,9 @@ void GroupWork::onAnswer(const Ask& ask, const ReplyEnd& end) {
     Belief& belief = m_chain.at(*ask.module).belief;
     const ModuleCommand carriedOut = commandFor(command.action, belief.info().identity.type);
     belief.onExecuted(carriedOut);
-    m_events.emplace_back(CommandExecuted{*ask.module, m_run->latched(), carriedOut});
+    const TimePoint latched = m_run->latched();
+    m_events.emplace_back(
+        CommandExecuted{*ask.module, latched, carriedOut, {}, m_chain.takeUnanswered(*ask.module, latched)});
 }
 
 bool GroupWork::onEnd(const Ask& ask, const ReplyEnd& end) {
@@ -200,6 +204,7 @@ void GroupWork::reportUnknown() {
     if (m_commands.group() == nullptr || !m_commands.planned())
         return;
     const ModuleIndex module = m_commands.order().module;
+    m_chain.takeUnanswered(module, {});
     if (!m_chain.belief(module).info().group)
         m_events.emplace_back(GroupChanged{module, std::nullopt});
 }
@@ -209,9 +214,11 @@ void GroupWork::finish() {
     const std::vector<GroupMember> members = run.members();
     const bool all = std::ranges::all_of(
         members, [](const GroupMember& member) { return member.outcome == MemberOutcome::Done; });
-    for (const GroupMember& member : members)
+    for (const GroupMember& member : members) {
+        m_chain.takeUnanswered(member.module, run.latched());
         if (member.outcome == MemberOutcome::NotDone)
             m_chain.at(member.module).belief.onNotExecuted(run.before(member.module));
+    }
     GroupFinished event = m_commands.finishGroup(all ? Outcome::Done : Outcome::NoAnswer, members);
     // Half a group in motion is what groups are meant to prevent (faults.md M-27).
     event.stopped = run.partly();

@@ -116,6 +116,8 @@ TEST(Groups, AreKnownAgainWhenAChangeIsAnsweredLate) {
     EXPECT_EQ(bus.put(1, 0x83).outcome, Outcome::NoAnswer);
     EXPECT_FALSE(bus.last<GroupChanged>()->place);
     bus.losesReply = nullptr;
+    bus.runFor(1s);
+    EXPECT_FALSE(bus.lastSample(1).value().unsettled) << "nothing is being found out any more";
     EXPECT_EQ(bus.start(0x81).outcome, Outcome::Forbidden) << "it may be in any group";
     EXPECT_EQ(bus.put(1, 0xFF).outcome, Outcome::Done);
 }
@@ -149,6 +151,21 @@ TEST(GroupStart, IsLatchedByAllMembersInTheSameTick) {
             EXPECT_EQ(bus.executedOnly<StartMotion>(i), 1U) << "each is reported to the model";
         bus.expectNoViolations();
     }
+}
+
+/// The members are queried instead, after which the leader's samples are as certain as those of the others.
+TEST(GroupStart, IsSettledAlthoughTheAnswerOfItsLeaderWasLost) {
+    GroupBus bus(servos(3));
+    makeGroup(bus, true);
+    ASSERT_EQ(bus.perform({loadMove(0, 40'000), loadMove(1, 40'000), loadMove(2, 40'000)}), Outcome::Done);
+    bus.losesReply = [](ByteSpan command) { return command.size() > 2 && command[1] == kGroup; };
+    EXPECT_EQ(bus.start(kGroup).outcome, Outcome::Done);
+    bus.runFor(500ms);
+    for (std::uint8_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(bus.executedOnly<StartMotion>(i), 1U) << int{i};
+        EXPECT_FALSE(bus.lastSample(i).value().unsettled) << int{i};
+    }
+    EXPECT_EQ(bus.sends("AA 81 05"), 1U);
 }
 
 TEST(GroupStart, OfAMoveToWhereItIsAndOfOneTooShortToSeeIsDone) {
