@@ -4128,8 +4128,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Im Bedienermodus nicht erlaubt. Zuerst den Bedienermodus verlassen.</translation>
     </message>
     <message>
-        <source>Load a trapezoidal move first, then choose Start: this way a garbled load never moves the motor.</source>
-        <translation>Eine Trapezfahrt zuerst laden, dann „Starten“ wählen: So bewegt ein gestörter Ladebefehl nie den Motor.</translation>
+        <source>Load the move first, then choose Start: this way a garbled load never moves the motor.</source>
+        <translation>Die Fahrt zuerst laden, dann „Starten“ wählen: So bewegt ein gestörter Ladebefehl nie den Motor.</translation>
     </message>
     <message>
         <source>it has no name.</source>

@@ -4128,8 +4128,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No permitido en modo operador. Salga primero del modo operador.</translation>
     </message>
     <message>
-        <source>Load a trapezoidal move first, then choose Start: this way a garbled load never moves the motor.</source>
-        <translation>Cargue primero un movimiento trapezoidal y después elija Iniciar: así una carga corrupta nunca mueve el motor.</translation>
+        <source>Load the move first, then choose Start: this way a garbled load never moves the motor.</source>
+        <translation>Cargue primero el movimiento y después elija Iniciar: así una carga corrupta nunca mueve el motor.</translation>
     </message>
     <message>
         <source>it has no name.</source>

@@ -4128,8 +4128,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Interdit en mode opérateur. Quittez d’abord le mode opérateur.</translation>
     </message>
     <message>
-        <source>Load a trapezoidal move first, then choose Start: this way a garbled load never moves the motor.</source>
-        <translation>Chargez d’abord un déplacement trapézoïdal, puis choisissez «&#xa0;Démarrer&#xa0;»&#xa0;: ainsi, un chargement altéré ne fait jamais bouger le moteur.</translation>
+        <source>Load the move first, then choose Start: this way a garbled load never moves the motor.</source>
+        <translation>Chargez d’abord le déplacement, puis choisissez «&#xa0;Démarrer&#xa0;»&#xa0;: ainsi, un chargement altéré ne fait jamais bouger le moteur.</translation>
     </message>
     <message>
         <source>it has no name.</source>

@@ -4116,8 +4116,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>オペレーターモードでは許可されていません。先にオペレーターモードを終了してください。</translation>
     </message>
     <message>
-        <source>Load a trapezoidal move first, then choose Start: this way a garbled load never moves the motor.</source>
-        <translation>先に台形移動をロードし、その後「開始」を選択してください。こうすれば、ロードが化けてもモーターは動きません。</translation>
+        <source>Load the move first, then choose Start: this way a garbled load never moves the motor.</source>
+        <translation>先に移動をロードし、その後「開始」を選択してください。こうすれば、ロードが化けてもモーターは動きません。</translation>
     </message>
     <message>
         <source>it has no name.</source>

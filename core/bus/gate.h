@@ -16,8 +16,9 @@ enum class Permission : std::uint8_t {
 };
 
 /// Applies the rules of DS-V 4.4 and 5.1, DS-S 5.1, and of link.md: a trapezoidal move is started only from
-/// standstill, and never by the command that loads it, so that a garbled load never moves anything; Start
-/// Motion is sent only after a load that was answered; addresses, rate and reset belong to the engine. Pure.
+/// standstill, and no move to a position by the command that loads it, so that a garbled goal never moves
+/// anything; Start Motion is sent only after a load that was answered; addresses, rate and reset belong to
+/// the engine. Pure.
 [[nodiscard]] Permission permit(const Belief& belief, const ModuleCommand& command);
 
 /// Whether points may be put into the module's path buffer and started: only by a path, from standstill, with

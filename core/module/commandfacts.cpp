@@ -79,7 +79,8 @@ struct Row {
     CommandFacts operator()(const stepper::LoadTrajectory& load) const {
         if (!load.startNow)
             return {kRepeat, None, AsLoaded, Effect::Setting};
-        return {kGiveUp, None, AsLoaded, Effect::Start};
+        // As for a PIC-SERVO, a garbled goal must not move anything.
+        return {kGiveUp, None, load.position ? Never : AsLoaded, Effect::Start};
     }
     CommandFacts operator()(const stepper::SetParameters&) const {
         return {kRepeat, None, AsLoaded, Effect::Setting};

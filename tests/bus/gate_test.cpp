@@ -152,6 +152,23 @@ TEST(Gate, ForbidsTrapezoidalStartNow) {
     EXPECT_EQ(standing().permit(load), Permission::Never);
 }
 
+TEST(Gate, ForbidsThatASteppersLoadStartsAMoveToItsPosition) {
+    Module stepper({ModuleType::Stepper, 1});
+    stepper.belief.onExecuted(StepperCommand(stepper::SetParameters{}));
+    stepper.status(kPower | 0x04, 0);
+    const stepper::LoadTrajectory whole{Counts(100), std::uint8_t{10}, std::uint8_t{4},
+                                        stepper::TimerCount{60'000, 40}};
+    const auto starts = [&](bool position, bool profile) {
+        stepper::LoadTrajectory load = partOf(whole, position, profile, profile, !profile);
+        load.startNow = true;
+        return bus::permit(stepper.belief, StepperCommand(load));
+    };
+    EXPECT_EQ(starts(true, true), Permission::Never) << "a trapezoid";
+    EXPECT_EQ(starts(true, false), Permission::Never) << "without a ramp";
+    EXPECT_EQ(starts(false, true), Permission::Allowed);
+    EXPECT_EQ(starts(false, false), Permission::Allowed);
+}
+
 TEST(Gate, TakesACoastingMotorForMoving) {
     Module module;
     module.status(kMoveDone | kPower, 0, 3);

@@ -51,6 +51,23 @@ TEST(StepPlan, LoadsWhatTable4AsksForFromStandstill) {
     EXPECT_EQ(bytesOf(intent::LoadMove{kTrapezoid}, stepper.module), (Bytes{"74 07 E8 03 00 00 28 04"}));
 }
 
+/// As a PIC-SERVO (link.md 1).
+TEST(StepPlan, StartsNoMoveToAPositionByItsLoad) {
+    const Stepper stepper = Stepper::holding();
+    stepper::LoadTrajectory load = Stepper::trapezoid(1'000);
+    EXPECT_EQ(bytesOf(intent::Direct{StepperCommand(load)}, stepper.module),
+              (Bytes{"74 07 E8 03 00 00 28 04"}));
+    load.startNow = true;
+    EXPECT_EQ(refusalOf(intent::Direct{StepperCommand(load)}, stepper.module), Refusal::StartApart);
+    load.position.reset();
+    EXPECT_EQ(bytesOf(intent::Direct{StepperCommand(load)}, stepper.module), (Bytes{"34 86 28 04"}));
+    load = {};
+    load.position = Counts(-1'000);
+    load.timer = stepper::TimerCount{64'288, 20};
+    load.startNow = load.reverse = true;
+    EXPECT_EQ(refusalOf(intent::Direct{StepperCommand(load)}, stepper.module), Refusal::StartApart);
+}
+
 TEST(StepPlan, CountsARelativeGoalFromWhereItStands) {
     Stepper stepper = Stepper::holding();
     stepper.position = 500;

@@ -94,14 +94,16 @@ TEST(StepperTravel, ALoadWithoutASpeedIsAsFastAsTheOneBefore) {
     Stepper stepper = limitedStepper();
     stepper::LoadTrajectory load;
     load.position = Counts(200);
-    load.startNow = true;
-    const Intent start = intent::Direct{StepperCommand(load)};
+    const Intent start = intent::Direct{StepperCommand(StartMotion{})};
+    stepper.was(load);
     EXPECT_EQ(plan(start, stepper.module).error(), Refusal::NoVelocity) << "none was ever loaded";
     stepper.was(Stepper::trapezoid(100));
+    stepper.was(load);
     EXPECT_TRUE(plan(start, stepper.module).has_value());
     stepper.module.travel.fastest = 999;
     EXPECT_EQ(plan(start, stepper.module).error(), Refusal::TooFast);
     stepper.wasStopped(stepper::StopManner::Smoothly);
+    stepper.was(load);
     EXPECT_EQ(plan(start, stepper.module).error(), Refusal::NoVelocity);
 }
 

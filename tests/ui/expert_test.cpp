@@ -171,6 +171,14 @@ TEST_F(Expert, DoesNotStartATrapezoidWithItsLoad) {
     EXPECT_TRUE(button(u"expertLoadButton"_s)->isEnabled());
 }
 
+TEST_F(Expert, DoesNotStartAMoveOfAStepperWithItsLoad) {
+    showStepper(Stepper::holding());
+    clickOn(*find<QCheckBox>(u"expertLoadPositionLoaded"_s));
+    clickOn(*find<QCheckBox>(u"expertLoadNow"_s));
+    EXPECT_FALSE(button(u"expertLoadButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"expertLoadButton"_s)->toolTip().contains(u"then choose Start"_s));
+}
+
 TEST_F(Expert, SaysWhichNumberIsWrong) {
     showServo();
     clickOn(*find<QCheckBox>(u"expertLoadPwmLoaded"_s));

@@ -203,7 +203,7 @@ QString refusal(Refusal refusal) {
             return Texts::tr("This limit pin is set as an output.");
         case Refusal::StartApart:
             return Texts::tr(
-                "Load a trapezoidal move first, then choose Start: this way a garbled load never moves the motor.");
+                "Load the move first, then choose Start: this way a garbled load never moves the motor.");
         case Refusal::StepTooShort:
             return Texts::tr("Enter a distance other than 0.");
         case Refusal::StepTooLong:

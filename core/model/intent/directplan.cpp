@@ -63,6 +63,8 @@ struct WhyNot {
     Reason operator()(const stepper::LoadTrajectory& load) const {
         if (!inTable4(load))
             return Refusal::VersionLacksIt;
+        if (load.startNow && load.position)
+            return Refusal::StartApart;
         return load.startNow ? whyNotStarted(load, module) : whyNot(IntentKind::Load, module);
     }
     Reason operator()(const stepper::StopMotor& stop) const {

@@ -280,7 +280,7 @@ enum class Refusal : std::uint8_t {
     LimitActive,     ///< a stop on its change would occur when the switch is left
     LimitClosed,     ///< SC: does not start towards a closed limit
     LimitIsOutput,   ///< the pin is an output, so it reports nothing
-    StartApart,      ///< a trapezoidal move must not be started by the command that loads it
+    StartApart,      ///< a move to a position must not be started by the command that loads it
     StepTooShort,    ///< a move by 0 counts
     StepTooLong,     ///< a step response requires a small move
     StepWouldTrip,   ///< the position error of the step would exceed its limit, or nearly
