@@ -2490,10 +2490,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zu viele Befehle warten. An Gruppe %1 wurde nichts gesendet.</translation>
     </message>
     <message>
-        <source>All motors were commanded to stop.</source>
-        <translation>An alle Motoren ging ein Stoppbefehl.</translation>
-    </message>
-    <message>
         <source>Not all modules of group %1 confirmed saving home.</source>
         <translation>Nicht alle Module der Gruppe %1 haben das Speichern der Referenz bestätigt.</translation>
     </message>

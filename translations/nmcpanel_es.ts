@@ -2490,10 +2490,6 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Hay demasiados comandos en espera. No se envió nada al grupo %1.</translation>
     </message>
     <message>
-        <source>All motors were commanded to stop.</source>
-        <translation>Se ordenó parar a todos los motores.</translation>
-    </message>
-    <message>
         <source>Not all modules of group %1 confirmed saving home.</source>
         <translation>No todos los módulos del grupo %1 confirmaron que guardaron la referencia.</translation>
     </message>

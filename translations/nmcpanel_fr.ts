@@ -2490,10 +2490,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Trop de commandes attendent. Rien n’a été envoyé au groupe %1.</translation>
     </message>
     <message>
-        <source>All motors were commanded to stop.</source>
-        <translation>Tous les moteurs ont reçu l’ordre d’arrêt.</translation>
-    </message>
-    <message>
         <source>Not all modules of group %1 confirmed saving home.</source>
         <translation>Au moins un module du groupe %1 n’a pas confirmé l’enregistrement de l’origine.</translation>
     </message>

@@ -2484,10 +2484,6 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>待機中のコマンドが多すぎます。グループ %1 には何も送信していません。</translation>
     </message>
     <message>
-        <source>All motors were commanded to stop.</source>
-        <translation>すべてのモーターに停止を指令しました。</translation>
-    </message>
-    <message>
         <source>Not all modules of group %1 confirmed saving home.</source>
         <translation>グループ%1に、原点の保存を確認応答していないモジュールがあります。</translation>
     </message>

@@ -101,6 +101,13 @@ TEST(ChainTexts, RateForAll) {
               u"All modules now run at 57 600 Bd. Positions and gains are unchanged."_s);
 }
 
+/// It may have been the stop of a single module, even of one outside the group.
+TEST(ChainTexts, AStopThatReplacesAGroupCommandIsNotSaidToBeOfAll) {
+    const Message m = texts::groupFailed(start(bus::Outcome::Cancelled, {}));
+    EXPECT_EQ(m.headline, u"A stop replaced the command to group 81."_s);
+    EXPECT_TRUE(m.body.isEmpty()) << m.body.toStdString();
+}
+
 TEST(ChainTexts, HaveNoForbiddenWords) {
     QStringList all;
     for (const RateFailure reason :
