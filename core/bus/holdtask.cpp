@@ -37,6 +37,8 @@ void HoldTask::hold(const HoldToMove& hold, TimePoint now) {
         release();
     if (over(hold.press))
         return;  // a press that moves to another module ends
+    if (m_wanted && m_wanted->press != hold.press)
+        endPress(m_wanted->press);  // of two buttons that are held at once, the one pressed last counts
     m_wanted = hold;
     if (m_sent)
         m_sent->press = hold.press;  // the same motion need not be sent twice

@@ -402,6 +402,28 @@ TEST(HoldTask, KnowsAPressByItsNumber) {
     EXPECT_FALSE(task.expiry());
 }
 
+/// Two hands, or a hand and a gamepad: the motor must not follow both in turn.
+TEST(HoldTask, FollowsTheLastOfTwoPresses) {
+    const TimePoint t{};
+    Chain chain({{ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}}}, 19'200, false);
+    const Line line(4ms, 10ms);
+    std::vector<Event> events;
+    EngineConfig config;
+    config.holdTimeout = 250ms;
+    HoldTask task({chain, line, events}, config);
+    const HoldToMove first = forward(0);
+    HoldToMove second = first;
+    ++second.press;
+    second.reverse = true;
+    task.hold(first, t);
+    task.hold(second, t + 100ms);
+    task.hold(first, t + 200ms);
+    task.expire(t + 349ms);
+    EXPECT_TRUE(task.active());
+    task.expire(t + 350ms);
+    EXPECT_FALSE(task.active());
+}
+
 /// Its button has not been released, and must not move a second module.
 TEST(HoldTask, EndsAPressThatMovesToAnotherModule) {
     Chain chain({{ModuleIndex(0), BusAddress(1), {ModuleType::Servo, 4}},
