@@ -547,7 +547,7 @@ void Engine::takeFindings(TimePoint now) {
         onSearchEnded(std::move(*ended), now);
     const Recovery::Findings findings = m_recovery.takeFindings();
     if (findings.lost)
-        m_restartSearch.onLost(*findings.lost);
+        m_restartSearch.onLost();
     if (findings.allLost)
         onLinkLost();
     const bool inVain =

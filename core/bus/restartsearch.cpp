@@ -16,7 +16,7 @@ constexpr unsigned kAsks = 3;
 
 }  // namespace
 
-void RestartSearch::onLost(ModuleIndex /*module*/) {
+void RestartSearch::onLost() {
     if (m_recovery.lostAnswering() || m_chain.rate() == kPowerUpBaud)
         begin();
 }

@@ -20,7 +20,7 @@ public:
 
     /// A module has just failed its challenge. One that was silent before it is looked for again only at the
     /// power-up rate: at another, the others would be out of reach too often.
-    void onLost(ModuleIndex module);
+    void onLost();
     /// A silent module did not answer again.
     void onProbeFailed();
     /// A search has found that the module has restarted.
