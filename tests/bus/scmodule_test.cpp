@@ -74,8 +74,8 @@ TEST_F(ScOnTheBus, ItsAmplifierIsNotChangedWhileTheServoIsOn) {
     EXPECT_TRUE(truth().servo.later->antiphase);
 }
 
-/// To a value, and to the position minus home, which neither command changes (docs/family.md, Reset
-/// Position).
+/// To a value, and to the position minus home, which neither command changes (family.md, PIC-SERVO CMC and
+/// SC).
 TEST_F(ScOnTheBus, SetsItsCounterWithoutADoubt) {
     ASSERT_EQ(bus.perform({enable(kSc)}), Outcome::Done);
     const auto setsTo = [&](const Order& order, std::int32_t counts) {
@@ -93,7 +93,7 @@ TEST_F(ScOnTheBus, SetsItsCounterWithoutADoubt) {
     bus.expectNoViolations();
 }
 
-/// Above 4.5 V, POWER_ON is 0 and the servo stays on (docs/family.md, Voltage sense).
+/// Above 4.5 V, POWER_ON is 0 and the servo stays on (family.md, PIC-SERVO CMC and SC).
 TEST_F(ScOnTheBus, AnswersWhileItsSupplyIsTooHigh) {
     ASSERT_EQ(bus.perform({enable(kSc)}), Outcome::Done);
     bus.chain.set(ModuleIndex(kSc), sim::Input::VoltSense, 4.8, bus.now);
