@@ -199,6 +199,21 @@ TEST_F(Commands, EnterInRunRunsAndKeepsTheDirection) {
     EXPECT_TRUE(test::motionOf<servomotion::VelocityProfile>(intents.at(1).at(1).value<Intent>()).reverse);
 }
 
+/// A run to a travel limit is sent as a move, of a motion that another host has started the direction is
+/// unknown, and what a stop slows down is to end.
+TEST_F(Commands, EnterInRunLeavesAnyOtherMotionAlone) {
+    for (const MotionMode motion : {MotionMode::Trapezoidal, MotionMode::None, MotionMode::Velocity}) {
+        SCOPED_TRACE(static_cast<int>(motion));
+        ModuleState module = Servo{.moveDone = false}.state();
+        module.motion = motion;
+        window->showLink(connectedTo({module}));
+        ASSERT_TRUE(button(u"runForwardButton"_s)->isEnabled());
+        type(u"runVelocityField"_s, u"0.2"_s);
+        QTest::keyClick(field(u"runVelocityField"_s), Qt::Key_Return);
+        EXPECT_EQ(intents.size(), 0);
+    }
+}
+
 /// The direction that is kept is the chip's, which on a reversed axis is not that of the buttons.
 TEST_F(Commands, EnterInRunKeepsTheDirectionOfAReversedAxis) {
     machine.axes.resize(1);

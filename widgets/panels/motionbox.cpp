@@ -150,11 +150,15 @@ void MotionBox::buildRun(FormGrid* grid) {
                                this, [this] { run(false); });
     form::setBold(grid->addRow(tr("Run at velocit&y"), m_runVelocity,
                                {form::newLine(this, {m_runReverse->button(), m_runForward->button()})}));
-    // During a run, Enter changes the velocity but not the direction.
+    // During a run, Enter changes the velocity but not the direction. Any other motion it leaves alone,
+    // because a run forward could turn it round: a run to a travel limit is a move, and another host may have
+    // started it.
     connect(m_runVelocity, &QuantityField::returnPressed, this, [this] {
         const ModuleState& module = m_context.state();
-        const bool running = module.motion == MotionMode::Velocity && module.moving();
-        const bool reverse = running && m_context.chipReverse(module.goalVelocity < 0);
+        const bool runs = module.motion == MotionMode::Velocity && module.goalVelocity != 0.0;
+        if (module.moving() && !runs)
+            return;
+        const bool reverse = module.moving() && m_context.chipReverse(module.goalVelocity < 0);
         (reverse ? m_runReverse : m_runForward)->act();
     });
 }
