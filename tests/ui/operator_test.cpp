@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Operator mode in the window: who begins it, who leaves it, and what can be used in the meantime.
+#include "tests/model/stepperfixture.h"
 #include "widgets/mainwindow/bell.h"
 #include "widgets/mainwindow/operatorlock.h"
 #include "widgets/sequences/sequencesdock.h"
@@ -38,6 +39,17 @@ protected:
     }
     void begin() {
         open();
+        typePin(u"operatorPinField"_s, kPin);
+        typePin(u"operatorPinAgainField"_s, kPin);
+        click(u"operatorBeginButton"_s);
+        ASSERT_TRUE(window->operatorLock().isLocked());
+        settle();
+    }
+    /// Adds moves to what is left by default.
+    void beginWithMoves() {
+        open();
+        auto* moves = button(u"operatorMovesBox"_s);
+        QTest::mouseClick(moves, Qt::LeftButton, {}, {moves->height() / 2, moves->height() / 2});
         typePin(u"operatorPinField"_s, kPin);
         typePin(u"operatorPinAgainField"_s, kPin);
         click(u"operatorBeginButton"_s);
@@ -133,14 +145,7 @@ TEST_F(OperatorMode, OutlivesTheSessionAndThePinIsNotInTheSettings) {
 
 /// The operator may move, but the settings are not his to change; what he types is for his moves only.
 TEST_F(OperatorMode, WhatIsTypedForAMoveStaysInItsField) {
-    open();
-    auto* moves = button(u"operatorMovesBox"_s);
-    QTest::mouseClick(moves, Qt::LeftButton, {}, {moves->height() / 2, moves->height() / 2});
-    typePin(u"operatorPinField"_s, kPin);
-    typePin(u"operatorPinAgainField"_s, kPin);
-    click(u"operatorBeginButton"_s);
-    ASSERT_TRUE(window->operatorLock().isLocked());
-    settle();
+    ASSERT_NO_FATAL_FAILURE(beginWithMoves());
     show();
     type(u"moveByDistanceField"_s, u"3"_s);
     type(u"velocityField"_s, u"0.25"_s);
@@ -148,6 +153,25 @@ TEST_F(OperatorMode, WhatIsTypedForAMoveStaysInItsField) {
     EXPECT_EQ(field(u"moveByDistanceField"_s)->text(), u"3"_s);
     EXPECT_EQ(field(u"velocityField"_s)->text(), u"0.25"_s);
     EXPECT_TRUE(machine.axes.empty() || machine.axes[0] == AxisSettings{}) << "they are not stored";
+}
+
+TEST_F(OperatorMode, AStepperStepsAndGoesHomeAtTheSpeedThatIsTyped) {
+    ASSERT_NO_FATAL_FAILURE(beginWithMoves());
+    testing_support::Stepper chip = testing_support::Stepper::holding();
+    chip.module.home.found(500, chip.time);
+    show(connectedTo({chip.module}));
+    QSignalSpy intents(&window->requests(), &Requests::intent);
+    type(u"stepperSpeedField"_s, u"800"_s);
+    click(u"stepperMoveByForwardButton"_s);
+    chip.says(testing_support::kStepOn);
+    show(connectedTo({chip.module}));
+    click(u"stepperGoHomeButton"_s);
+    ASSERT_EQ(intents.size(), 2);
+    // 800 steps/s at 1x, where a unit is 25 steps/s, is speed 32; the initial acceleration time is 40.
+    const Pace typed = bus::StepperPace{32, 40};
+    EXPECT_EQ(std::get<intent::MoveBy>(intents.at(0).at(1).value<Intent>()).pace, typed);
+    EXPECT_EQ(std::get<intent::GoHome>(intents.at(1).at(1).value<Intent>()).pace, typed);
+    EXPECT_TRUE(machine.axes.empty() || machine.axes[0] == AxisSettings{}) << "it is not stored";
 }
 
 TEST_F(OperatorMode, TheUserChoosesWhatIsLeftForTheMachine) {

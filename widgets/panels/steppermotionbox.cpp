@@ -112,12 +112,11 @@ void StepperMotionBox::buildButtons(FormGrid* grid) {
                         .text = Common::tr("&Go"),
                         .accessible = Common::tr("Go to the position")},
                        this, [this] { request(false); });
-    m_goHome = new Command(
-        {.name = u"stepperGoHomeButton"_s,
-         .icon = u"home"_s,
-         .text = Common::tr("Go home"),
-         .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
-        this, [this] { m_context.ask(intent::GoHome{paceOf(m_context.state(), m_context.settings())}); });
+    m_goHome = new Command({.name = u"stepperGoHomeButton"_s,
+                            .icon = u"home"_s,
+                            .text = Common::tr("Go home"),
+                            .key = Qt::CTRL | Qt::SHIFT | Qt::Key_G},
+                           this, [this] { m_context.ask(intent::GoHome{pace()}); });
     m_runReverse = new Command({.name = u"stepperRunReverseButton"_s,
                                 .icon = u"arrow-left"_s,
                                 .text = Common::tr("Run &reverse"),
@@ -277,7 +276,14 @@ QString StepperMotionBox::whyNoMovesBy() const {
 }
 
 std::optional<Intent> StepperMotionBox::movesBy(const Rounds& moves) const {
-    return intent::MoveBy{moves, paceOf(m_context.state(), m_context.settings())};
+    return intent::MoveBy{moves, pace()};
+}
+
+Pace StepperMotionBox::pace() const {
+    const auto speed = hasGoal() ? m_speed->native() : std::nullopt;
+    if (!speed)
+        return paceOf(m_context.state(), m_context.settings());
+    return bus::StepperPace{chipSpeed(*speed), stepperdefaults::accelerationTime(m_context.settings())};
 }
 
 std::optional<Refusal> StepperMotionBox::refusalOf(bool reverse) const {
@@ -414,7 +420,7 @@ void StepperMotionBox::refreshCommands() {
     if (reason.isEmpty())
         reason = whyNoMovesBy();
     if (reason.isEmpty())
-        reason = m_context.reasonFor(Intent(intent::GoHome{paceOf(m_context.state(), m_context.settings())}));
+        reason = m_context.reasonFor(Intent(intent::GoHome{pace()}));
     m_goHome->setPossible(reason, tr("Moves to home with a ramp, at the travel speed."));
     m_startLoaded->setPossible(m_context.reasonNow(IntentKind::StartLoaded), tr("Starts the loaded motion."));
 }

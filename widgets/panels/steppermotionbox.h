@@ -63,6 +63,9 @@ private:
     void offerNearest();
 
     [[nodiscard]] std::optional<StepperMotion> motion(bool reverse) const;
+    /// Of steps and Go home: the speed in the field, which an operator may type but not store, or that of the
+    /// settings while the field shows the speed of a run.
+    [[nodiscard]] Pace pace() const;
     [[nodiscard]] std::optional<Refusal> refusalOf(bool reverse) const;
     /// True if only Table 4 prevents the motion, so that it is possible after a stop.
     [[nodiscard]] bool viaStop(bool reverse) const;
