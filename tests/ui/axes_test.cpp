@@ -142,5 +142,22 @@ TEST_F(Axes, HomeAllInTheOrderThatTheMachineKeeps) {
     EXPECT_EQ(homes.size(), 1);
 }
 
+/// The third axis may be a Z axis, which has to be out of the way before the others are homed.
+TEST_F(Axes, KeepThePlaceOfAnAbsentOneInTheOrder) {
+    HomingRecipe recipe;
+    recipe.onLimit1 = true;
+    machine.axes.resize(3);
+    for (AxisSettings& axis : machine.axes)
+        axis.homing = recipe;
+    machine.homeOrder = {ModuleIndex(2), ModuleIndex(0), ModuleIndex(1)};
+    window->showMachine(machine);
+    showServos({{}, {}});
+    EXPECT_EQ(button(u"axisHomeEarlierButton2"_s)->text(), u"Home: 2."_s);
+    click(u"axisHomeEarlierButton2"_s);
+    EXPECT_EQ(machine.homeOrder, (std::vector{ModuleIndex(2), ModuleIndex(1), ModuleIndex(0)}));
+    showServos({{}, {}, {}});
+    EXPECT_EQ(button(u"axisHomeEarlierButton3"_s)->text(), u"Home: 1."_s);
+}
+
 }  // namespace
 }  // namespace nmc

@@ -176,12 +176,17 @@ void AxesPage::enableAll() {
 }
 
 void AxesPage::makeEarlier(ModuleIndex module) {
-    std::vector<ModuleIndex> homing = order();
+    const std::vector<ModuleIndex> homing = order();
     const auto place = std::ranges::find(homing, module);
     if (place == homing.end() || place == homing.begin())
         return;
-    std::iter_swap(place, std::prev(place));
-    emit m_requests.homeOrderEdited(homing);
+    // An axis that is absent, or has no homing recipe at the moment, keeps its place.
+    std::vector<ModuleIndex> all = m_machine.homeOrder;
+    for (const ModuleIndex listed : homing)
+        if (!std::ranges::count(all, listed))
+            all.push_back(listed);
+    std::iter_swap(std::ranges::find(all, module), std::ranges::find(all, *std::prev(place)));
+    emit m_requests.homeOrderEdited(all);
 }
 
 }  // namespace nmc
