@@ -184,6 +184,23 @@ TEST_F(OperatorMode, TheUserChoosesWhatIsLeftForTheMachine) {
     EXPECT_FALSE(enabled("holdForwardButton"));
 }
 
+/// Otherwise the fields would take what is typed, and Home would search with what is stored.
+TEST_F(OperatorMode, SearchesForHomeWithTheStoredRecipe) {
+    type(u"homingVelocityField"_s, u"x"_s);
+    beginWithHomingInsteadOfJog();
+    settle();
+    show();
+    for (const char* locked :
+         {"onLimit2Box", "thenIndexBox", "homingForwardButton", "homingSmoothlyButton", "makeZeroBox"})
+        EXPECT_FALSE(enabled(locked)) << locked;
+    for (const QString& locked : {u"homingVelocityField"_s, u"homingAccelerationField"_s,
+                                  u"homingTravelField"_s, u"homingTimeField"_s}) {
+        EXPECT_FALSE(field(locked)->isEnabled()) << locked.toStdString();
+        EXPECT_TRUE(field(locked)->toolTip().contains(u"operator mode"_s)) << locked.toStdString();
+    }
+    EXPECT_TRUE(enabled("homeButton")) << button(u"homeButton"_s)->toolTip().toStdString();
+}
+
 TEST_F(OperatorMode, WhatWasChosenOutlivesTheSessionUntilAMachineSaysOtherwise) {
     beginWithHomingInsteadOfJog();
     window = std::make_unique<MainWindow>(settings);

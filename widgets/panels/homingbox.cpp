@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "model/intent/homingplan.h"
+#include "model/intent/rights.h"
 #include "module/stepperspeed.h"
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
@@ -130,8 +131,16 @@ QString HomingBox::whyNotNow() const {
     return m_context.whyBusy();
 }
 
+/// A search already has its recipe, and an operator searches with the one that is stored.
+QString HomingBox::whyLocked() const {
+    if (m_context.runs(ProcedureKind::Homing))
+        return Common::tr("A search for home is running.");
+    const auto refusal = whyNotEdited(m_context.state());
+    return refusal ? texts::refusal(*refusal) : QString();
+}
+
 void HomingBox::refresh() {
-    m_form->setLocked(m_context.runs(ProcedureKind::Homing));
+    m_form->setLocked(whyLocked());
     m_home->setPossible(whyNotNow(), tr("Moves the motor to search for home, as set above."));
     m_cancel->setPossible(
         m_context.runs(ProcedureKind::Homing) ? QString() : tr("No search for home is running."),

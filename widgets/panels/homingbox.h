@@ -31,6 +31,7 @@ private:
     void refresh();
     void refreshProgress();
     [[nodiscard]] QString whyNotNow() const;
+    [[nodiscard]] QString whyLocked() const;
     [[nodiscard]] std::optional<ProcedureReport> report() const;
     [[nodiscard]] QString stages() const;
 

@@ -222,9 +222,9 @@ void HomingForm::showChip(const AxisScale& scale, const ModuleIdentity& chip, do
     refresh();
 }
 
-void HomingForm::setLocked(bool locked) {
-    if (std::exchange(m_locked, locked) != locked)
-        refresh();
+void HomingForm::setLocked(const QString& reason) {
+    if (std::exchange(m_locked, reason) != reason)
+        showRecipe(m_recipe);  // a number that is not finished would stay so
 }
 
 bool HomingForm::uses(Number value) const {
@@ -244,11 +244,10 @@ void HomingForm::applyEdit() {
 }
 
 void HomingForm::refresh() {
-    const QString locked = m_locked ? Common::tr("A search for home is running.") : QString();
     for (const Box& box : m_boxes) {
         const QSignalBlocker blocker(box.button);
         box.button->setChecked(m_recipe.*box.flag);
-        QString reason = locked;
+        QString reason = m_locked;
         if (reason.isEmpty() && box.flag == &HomingRecipe::thenIndex && m_recipe.onIndex)
             reason = tr("The first search already finds the index.");
         if (reason.isEmpty() && box.flag == &HomingRecipe::makeZero && !m_recipe.goToHome)
@@ -262,19 +261,19 @@ void HomingForm::refresh() {
         (m_recipe.reverse != m_reversed ? m_reverse : m_forward)->setChecked(true);
     }
     for (QAbstractButton* button : {m_forward, m_reverse})
-        look::setPossible(button, locked, tr("The search direction, in which the switch closes."));
+        look::setPossible(button, m_locked, tr("The search direction, in which the switch closes."));
     for (const Quantity& quantity : m_quantities) {
-        quantity.field->setMeaning(locked.isEmpty() ? quantity.meaning : locked);
-        quantity.field->setEnabled(!m_locked && uses(quantity.value));
+        quantity.field->setMeaning(m_locked.isEmpty() ? quantity.meaning : m_locked);
+        quantity.field->setEnabled(m_locked.isEmpty() && uses(quantity.value));
         quantity.label->setEnabled(quantity.field->isEnabled());
     }
-    m_timeLimit->setPossible(locked, tr("A search stops and fails after this time."));
+    m_timeLimit->setPossible(m_locked, tr("A search stops and fails after this time."));
     refreshStops();
 }
 
 void HomingForm::refreshStops() {
     const Stop stop = effective(m_recipe, {m_type, 0}).stop;
-    QString reason = m_locked ? Common::tr("A search for home is running.") : QString();
+    QString reason = m_locked;
     if (reason.isEmpty() && m_recipe.onPositionError && m_type == ModuleType::Servo)
         reason = tr("A position error switches the servo off.");
     const bool hostStops =

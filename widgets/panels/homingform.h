@@ -27,8 +27,8 @@ public:
     /// Emits nothing. The version of `chip` determines whether the chip or the panel stops the motor;
     /// `speedUnit`: for a PIC-STEP, the speed in steps/s of which all its speeds are whole multiples.
     void showChip(const AxisScale& scale, const ModuleIdentity& chip, double speedUnit);
-    /// Locked while a search is running, because the search already has its recipe.
-    void setLocked(bool locked);
+    /// `reason`: why the fields cannot be edited; empty if they can.
+    void setLocked(const QString& reason);
 
     [[nodiscard]] const HomingRecipe& recipe() const { return m_recipe; }
     /// Empty while every field in use has a valid value.
@@ -69,7 +69,7 @@ private:
     HomingRecipe m_recipe;
     bool m_reversed = false;  ///< the axis is reversed: forward here is reverse for the chip
     int m_version = 0;
-    bool m_locked = false;
+    QString m_locked;  ///< why it is; empty if it is not
     QList<Box> m_boxes;
     QList<Quantity> m_quantities;
     QAbstractButton* m_forward = nullptr;
