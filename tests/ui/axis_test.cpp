@@ -221,6 +221,24 @@ TEST_F(Axis, ItsUnitTakesNothingElseBack) {
     EXPECT_EQ(machine.axis(ModuleIndex(0)).travel.fastest, 0.5);
 }
 
+/// The lines of its encoder, times four, would be taken for the steps of a stepper.
+TEST_F(Axis, ItsUnitIsNotGivenToAnotherModuleAtItsPlace) {
+    showServos({{}, {}});
+    showPage(u"Axis"_s);
+    click(u"workOutUnitButton"_s);
+    const QPointer<QDialog> dialog = find<QDialog>(u"unitDialog"_s);
+    auto* list = find<QAbstractItemView>(u"chainList"_s);
+    list->setCurrentIndex(list->model()->index(1, 0));
+    ASSERT_FALSE(dialog.isNull()) << "it stays open while another module is selected";
+    ModuleState unheard = Servo{}.state();
+    unheard.info.identity = kUnheardModule;
+    window->showLink(connectedTo({unheard, Servo{.index = 1}.state()}));
+    EXPECT_FALSE(dialog.isNull()) << "it may be the same module";
+    window->showLink(connectedTo({testing_support::Stepper::holding().module, Servo{.index = 1}.state()}));
+    EXPECT_TRUE(dialog.isNull());
+    EXPECT_EQ(machine.axis(ModuleIndex(0)).unit, AxisUnit{});
+}
+
 TEST_F(Axis, AUnitIsNotTakenFromHalfALabel) {
     showPage(u"Axis"_s);
     click(u"workOutUnitButton"_s);

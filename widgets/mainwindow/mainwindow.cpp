@@ -285,6 +285,8 @@ void MainWindow::showModules() {
     if (m_session.movingMotors() > 0)
         endMessage(texts::key::kStopped);  // no longer true
     m_linkBar->showLink(link);
+    for (const ModuleState& module : link.modules)
+        m_panel->dropReplaced(module.info);
     m_simulator->showLink(link);
     m_monitor->showLink(link);
     m_messages->offerModules(static_cast<int>(link.modules.size()));

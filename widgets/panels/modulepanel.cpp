@@ -67,16 +67,22 @@ std::unique_ptr<ModulePage> ModulePanel::build(const PanelView& view) {
     return page;
 }
 
+void ModulePanel::dropReplaced(const bus::ModuleInfo& info) {
+    const auto page = m_pages.find(info.index);
+    if (page == m_pages.end() || info.identity == kUnheardModule ||
+        (page->second.address == info.address && page->second.identity == info.identity))
+        return;
+    if (page->second.widget.get() == m_current)
+        bringUp(m_empty);
+    m_pages.erase(page);
+}
+
 ModulePage& ModulePanel::pageOf(const PanelView& view) {
     const bus::ModuleInfo& info = view.module.info;
+    dropReplaced(info);  // before the new one is built, so that no request comes from both
     Page& page = m_pages[info.index];
-    const bool another = page.address != info.address || page.identity != info.identity;
-    if (page.widget == nullptr || another) {
-        if (page.widget != nullptr && page.widget.get() == m_current)
-            bringUp(m_empty);
-        page.widget.reset();  // before the new one is built, so that no request comes from both
+    if (page.widget == nullptr)
         page = {info.address, info.identity, build(view)};
-    }
     return *page.widget;
 }
 

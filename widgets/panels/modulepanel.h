@@ -31,6 +31,9 @@ public:
     void showModule(const PanelView& view);
     /// Builds the page of a module before it is shown. Returns false if it has one already, or needs none.
     bool prepare(const PanelView& view);
+    /// Discards the page of another module than the one that is at this place now: its dialogs may still be
+    /// open, and would change the settings of that one. One whose type was not reported may be the same.
+    void dropReplaced(const bus::ModuleInfo& info);
     /// The page of a module that is not shown learns the state of its axis: its dialogs may still be open.
     void keepUpToDate(const PanelView& view);
     /// Shows that there is no module: `text` says why and what to do. `waiting`: one may appear at any
