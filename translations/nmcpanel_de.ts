@@ -7944,6 +7944,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Reglerwerte bei eingeschaltetem Servo</translation>
     </message>
     <message>
+        <source>The servo is on, and the gains in the module are unknown, so this may be a large change. The motor may jump or oscillate.</source>
+        <translation>Der Servo ist ein, und die Reglerwerte im Modul sind unbekannt: Das kann eine große Änderung sein. Der Motor kann springen oder schwingen.</translation>
+    </message>
+    <message>
         <source>The servo is on, and this is a large change: %1. The motor may jump or oscillate.</source>
         <translation>Der Servo ist ein, und das ist eine große Änderung: %1. Der Motor kann springen oder schwingen.</translation>
     </message>

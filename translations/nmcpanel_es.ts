@@ -7944,6 +7944,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Ganancias con el servo encendido</translation>
     </message>
     <message>
+        <source>The servo is on, and the gains in the module are unknown, so this may be a large change. The motor may jump or oscillate.</source>
+        <translation>El servo está encendido, y no se conocen las ganancias del módulo: este puede ser un cambio grande. El motor puede saltar u oscilar.</translation>
+    </message>
+    <message>
         <source>The servo is on, and this is a large change: %1. The motor may jump or oscillate.</source>
         <translation>El servo está encendido, y este es un cambio grande: %1. El motor puede saltar u oscilar.</translation>
     </message>

@@ -7944,6 +7944,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Gains avec servo actif</translation>
     </message>
     <message>
+        <source>The servo is on, and the gains in the module are unknown, so this may be a large change. The motor may jump or oscillate.</source>
+        <translation>Le servo est actif, et les gains du module sont inconnus&#xa0;: la modification peut être importante. Le moteur peut faire un à-coup ou osciller.</translation>
+    </message>
+    <message>
         <source>The servo is on, and this is a large change: %1. The motor may jump or oscillate.</source>
         <translation>Le servo est actif, et la modification est importante&#xa0;: %1. Le moteur peut faire un à-coup ou osciller.</translation>
     </message>

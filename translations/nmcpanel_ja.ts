@@ -7927,6 +7927,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>サーボオン中のゲイン</translation>
     </message>
     <message>
+        <source>The servo is on, and the gains in the module are unknown, so this may be a large change. The motor may jump or oscillate.</source>
+        <translation>サーボがオンで、モジュールのゲインが不明なため、大きな変更になる可能性があります。モーターが急に動くか、発振するおそれがあります。</translation>
+    </message>
+    <message>
         <source>The servo is on, and this is a large change: %1. The motor may jump or oscillate.</source>
         <translation>サーボがオンで、大きな変更です：%1。モーターが急に動くか、発振するおそれがあります。</translation>
     </message>

@@ -19,7 +19,7 @@ protected:
 };
 
 TEST_F(Gains, U04_AreStagedAndAppliedAllAtOnce) {
-    showServo({.gains = false});
+    showServo({.on = false, .gains = false});
     typeAll({"1", "2", "3", "4", "5", "6", "7", "8", "9"});
     EXPECT_EQ(intents.size(), 0);
     click(u"applyGainsButton"_s);
@@ -28,7 +28,7 @@ TEST_F(Gains, U04_AreStagedAndAppliedAllAtOnce) {
 }
 
 TEST_F(Gains, U04_OlderVersionsHaveNoDeadband) {
-    showServo({.version = 3, .gains = false});
+    showServo({.version = 3, .on = false, .gains = false});
     EXPECT_FALSE(field(u"dbField"_s)->isVisible());
     for (std::size_t i = 0; i < 8; ++i)
         type(kNames[i] + u"Field"_s, u"1"_s);
@@ -236,6 +236,20 @@ TEST_F(Gains, U04_TwiceIsNoLargeStepAndAServoThatIsOffDoesNotCare) {
     type(u"kpField"_s, u"5000"_s);
     click(u"applyGainsButton"_s);
     EXPECT_EQ(intents.size(), 2);
+}
+
+/// As when it was found running: another host may have set any gains.
+TEST_F(Gains, U04_UnknownOnesWhileTheServoIsOnAreAskedAbout) {
+    showServo({.gains = false});
+    typeAll({"1", "2", "3", "4", "5", "6", "7", "8", "9"});
+    click(u"applyGainsButton"_s);
+    EXPECT_EQ(intents.size(), 0);
+    auto* dialog = find(u"largeStepDialog"_s);
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_TRUE(dialog->findChild<QLabel*>(u"closeText"_s)->text().contains(u"unknown"_s));
+    QTest::mouseClick(button(u"applyLargeStepButton"_s), Qt::LeftButton);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_EQ(sent(), (servo::SetGain{1, 2, 3, 4, 5, 6, 7, 8, std::uint8_t(9)}));
 }
 
 TEST_F(Gains, U04_CancelSendsNothing) {

@@ -230,14 +230,15 @@ void GainsBox::apply() {
     if (!gains)
         return;
     const auto sent = sentGains();
-    const QStringList steps = context().state().servoOn() && sent ? largeSteps(*sent, *gains) : QStringList();
-    if (steps.isEmpty())
-        context().ask(intent::ApplyGains{*gains});
-    else
+    const QStringList steps = sent ? largeSteps(*sent, *gains) : QStringList();
+    if (context().state().servoOn() && (!sent || !steps.isEmpty()))
         askBeforeLargeStep(*gains, steps);
+    else
+        context().ask(intent::ApplyGains{*gains});
 }
 
 /// The servo is on, so new gains take effect at once: a large change may make the motor jump or oscillate.
+/// `steps` is empty if the gains of the module are unknown, so that any change may be large.
 void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList& steps) {
     // The question stays while the gains in the fields and those of the module are the ones that it compares,
     // and the Gains page is visible.
@@ -245,10 +246,12 @@ void GainsBox::askBeforeLargeStep(const servo::SetGain& gains, const QStringList
         const bool stands = parentWidget()->isVisible() && before == context().state().gains &&
                             this->gains() == gains && context().state().servoOn() &&
                             !context().whyNot(IntentKind::ApplyGains);
-        return stands
-                   ? tr("The servo is on, and this is a large change: %1. The motor may jump or oscillate.")
-                         .arg(steps.join(u", "_s))
-                   : QString();
+        if (!stands)
+            return QString();
+        return steps.isEmpty()
+                   ? tr("The servo is on, and the gains in the module are unknown, so this may be a large change. The motor may jump or oscillate.")
+                   : tr("The servo is on, and this is a large change: %1. The motor may jump or oscillate.")
+                         .arg(steps.join(u", "_s));
     };
     const auto go = [this, gains] { context().ask(intent::ApplyGains{gains}); };
     AskDialog::ask({.name = u"largeStepDialog"_s,
