@@ -4084,6 +4084,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das war am %1; die Referenz war gespeichert. Hat seither nichts die Achse bewegt, kann die Referenz daraus wiederhergestellt werden. Sie bleibt bis zur nächsten Suche unbestätigt.</translation>
     </message>
     <message>
+        <source>That was on %1; the position had been confirmed. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.</source>
+        <translation>Das war am %1; die Position war bestätigt. Hat seither nichts die Achse bewegt, kann die Referenz daraus wiederhergestellt werden. Sie bleibt bis zur nächsten Suche unbestätigt.</translation>
+    </message>
+    <message>
         <source>Restore home</source>
         <translation>Referenz wiederherstellen</translation>
     </message>

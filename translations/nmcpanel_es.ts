@@ -4084,6 +4084,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Eso fue el %1; la referencia se había guardado. Si nada ha movido el eje desde entonces, puede restaurar así la referencia. Queda sin verificar hasta la próxima búsqueda.</translation>
     </message>
     <message>
+        <source>That was on %1; the position had been confirmed. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.</source>
+        <translation>Eso fue el %1; la posición se había confirmado. Si nada ha movido el eje desde entonces, puede restaurar así la referencia. Queda sin verificar hasta la próxima búsqueda.</translation>
+    </message>
+    <message>
         <source>Restore home</source>
         <translation>Restaurar referencia</translation>
     </message>

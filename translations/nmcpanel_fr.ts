@@ -4084,6 +4084,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>C’était le %1&#x202f;; l’origine avait été enregistrée. Si rien n’a déplacé l’axe depuis, vous pouvez rétablir l’origine à partir de cette position. Elle reste non vérifiée jusqu’à la prochaine recherche.</translation>
     </message>
     <message>
+        <source>That was on %1; the position had been confirmed. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.</source>
+        <translation>C’était le %1&#x202f;; la position avait été confirmée. Si rien n’a déplacé l’axe depuis, vous pouvez rétablir l’origine à partir de cette position. Elle reste non vérifiée jusqu’à la prochaine recherche.</translation>
+    </message>
+    <message>
         <source>Restore home</source>
         <translation>Rétablir l’origine</translation>
     </message>

@@ -4072,6 +4072,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1の時点の値で、原点は保存されたものでした。その後、軸が何によっても動かされていなければ、そこから原点を復元できます。次の原点サーチまでは未確認です。</translation>
     </message>
     <message>
+        <source>That was on %1; the position had been confirmed. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.</source>
+        <translation>%1の時点の値で、位置は確認済みでした。その後、軸が何によっても動かされていなければ、そこから原点を復元できます。次の原点サーチまでは未確認です。</translation>
+    </message>
+    <message>
         <source>Restore home</source>
         <translation>原点を復元</translation>
     </message>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/texts.h"
 
+#include "widgets/common/positiontexts.h"
 #include "widgets/common/unitwords.h"
 #include "windowtest.h"
 
@@ -289,6 +290,17 @@ TEST(Texts, LinkMessagesSayStoppedMovingOrUnknown) {
 TEST(Texts, NoModuleHasBeenSilentForNoTime) {
     const QString headline = texts::moduleUnresponsive(ModuleIndex(0), 0.02, false).headline;
     EXPECT_TRUE(headline.startsWith(u"Module 1 has not answered for 0.1 s."_s)) << headline.toStdString();
+}
+
+TEST(Texts, WhatIsRememberedSaysHowItsHomeWasDetermined) {
+    const auto body = [](HomeFact::Source source) {
+        RememberedPosition last;
+        last.source = source;
+        return texts::positionRemembered({ModuleIndex(0), 0, last}, AxisScale::servo({}, 1)).body;
+    };
+    EXPECT_TRUE(body(HomeFact::Source::Search).contains(u"; a search had found home."_s));
+    EXPECT_TRUE(body(HomeFact::Source::Saved).contains(u"; home had been saved."_s));
+    EXPECT_TRUE(body(HomeFact::Source::Declared).contains(u"; the position had been confirmed."_s));
 }
 
 /// No blame, no drama.

@@ -13,6 +13,27 @@ namespace nmc::texts {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+/// What was remembered keeps the source of the home that was verified last, so it is never Remembered.
+QString lastHome(HomeFact::Source source) {
+    switch (source) {
+        case HomeFact::Source::Search:
+            return Texts::tr(
+                "That was on %1; a search had found home. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.");
+        case HomeFact::Source::Declared:
+            return Texts::tr(
+                "That was on %1; the position had been confirmed. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.");
+        case HomeFact::Source::Saved:
+        case HomeFact::Source::Remembered:
+            break;
+    }
+    return Texts::tr(
+        "That was on %1; home had been saved. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.");
+}
+
+}  // namespace
+
 QString age(double seconds, bool doubtful) {
     if (doubtful)
         return Texts::tr("doubtful");
@@ -23,21 +44,14 @@ QString age(double seconds, bool doubtful) {
 Message positionRemembered(const PositionMemory::Offer& offer, const AxisScale& scale) {
     const RememberedPosition& last = offer.remembered;
     const QString when = QLocale().toString(QDateTime::fromSecsSinceEpoch(last.seen), QLocale::ShortFormat);
-    return {
-        .key = ofModule(key::kPosition, offer.module),
-        .module = offer.module,
-        .headline = Texts::tr("Module %1 was %2 from home when last seen.")
-                        .arg(moduleNumber(offer.module), position(scale, last.fromHome)),
-        .body =
-            (last.source == HomeFact::Source::Search
-                 ? Texts::tr(
-                       "That was on %1; a search had found home. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search.")
-                 : Texts::tr(
-                       "That was on %1; home had been saved. If nothing has moved the axis since, you can restore home from it. It stays unverified until the next search."))
-                .arg(when),
-        .actions = {{MessageAction::TakePosition, Texts::tr("Restore home")},
-                    {MessageAction::ForgetPosition, Texts::tr("Discard")}},
-        .stands = true};
+    return {.key = ofModule(key::kPosition, offer.module),
+            .module = offer.module,
+            .headline = Texts::tr("Module %1 was %2 from home when last seen.")
+                            .arg(moduleNumber(offer.module), position(scale, last.fromHome)),
+            .body = lastHome(last.source).arg(when),
+            .actions = {{MessageAction::TakePosition, Texts::tr("Restore home")},
+                        {MessageAction::ForgetPosition, Texts::tr("Discard")}},
+            .stands = true};
 }
 
 }  // namespace nmc::texts
