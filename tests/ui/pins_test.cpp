@@ -57,6 +57,17 @@ protected:
     QSignalSpy intents{&window->requests(), &Requests::intent};
 };
 
+/// Otherwise the next status would take back what an operator types or clicks there.
+TEST_F(Pins, AreSwitchedByAnOperatorButNotSetUp) {
+    module.rights = OperatorRights{.outputs = true};
+    show();
+    EXPECT_TRUE(button(u"pin1Box"_s)->isEnabled()) << button(u"pin1Box"_s)->toolTip().toStdString();
+    for (const QString& locked : {u"pin1Name"_s, u"pin1Asks"_s, u"pin1OffAtStop"_s, u"ioNameField"_s}) {
+        EXPECT_FALSE(find(locked)->isEnabled()) << locked.toStdString();
+        EXPECT_TRUE(find(locked)->toolTip().contains(u"operator mode"_s)) << locked.toStdString();
+    }
+}
+
 TEST_F(Pins, SayWhatTheyReadAndWhichWayTheyGo) {
     EXPECT_EQ(text(u"ioStateLabel"_s), u"Ready"_s);
     EXPECT_EQ(text(u"pin1Level"_s), u"high"_s);

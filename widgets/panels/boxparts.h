@@ -23,6 +23,8 @@ inline constexpr int kMaxNameLength = 40;
 
 /// A field for the name that something has on this machine.
 [[nodiscard]] QLineEdit* newNameField(const QString& objectName, const QString& accessibleName, QWidget* box);
+/// `reason`: why the name cannot be edited; empty if it can.
+void setNameLocked(QLineEdit* field, const QString& reason);
 
 /// Show what is kept elsewhere, but not while the user may be typing there. They emit nothing that an edit of
 /// the user would.

@@ -5,7 +5,6 @@
 #include <QVBoxLayout>
 
 #include "model/intent/homingplan.h"
-#include "model/intent/rights.h"
 #include "module/stepperspeed.h"
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
@@ -133,10 +132,8 @@ QString HomingBox::whyNotNow() const {
 
 /// A search already has its recipe, and an operator searches with the one that is stored.
 QString HomingBox::whyLocked() const {
-    if (m_context.runs(ProcedureKind::Homing))
-        return Common::tr("A search for home is running.");
-    const auto refusal = whyNotEdited(m_context.state());
-    return refusal ? texts::refusal(*refusal) : QString();
+    return m_context.runs(ProcedureKind::Homing) ? Common::tr("A search for home is running.")
+                                                 : m_context.whyLocked();
 }
 
 void HomingBox::refresh() {

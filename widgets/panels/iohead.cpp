@@ -54,6 +54,7 @@ void IoHead::refresh() {
     look::setText(m_meaning, texts::activityMeaning(activity));
     m_glyph->showActivity(activity);
     showUnlessTyped(m_name, m_context.settings().name);
+    setNameLocked(m_name, m_context.whyLocked());
 }
 
 }  // namespace nmc

@@ -130,6 +130,11 @@ QString ModuleContext::whyBusy() const {
     return busy() ? tr("Waiting for the module's answer.") : QString();
 }
 
+QString ModuleContext::whyLocked() const {
+    const auto refusal = whyNotEdited(m_state);
+    return refusal ? texts::refusal(*refusal) : QString();
+}
+
 void ModuleContext::ask(const Intent& intent) {
     const bool ofProcedure = std::holds_alternative<intent::CancelProcedure>(intent) ||
                              std::holds_alternative<intent::KeepGains>(intent);

@@ -57,6 +57,8 @@ public:
     [[nodiscard]] bool busy() const { return m_askedAt.has_value(); }
     /// Why it is busy, in words; empty if it is not.
     [[nodiscard]] QString whyBusy() const;
+    /// Why the settings of the axis cannot be edited, in words; empty if they can.
+    [[nodiscard]] QString whyLocked() const;
 
     /// Passes the request on, unless busy; stops, and requests to a procedure that is running, are always
     /// passed on.

@@ -72,15 +72,12 @@ void PinBox::buildPin(QGridLayout& grid, unsigned number) {
     pin.name = newNameField(u"pin%1Name"_s.arg(digits), Common::tr("Name of %1").arg(label), this);
     pin.asks = form::newCheck({.name = u"pin%1Asks"_s.arg(digits),
                                .text = {},
-                               .accessible = tr("Ask first before %1 changes").arg(label),
-                               .meaning = tr("Asks before the panel switches this output.")},
+                               .accessible = tr("Ask first before %1 changes").arg(label)},
                               this);
-    pin.offAtStop = form::newCheck(
-        {.name = u"pin%1OffAtStop"_s.arg(digits),
-         .text = {},
-         .accessible = tr("Take %1 low on STOP ALL").arg(label),
-         .meaning = tr("STOP ALL takes this output low. If cleared, the output stays as it is.")},
-        this);
+    pin.offAtStop = form::newCheck({.name = u"pin%1OffAtStop"_s.arg(digits),
+                                    .text = {},
+                                    .accessible = tr("Take %1 low on STOP ALL").arg(label)},
+                                   this);
 
     grid.addWidget(form::newLabel(label, pin.direction), row, Label);
     grid.addWidget(pin.direction, row, Direction);
@@ -150,12 +147,17 @@ void PinBox::showModule() {
 
 void PinBox::showSettings() {
     const PinSettings& settings = pinsOf(m_context.settings());
+    const QString locked = m_context.whyLocked();
     for (unsigned i = 0; i < io::kPins; ++i) {
         const OutputSettings output = PinSettings::of(settings.pins, i);
         const Pin& pin = m_pins.at(i);
         showUnlessTyped(pin.name, output.name);
         pin.asks->setChecked(output.asks);
         pin.offAtStop->setChecked(output.offAtStop);
+        setNameLocked(pin.name, locked);
+        look::setPossible(pin.asks, locked, tr("Asks before the panel switches this output."));
+        look::setPossible(pin.offAtStop, locked,
+                          tr("STOP ALL takes this output low. If cleared, the output stays as it is."));
     }
 }
 

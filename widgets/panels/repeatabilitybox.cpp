@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "model/intent/homingplan.h"
-#include "model/intent/rights.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
@@ -134,8 +133,7 @@ QString RepeatabilityBox::whyNotUsed() const {
         return tr("No backlash was found that exceeds its uncertainty.");
     if (m_context.settings().backlash.distance == offered())
         return tr("The axis has this backlash.");
-    const auto refusal = whyNotEdited(m_context.state());
-    return refusal ? texts::refusal(*refusal) : QString();
+    return m_context.whyLocked();
 }
 
 void RepeatabilityBox::use() {

@@ -105,10 +105,14 @@ void StepperIoBox::buildInputs(FormGrid* grid) {
 }
 
 void StepperIoBox::showNames() {
+    const auto show = [this](QLineEdit* field, const std::string& name) {
+        showUnlessTyped(field, name);
+        setNameLocked(field, m_context.whyLocked());
+    };
     for (std::size_t i = 0; i < kOutputs; ++i)
-        showUnlessTyped(m_outputs[i].name, m_context.settings().outputNames[i]);
+        show(m_outputs[i].name, m_context.settings().outputNames[i]);
     for (std::size_t i = 0; i < m_context.settings().inputNames.size(); ++i)
-        showUnlessTyped(m_inputs[i + 1].name, m_context.settings().inputNames[i]);
+        show(m_inputs[i + 1].name, m_context.settings().inputNames[i]);
 }
 
 void StepperIoBox::showModule() {

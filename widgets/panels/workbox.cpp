@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/intent/rights.h"
 #include "model/machinefile/machinelayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
@@ -129,9 +128,7 @@ std::optional<WorkOffset> WorkBox::called() const {
 }
 
 QString WorkBox::whyLocked() const {
-    const auto locked = whyNotEdited(m_context.state());
-    const auto reason = m_context.connected() ? locked : Refusal::NotConnected;
-    return reason ? texts::refusal(*reason) : QString();
+    return m_context.connected() ? m_context.whyLocked() : texts::refusal(Refusal::NotConnected);
 }
 
 QString WorkBox::whyNotCalled() const {
