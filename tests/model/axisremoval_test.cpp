@@ -126,5 +126,18 @@ TEST(OtherModules, AnotherVersionANewModuleAndOneThatIsMissingChangeNoNumbers) {
     EXPECT_EQ(withModules({kCmc, kStep, kServo, kServo}, machine), after);
 }
 
+/// Whatever type is heard later, it must not be another one than expected.
+TEST(OtherModules, OneWhoseTypeWasNotHeardIsNotExpected) {
+    using testing_support::kServo;
+    using testing_support::kStep;
+    Machine machine = xyz();
+    machine.axes[0].expected = kServo;
+    Machine after = machine;
+    after.axes[2].expected = kStep;
+    EXPECT_EQ(withModules({kUnheardModule, kUnheardModule, kStep}, machine), after);
+    EXPECT_EQ(withModules({kUnheardModule}, {}).axes, std::vector{AxisSettings{}});
+    EXPECT_FALSE(isOtherType(kUnheardModule, kServo)) << "should a file say so";
+}
+
 }  // namespace
 }  // namespace nmc

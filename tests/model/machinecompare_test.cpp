@@ -470,6 +470,9 @@ TEST(MachineCompare, WhatIsSavedSaysWhichModulesItIsFor) {
     EXPECT_EQ(saved.axes[1].expected, (ModuleIdentity{ModuleType::Stepper, 1}));
     EXPECT_EQ(saved.baud, 57'600U);
     EXPECT_EQ(withChain({}, {}, 19'200), Machine{});
+    auto lent = millChain();
+    lent[1].info.identity = kUnheardModule;
+    EXPECT_EQ(withChain(machine, lent, 57'600).axes[1].expected, std::nullopt) << "its type was not heard";
 }
 
 }  // namespace

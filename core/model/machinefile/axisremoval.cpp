@@ -87,6 +87,8 @@ Machine withModules(const std::vector<ModuleIdentity>& there, Machine machine) {
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
         AxisSettings& axis = machine.axes[i];
         const auto module = i < there.size() ? std::optional(there[i]) : std::nullopt;
+        if (module == kUnheardModule)
+            continue;
         if (module && isOtherType(axis.expected, *module)) {
             axis = usable(axis, *module);
             for (Point& point : machine.program.points)

@@ -19,7 +19,8 @@ namespace nmc {
 [[nodiscard]] ParsedMachine withoutAxes(const std::vector<ModuleIndex>& gone, ParsedMachine from);
 
 /// The machine that has these modules. An axis that was set for another type begins anew (usable()), and
-/// leaves the points: positions are in counts of the chip as well.
+/// leaves the points: positions are in counts of the chip as well. Where the type was not heard yet, the
+/// former module stays the expected one.
 [[nodiscard]] Machine withModules(const std::vector<ModuleIdentity>& there, Machine machine);
 
 }  // namespace nmc

@@ -421,7 +421,7 @@ std::vector<ModuleIntent> sendings(const Machine& file, const Machine& now,
 Machine withChain(Machine machine, const std::vector<ModuleState>& modules, std::uint32_t baud) {
     makeRoom(machine, modules.size());
     for (std::size_t i = 0; i < modules.size(); ++i)
-        if (!machine.axes[i].expected)
+        if (!machine.axes[i].expected && modules[i].info.identity != kUnheardModule)
             machine.axes[i].expected = modules[i].info.identity;
     if (!modules.empty() && machine.baud == 0)
         machine.baud = baud;

@@ -109,7 +109,7 @@ struct ModuleIntent {
                                                  const std::vector<PartId>& chosen);
 
 /// Fills in what the connected chain reports about itself where the user has set nothing: the expected
-/// modules and the rate. Used for saving.
+/// modules, as far as their types were heard, and the rate. Used for saving.
 [[nodiscard]] Machine withChain(Machine machine, const std::vector<ModuleState>& modules, std::uint32_t baud);
 
 }  // namespace nmc

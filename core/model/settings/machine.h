@@ -140,7 +140,7 @@ struct AxisSettings {
 /// units of another chip: steps/s are not counts/tick, and a step is not a count.
 [[nodiscard]] inline bool isOtherType(const std::optional<ModuleIdentity>& expected,
                                       const ModuleIdentity& there) {
-    return expected && expected->type != there.type && there != kUnheardModule;
+    return expected && expected->type != there.type && *expected != kUnheardModule && there != kUnheardModule;
 }
 /// What is true of an axis whichever module is there: all of it for the type that it was set for, and for
 /// another type only its name, and what is expected. Pure.
