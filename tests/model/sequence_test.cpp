@@ -85,6 +85,14 @@ TEST(Teaching, LeavesOutWhatIsDoubtfulOrOld) {
     EXPECT_THAT(teach({kX, kY}, link), IsEmpty());
 }
 
+/// The machine has a PIC-STEP as X, so its points are in steps.
+TEST(Teaching, LeavesOutAnotherTypeOfModule) {
+    LinkState link = linkOf({servoAt(0, 5), servoAt(1, 6)});
+    link.modules[0].expected = ModuleIdentity{ModuleType::Stepper, 1};
+    link.modules[1].expected = ModuleIdentity{ModuleType::Servo, 1};
+    EXPECT_THAT(teach({kX, kY}, link), ElementsAre(PointAxis{kY, 6, false}));
+}
+
 TEST(Goals, AreHomePlusWhatWasTaught) {
     EXPECT_EQ(goalOf({kX, 1'000, true}, homed(servoAt(0, 0), -250)), 750);
     EXPECT_EQ(goalOf({kX, 1'000, false}, servoAt(0, 0)), 1'000);

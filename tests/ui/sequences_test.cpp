@@ -4,6 +4,7 @@
 #include "model/sequence/sequenceedit.h"
 #include "sim/random.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/words.h"
 #include "widgets/sequences/pointsmodel.h"
 #include "widgets/sequences/rowsmodel.h"
 #include "widgets/sequences/sequencesdock.h"
@@ -61,6 +62,17 @@ TEST_F(SequencePage, SaysWhatIsMissingBeforeTeaching) {
     EXPECT_EQ(machine.program.points[0].axes.at(0).counts, 50);
     window->showLink({});
     EXPECT_FALSE(whyNot(u"teachButton"_s).isEmpty());
+}
+
+/// The other points of the axis are in steps.
+TEST_F(SequencePage, APositionOfAnotherTypeOfModuleIsNotTaught) {
+    machine.axes.emplace_back().expected = ModuleIdentity{ModuleType::Stepper, 1};
+    load(twoPoints());
+    QTest::keyClicks(find<QLineEdit>(u"pointNameField"_s), u"C"_s);
+    EXPECT_EQ(whyNot(u"teachButton"_s), u"Module 1: "_s + texts::refusal(Refusal::OtherType));
+    machine.axes[0].expected = ModuleIdentity{ModuleType::Servo, 4};
+    window->showMachine(machine);
+    EXPECT_EQ(whyNot(u"teachButton"_s), QString());
 }
 
 TEST_F(SequencePage, RowsHaveThePresentNamesOfTheModules) {

@@ -451,9 +451,13 @@ QString SequencesPage::whyNotTaught() const {
     if (chosenAxes().empty())
         return tr("Select at least one axis.");
     for (const ModuleIndex axis : chosenAxes())
-        if (nmc::teach({axis}, m_link).empty())
-            return Common::tr("%1: %2").arg(texts::moduleName(axis),
-                                            texts::refusal(Refusal::PositionUnknown));
+        if (nmc::teach({axis}, m_link).empty()) {
+            const ModuleState* module = moduleAt(axis, m_link.modules);
+            const bool otherType = module != nullptr && module->otherType();
+            return Common::tr("%1: %2").arg(
+                texts::moduleName(axis),
+                texts::refusal(otherType ? Refusal::OtherType : Refusal::PositionUnknown));
+        }
     return {};
 }
 

@@ -457,7 +457,7 @@ std::vector<PointAxis> teach(const std::vector<ModuleIndex>& axes, const LinkSta
     for (const ModuleIndex index : axes) {
         const ModuleState* module = moduleAt(index, link.modules);
         const auto position = module != nullptr ? module->position() : std::nullopt;
-        if (!position || !isLive(link, *module))
+        if (!position || !isLive(link, *module) || module->otherType())
             continue;
         const auto& home = module->home.place();
         taught.push_back(

@@ -143,8 +143,8 @@ struct PointMove {
 [[nodiscard]] tl::expected<Intent, SequenceProblem::Kind> outputIntent(const action::SetOutput& set,
                                                                        const ModuleState& module);
 [[nodiscard]] intent::Home homeIntent(const AxisSettings& settings);
-/// The present positions of these axes; an axis whose position is unknown, doubtful or out of date (isLive())
-/// is left out.
+/// The present positions of these axes; an axis whose position is unknown, doubtful or out of date
+/// (isLive()), or that of another type of module, is left out.
 [[nodiscard]] std::vector<PointAxis> teach(const std::vector<ModuleIndex>& axes, const LinkState& link);
 
 }  // namespace nmc
