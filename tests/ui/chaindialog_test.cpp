@@ -174,6 +174,23 @@ TEST_F(ChainWindow, AGroupStartIsWithheldUntilEachMemberHasLoaded) {
               (bus::GroupCommand{0x81, bus::GroupCommand::Action::SaveAsHome}));
 }
 
+/// The machine has a PIC-STEP as module 2, so its home is in steps. A PIC-I/O has none, and latches its
+/// inputs.
+TEST_F(ChainWindow, AGroupIsNotToldToSaveHomeWithAnotherTypeOfModule) {
+    machine.axes.resize(2);
+    machine.axes[1].motion.velocity = 2'000;
+    window->showMachine(machine);
+    showGrouped({bus::GroupPlace{0x81, false}, bus::GroupPlace{0x81, false}, bus::GroupPlace{0x81, false}});
+    link.modules[2].info.identity = {ModuleType::Io, 1};
+    window->showLink(link);
+    open("groupsAction");
+    EXPECT_TRUE(button(u"groupHomeButton"_s)->isEnabled());
+    machine.axes[1].expected = ModuleIdentity{ModuleType::Stepper, 1};
+    window->showMachine(machine);
+    EXPECT_FALSE(button(u"groupHomeButton"_s)->isEnabled());
+    EXPECT_EQ(button(u"groupHomeButton"_s)->toolTip(), u"Module 2: "_s + texts::refusal(Refusal::OtherType));
+}
+
 TEST_F(ChainWindow, AGroupIsToldToStopAndToClear) {
     using enum bus::GroupCommand::Action;
     showGrouped({bus::GroupPlace{0x90, false}, bus::GroupPlace{0x90, false}, bus::GroupPlace{}});

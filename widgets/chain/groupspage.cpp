@@ -241,7 +241,9 @@ QString GroupsPage::whyNotAll(IntentKind kind) const {
     for (const ModuleState& module : m_link.modules) {
         if (!module.info.group || module.info.group->group != group())
             continue;
-        if (const auto refusal = whyNot(kind, module))
+        // A PIC-I/O has no home, and latches its inputs instead.
+        const bool latches = module.isIo() && kind == IntentKind::SaveAsHome;
+        if (const auto refusal = whyNot(latches ? IntentKind::ControlIo : kind, module))
             return Common::tr("%1: %2").arg(texts::moduleName(module.info.index),
                                             module.isIo() && *refusal == Refusal::NothingLoaded
                                                 ? tr("Store its outputs first.")
@@ -262,7 +264,10 @@ void GroupsPage::refreshCommands() {
         m_start, any ? whyNotAll(IntentKind::StartLoaded) : none,
         tr("Starts the loaded moves of all members in the same tick. Available once every member has confirmed its load."));
     look::setPossible(
-        m_saveHome, any ? inaccessible : none,
+        m_saveHome,
+        !any                      ? none
+        : !inaccessible.isEmpty() ? inaccessible
+                                  : whyNotAll(IntentKind::SaveAsHome),
         tr("Saves the present position of each member as home, in the same tick. Nothing moves."));
     look::setPossible(m_reset, any ? whyNotAll(IntentKind::ResetPosition) : none,
                       tr("Makes the present position of each member 0. Asks first."));
