@@ -101,6 +101,7 @@ void MachineController::changedAxes() {
         m_machine.axes, [](const AxisSettings& axis) { return axis.expected.has_value(); });
     if (nothingExpected && !chain().empty())
         return acceptChain(chain());
+    m_machine = forModules(chain(), std::move(m_machine));
     changed();
 }
 
@@ -108,7 +109,7 @@ void MachineController::editProgram(const Program& program) {
     if (locked())
         return;
     m_machine.program = program;
-    changed();
+    changedAxes();
 }
 
 void MachineController::editHomeOrder(const std::vector<ModuleIndex>& order) {

@@ -92,7 +92,8 @@ private:
     void showPending();
     /// What applying the file or the copy would change now.
     [[nodiscard]] std::vector<Difference> differences() const;
-    /// The user has changed axes: this implies that the present chain is the expected one, unless one is.
+    /// The user has changed axes, points or sequences: this implies that the present chain is the expected
+    /// one, unless one is; then it does so for the modules concerned (forModules()).
     void changedAxes();
     void apply(const std::vector<PartId>& chosen);
     void take(const Pending& from, Machine machine, bool whole);

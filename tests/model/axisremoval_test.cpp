@@ -139,5 +139,30 @@ TEST(OtherModules, OneWhoseTypeWasNotHeardIsNotExpected) {
     EXPECT_FALSE(isOtherType(kUnheardModule, kServo)) << "should a file say so";
 }
 
+/// Module 3 has 2000 steps/s, which would be 3.9 million counts/s for a PIC-SERVO in its place.
+TEST(OtherModules, ANewModuleThatIsSetUpIsExpectedAndSoAreThoseBeforeIt) {
+    using testing_support::kServo;
+    using testing_support::kStep;
+    const std::vector<ModuleIdentity> there{kServo, kServo, kStep, kServo};
+    Machine machine;
+    machine.axes.resize(4);
+    machine.axes[0].expected = kServo;
+    machine.axes[3].name = "No number";
+    EXPECT_EQ(forModules(there, machine), machine);
+    Machine set = machine;
+    set.axes[2].motion.velocity = 2'000;
+    Machine taught = machine;
+    taught.program.points = {{"All", {{kThird, 3, false}}}};
+    Machine waits = machine;
+    waits.program.sequences = {{"Main", {action::WaitForInput{kThird, InputPin::Limit1}}}};
+    for (const Machine& edited : {set, taught, waits}) {
+        Machine after = edited;
+        after.axes[1].expected = kServo;
+        after.axes[2].expected = kStep;
+        EXPECT_EQ(forModules(there, edited), after) << "as far as it, with no gap";
+        EXPECT_EQ(forModules({}, edited), edited) << "nothing is connected";
+    }
+}
+
 }  // namespace
 }  // namespace nmc

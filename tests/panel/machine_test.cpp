@@ -738,5 +738,39 @@ TEST_F(MachineFiles, NumbersForAStepperAreKeptFromAServoUntilTheUserAcceptsIt) {
     EXPECT_EQ(servo.violations() + stepper.violations(), "");
 }
 
+TEST_F(MachineFiles, ANewModuleThatTheUserSetsUpIsExpectedFromThenOn) {
+    VirtualChain one(QStringLiteral("servo"));
+    VirtualChain stepper(QStringLiteral("servo,step"));
+    VirtualChain servos(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
+    panel.start();
+    const ModuleIndex second(1);
+    const auto attach = [&panel](const VirtualChain& sim) {
+        panel.connectTo(sim.terminal());
+        ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+        ASSERT_TRUE(panel.answersFor(0.3));
+    };
+    ASSERT_NO_FATAL_FAILURE(attach(one));
+    rename(panel, "X");
+    ASSERT_EQ(panel.composition().machine().axes.at(0).expected, (ModuleIdentity{ModuleType::Servo, 4}));
+
+    ASSERT_NO_FATAL_FAILURE(attach(stepper));
+    AxisSettings table;
+    table.name = "Table";
+    table.motion.velocity = 2'000;
+    emit panel.window().requests().axisEdited(second, table);
+    table.expected = ModuleIdentity{ModuleType::Stepper, 1};
+    ASSERT_EQ(panel.composition().machine().axis(second), table);
+
+    ASSERT_NO_FATAL_FAILURE(attach(servos));
+    EXPECT_NE(panel.standing(QStringLiteral("is not the expected module")), nullptr);
+    EXPECT_EQ(panel.composition().store().machine().axis(second).motion, MotionSettings{});
+    EXPECT_TRUE(panel.module(1).otherType());
+    const QString path = directory.filePath(QStringLiteral("table.json"));
+    saveAs(panel, path);
+    EXPECT_EQ(machineIn(path).axes.at(1), table);
+    EXPECT_EQ(one.violations() + stepper.violations() + servos.violations(), "");
+}
+
 }  // namespace
 }  // namespace nmc

@@ -99,4 +99,19 @@ Machine withModules(const std::vector<ModuleIdentity>& there, Machine machine) {
     return machine;
 }
 
+Machine forModules(const std::vector<ModuleIdentity>& there, Machine edited) {
+    const auto lacksType = [&edited](std::size_t place) {
+        const ModuleIndex module(static_cast<std::uint8_t>(place));
+        return !edited.axis(module).expected && isSetUp(edited, module);
+    };
+    std::size_t end = there.size();
+    while (end > 0 && !lacksType(end - 1))
+        --end;
+    edited.axes.resize(std::max(edited.axes.size(), end));
+    for (std::size_t i = 0; i < end; ++i)
+        if (!edited.axes[i].expected && there[i] != kUnheardModule)
+            edited.axes[i].expected = there[i];
+    return edited;
+}
+
 }  // namespace nmc

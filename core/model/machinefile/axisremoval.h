@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/machinefile/machinefile.h"
+#include "model/module/linkstate.h"
 
 /// Settings and positions belong to places in the chain. When modules are taken out, those behind them move
 /// up, and what belongs to them has to move along: otherwise one motor gets the limits of another. Pure.
@@ -22,5 +23,9 @@ namespace nmc {
 /// leaves the points: positions are in counts of the chip as well. Where the type was not heard yet, the
 /// former module stays the expected one.
 [[nodiscard]] Machine withModules(const std::vector<ModuleIdentity>& there, Machine machine);
+
+/// The machine after an edit by the user of these modules. A place that isSetUp() but expects no module is
+/// for the one that is there, and then so are the places before it.
+[[nodiscard]] Machine forModules(const std::vector<ModuleIdentity>& there, Machine edited);
 
 }  // namespace nmc

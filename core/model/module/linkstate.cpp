@@ -26,6 +26,21 @@ Machine usable(Machine machine, const std::vector<ModuleState>& modules) {
     return machine;
 }
 
+bool isSetUp(const Machine& machine, ModuleIndex module) {
+    AxisSettings axis = machine.axis(module);
+    axis.name.clear();
+    axis.expected.reset();
+    const auto isIn = [module](const Point& point) {
+        return std::ranges::find(point.axes, module, &PointAxis::module) != point.axes.end();
+    };
+    const auto isUsed = [module](const Sequence& sequence) {
+        return std::ranges::any_of(sequence.rows,
+                                   [module](const Action& row) { return moduleOf(row) == module; });
+    };
+    return axis != AxisSettings{} || std::ranges::any_of(machine.program.points, isIn) ||
+           std::ranges::any_of(machine.program.sequences, isUsed);
+}
+
 LinkState asShown(LinkState link) {
     const bool looking = link.phase == LinkPhase::Connecting && link.looking;
     for (ModuleState& module : link.modules) {

@@ -65,6 +65,10 @@ struct LinkState {
 /// user's own machine stays as it is, and applies again once the expected modules are back.
 [[nodiscard]] Machine usable(Machine machine, const std::vector<ModuleState>& modules);
 
+/// True if the machine has anything for this place that goes by the type of its module: settings other than
+/// the name, a position in a point, or a row of a sequence.
+[[nodiscard]] bool isSetUp(const Machine& machine, ModuleIndex module);
+
 /// The state as it may be displayed: a module that is no longer polled, because the link is lost or addresses
 /// are being assigned again, counts as not answering, whatever it reported last, and sends no replies. While
 /// modules are only searched for, this does not apply. Everything that displays modules uses this.
