@@ -167,9 +167,9 @@ void Connection::lend(const QString& path) {
 
 void Connection::acceptChain() {
     const LinkState& link = m_store.link();
-    if (whyNotEdited(link.rights))
-        return;  // the button shows why
-    // Where no chain is remembered, none is forgotten either: a missing module keeps its place.
+    if (whyNotEdited(link.rights) || link.modules.empty())
+        return;  // the button shows why, and where nothing was found, there is nothing to work with
+    // Where no chain is remembered, a module of the chain that is missing keeps its place.
     const bool remembered = link.phase == LinkPhase::Connected && !link.simulated;
     Accepted chain;
     for (const ModuleState& module : link.modules)
@@ -177,24 +177,26 @@ void Connection::acceptChain() {
             chain.missing.push_back(module.info.index);
         else
             chain.present.push_back(module.info);
-    if (chain.missing.empty()) {
-        accept(chain);
-        if (remembered)
-            rememberChain(m_settings, m_target->port, chain.present);
-        return;
-    }
     // The known chain is dropped only by reconnecting, and closing the connection stops motors.
-    if (!link.readOnly && m_store.movingMotors() > 0) {
+    const bool reconnects = !chain.missing.empty();
+    if (reconnects && !link.readOnly && m_store.movingMotors() > 0) {
         emit reported(texts::chainNotAccepted());
         return;
     }
+    for (std::size_t i = link.modules.size(); i < m_store.machine().axes.size(); ++i)
+        chain.missing.emplace_back(static_cast<std::uint8_t>(i));
     const Program& program = m_store.machine().program;
     if (const auto user = userOfModules(program, chain.missing)) {
         emit reportedOfChain(texts::moduleStillUsed(*user, *moduleOf(*rowAt(program, *user))));
         return;
     }
-    m_accepted = std::move(chain);
-    openAnyway(*m_target);
+    if (reconnects) {
+        m_accepted = std::move(chain);
+        return openAnyway(*m_target);
+    }
+    accept(chain);
+    if (remembered)
+        rememberChain(m_settings, m_target->port, chain.present);
 }
 
 void Connection::accept(const Accepted& chain) {

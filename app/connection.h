@@ -52,8 +52,9 @@ public:
     void dropSearch() { m_searchWhenIdle = false; }
     /// Lends the line to the program that opens this path, if no procedure and no sequence is running.
     void lend(const QString& path);
-    /// Makes the modules that are present the expected ones. Those that are missing are forgotten, and the
-    /// modules after them move up, unless a sequence uses one.
+    /// Makes the modules that are present the expected ones. Those that are missing are forgotten, as are the
+    /// places of the machine beyond the chain, and the modules after them move up, unless a sequence uses
+    /// one.
     void acceptChain();
 
     /// Call for every event, after everything that must be over before the next connection is opened.
@@ -64,8 +65,8 @@ signals:
     void searching();
     /// The port that was lost is connected again.
     void recovered();
-    /// These are present; the modules in `missing` are forgotten. If there are any, no chain is connected
-    /// until this returns.
+    /// These are present; the modules in `missing` are forgotten. If there are any before one that is
+    /// present, no chain is connected until this returns.
     void accepted(const std::vector<nmc::ModuleIdentity>& present,
                   const std::vector<nmc::ModuleIndex>& missing);
     void reported(const nmc::Message& message);

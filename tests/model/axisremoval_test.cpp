@@ -121,6 +121,7 @@ TEST(OtherModules, AnotherVersionANewModuleAndOneThatIsMissingChangeNoNumbers) {
     after.axes[0].expected = kCmc;
     after.axes[1].expected = kStep;
     EXPECT_EQ(withModules({kCmc, kStep}, machine), after);
+    EXPECT_EQ(withModules({kCmc}, after), after) << "nor do those of module 2 lose their type";
     after.axes[2].expected = kServo;
     after.axes.emplace_back().expected = kServo;
     EXPECT_EQ(withModules({kCmc, kStep, kServo, kServo}, machine), after);

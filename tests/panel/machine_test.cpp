@@ -772,5 +772,46 @@ TEST_F(MachineFiles, ANewModuleThatTheUserSetsUpIsExpectedFromThenOn) {
     EXPECT_EQ(one.violations() + stepper.violations() + servos.violations(), "");
 }
 
+/// This port has never had the stepper, so the chain found does not even have a place for it.
+TEST_F(MachineFiles, AModuleThatIsMissingIsForgottenAtAPortWithoutMemoryAsWell) {
+    Machine machine;
+    machine.axes.resize(2);
+    machine.axes[0].expected = ModuleIdentity{ModuleType::Servo, 4};
+    machine.axes[1].expected = ModuleIdentity{ModuleType::Stepper, 1};
+    machine.axes[1].motion.velocity = 2'000;
+    const ModuleIndex first(0);
+    const ModuleIndex second(1);
+    machine.program.points = {{"Pick", {{first, 100, false}, {second, 30'000, false}}}};
+    machine.program.sequences = {{"Main", {action::MoveTo{"Pick"}, action::Home{second}}}};
+    const QString path = write("table.json", writeMachine(machine));
+    VirtualChain one(QStringLiteral("servo"));
+    VirtualChain servos(QStringLiteral("servo,servo"));
+    VirtualPanel panel;
+    panel.start();
+    open(panel, path);
+    click(panel, "applyDifferencesButton");
+    panel.connectTo(one.terminal());
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+
+    emit panel.window().requests().acceptChain();
+    const QString used = QStringLiteral("Row 2 of \"Main\" uses module 2, so the chain was not changed.");
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(used) != nullptr; }));
+    EXPECT_EQ(panel.composition().machine().axes, machine.axes);
+
+    Program program = machine.program;
+    program.sequences[0].rows.pop_back();
+    emit panel.window().requests().programEdited(program);
+    emit panel.window().requests().acceptChain();
+    EXPECT_EQ(panel.composition().machine().axes, std::vector{machine.axes[0]});
+    EXPECT_EQ(panel.composition().machine().program.points.at(0).axes,
+              (std::vector<PointAxis>{{first, 100, false}}));
+    EXPECT_TRUE(panel.connected());
+
+    panel.connectTo(servos.terminal());
+    ASSERT_TRUE(panel.waitFor([&] { return panel.connected() && panel.module(1).latest.has_value(); }));
+    EXPECT_EQ(panel.composition().store().machine().axis(second).motion, MotionSettings{});
+    EXPECT_EQ(one.violations() + servos.violations(), "");
+}
+
 }  // namespace
 }  // namespace nmc

@@ -84,17 +84,16 @@ ParsedMachine withoutAxes(const std::vector<ModuleIndex>& gone, ParsedMachine fr
 
 Machine withModules(const std::vector<ModuleIdentity>& there, Machine machine) {
     machine.axes.resize(std::max(machine.axes.size(), there.size()));
-    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
-        AxisSettings& axis = machine.axes[i];
-        const auto module = i < there.size() ? std::optional(there[i]) : std::nullopt;
-        if (module == kUnheardModule)
+    for (std::size_t i = 0; i < there.size(); ++i) {
+        if (there[i] == kUnheardModule)
             continue;
-        if (module && isOtherType(axis.expected, *module)) {
-            axis = usable(axis, *module);
+        AxisSettings& axis = machine.axes[i];
+        if (isOtherType(axis.expected, there[i])) {
+            axis = usable(axis, there[i]);
             for (Point& point : machine.program.points)
                 std::erase_if(point.axes, [i](const PointAxis& place) { return place.module.value() == i; });
         }
-        axis.expected = module;
+        axis.expected = there[i];
     }
     return machine;
 }

@@ -20,8 +20,8 @@ namespace nmc {
 [[nodiscard]] ParsedMachine withoutAxes(const std::vector<ModuleIndex>& gone, ParsedMachine from);
 
 /// The machine that has these modules. An axis that was set for another type begins anew (usable()), and
-/// leaves the points: positions are in counts of the chip as well. Where the type was not heard yet, the
-/// former module stays the expected one.
+/// leaves the points: positions are in counts of the chip as well. Where the type was not heard yet, and
+/// beyond these modules, the former one stays expected, so that no numbers lose their type.
 [[nodiscard]] Machine withModules(const std::vector<ModuleIdentity>& there, Machine machine);
 
 /// The machine after an edit by the user of these modules. A place that isSetUp() but expects no module is
