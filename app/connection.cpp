@@ -185,9 +185,16 @@ void Connection::acceptChain() {
     }
     for (std::size_t i = link.modules.size(); i < m_store.machine().axes.size(); ++i)
         chain.missing.emplace_back(static_cast<std::uint8_t>(i));
+    // Of another type, a module has other inputs and outputs under the same numbers.
+    std::vector<ModuleIndex> unusable = chain.missing;
+    for (const ModuleState& module : link.modules)
+        if (module.otherType())
+            unusable.push_back(module.info.index);
     const Program& program = m_store.machine().program;
-    if (const auto user = userOfModules(program, chain.missing)) {
-        emit reportedOfChain(texts::moduleStillUsed(*user, *moduleOf(*rowAt(program, *user))));
+    if (const auto user = userOfModules(program, unusable)) {
+        const ModuleIndex used = *moduleOf(*rowAt(program, *user));
+        const ModuleState* there = m_store.module(used);
+        emit reportedOfChain(texts::moduleStillUsed(*user, used, there != nullptr && there->otherType()));
         return;
     }
     if (reconnects) {

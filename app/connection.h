@@ -54,7 +54,7 @@ public:
     void lend(const QString& path);
     /// Makes the modules that are present the expected ones. Those that are missing are forgotten, as are the
     /// places of the machine beyond the chain, and the modules after them move up, unless a sequence uses
-    /// one.
+    /// one, or one that is now of another type.
     void acceptChain();
 
     /// Call for every event, after everything that must be over before the next connection is opened.

@@ -3790,6 +3790,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Zeile %1 von „%2“ benutzt Modul %3, die Kette wurde daher nicht geändert.</translation>
     </message>
     <message>
+        <source>The row is for another type of module than the one found there. Change or remove it first, then try again.</source>
+        <translation>Die Zeile ist für einen anderen Modultyp als den dort gefundenen. Zuerst die Zeile ändern oder entfernen, dann erneut versuchen.</translation>
+    </message>
+    <message>
         <source>Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.</source>
         <translation>Mit dem Modul wird auch seine Achse aus der Maschine entfernt. Zuerst diese Zeile ändern oder entfernen, dann erneut versuchen.</translation>
     </message>

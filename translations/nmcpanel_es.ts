@@ -3790,6 +3790,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>La fila %1 de “%2” usa el módulo %3, por lo que la cadena no se cambió.</translation>
     </message>
     <message>
+        <source>The row is for another type of module than the one found there. Change or remove it first, then try again.</source>
+        <translation>La fila es para otro tipo de módulo que el encontrado en ese lugar. Cámbiela o quítela primero e inténtelo de nuevo.</translation>
+    </message>
+    <message>
         <source>Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.</source>
         <translation>Al olvidar un módulo se quita su eje de la máquina. Cambie o quite primero esa fila e inténtelo de nuevo.</translation>
     </message>

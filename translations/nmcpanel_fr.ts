@@ -3790,6 +3790,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>La ligne %1 de «&#xa0;%2&#xa0;» utilise le module %3&#xa0;: la chaîne n’a pas été modifiée.</translation>
     </message>
     <message>
+        <source>The row is for another type of module than the one found there. Change or remove it first, then try again.</source>
+        <translation>La ligne est destinée à un autre type de module que celui trouvé à cette place. Modifiez-la ou supprimez-la d’abord, puis réessayez.</translation>
+    </message>
+    <message>
         <source>Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.</source>
         <translation>Oublier un module retire son axe de la machine. Modifiez ou supprimez d’abord cette ligne, puis réessayez.</translation>
     </message>

@@ -3780,6 +3780,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>「%2」の%1行目がモジュール%3を使用しているため、チェーンは変更しませんでした。</translation>
     </message>
     <message>
+        <source>The row is for another type of module than the one found there. Change or remove it first, then try again.</source>
+        <translation>この行は、そこで検出されたものとは別の種類のモジュールのためのものです。先にその行を変更または削除してから、もう一度試してください。</translation>
+    </message>
+    <message>
         <source>Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.</source>
         <translation>モジュールの登録を削除すると、その軸もマシンから削除されます。先にその行を変更または削除してから、もう一度試してください。</translation>
     </message>

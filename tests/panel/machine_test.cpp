@@ -813,5 +813,32 @@ TEST_F(MachineFiles, AModuleThatIsMissingIsForgottenAtAPortWithoutMemoryAsWell) 
     EXPECT_EQ(one.violations() + servos.violations(), "");
 }
 
+/// "IO4 on" would be OUT4 of the stepper.
+TEST_F(MachineFiles, AModuleOfAnotherTypeIsNotAcceptedWhileARowUsesIt) {
+    Machine machine;
+    machine.axes.emplace_back().expected = ModuleIdentity{ModuleType::Io, 1};
+    machine.program.sequences = {{"Main", {action::Wait{1}, action::SetOutput{ModuleIndex(0), 4}}}};
+    const QString path = write("lamp.json", writeMachine(machine));
+    VirtualChain sim(QStringLiteral("step"));
+    VirtualPanel panel;
+    panel.start();
+    open(panel, path);
+    click(panel, "applyDifferencesButton");
+    panel.connectTo(sim.terminal());
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+    EXPECT_TRUE(panel.module().otherType());
+    emit panel.window().requests().acceptChain();
+    const QString used = QStringLiteral("Row 2 of \"Main\" uses module 1, so the chain was not changed.");
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(used) != nullptr; }));
+    EXPECT_EQ(panel.composition().machine().axes, machine.axes);
+
+    Program program = machine.program;
+    program.sequences[0].rows.pop_back();
+    emit panel.window().requests().programEdited(program);
+    emit panel.window().requests().acceptChain();
+    EXPECT_EQ(panel.composition().machine().axes.at(0).expected, (ModuleIdentity{ModuleType::Stepper, 1}));
+    EXPECT_EQ(sim.violations(), "");
+}
+
 }  // namespace
 }  // namespace nmc

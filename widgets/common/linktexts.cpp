@@ -107,15 +107,19 @@ Message chainNotAccepted() {
             .body = Texts::tr("Forgetting a module rescans the chain. Stop all motors, then try again.")};
 }
 
-Message moduleStillUsed(const RowPlace& row, ModuleIndex module) {
+Message moduleStillUsed(const RowPlace& row, ModuleIndex module, bool otherType) {
     return {
         .key = u"chainNotAccepted"_s,
         .severity = Severity::Attention,
         .headline = Texts::tr("Row %1 of \"%2\" uses module %3, so the chain was not changed.")
                         .arg(QString::number(row.row + 1), QString::fromStdString(row.sequence),
                              moduleNumber(module)),
-        .body = Texts::tr(
-            "Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.")};
+        .body =
+            otherType
+                ? Texts::tr(
+                      "The row is for another type of module than the one found there. Change or remove it first, then try again.")
+                : Texts::tr(
+                      "Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.")};
 }
 
 Message connected(const bus::ChainFound& found, const QString& port) {

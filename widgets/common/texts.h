@@ -41,7 +41,7 @@ namespace texts {
 /// A missing module cannot be forgotten while motors move, because the chain would be searched for again.
 [[nodiscard]] Message chainNotAccepted();
 /// A missing module cannot be forgotten while the row sets, homes or waits for it.
-[[nodiscard]] Message moduleStillUsed(const RowPlace& row, ModuleIndex module);
+[[nodiscard]] Message moduleStillUsed(const RowPlace& row, ModuleIndex module, bool otherType);
 [[nodiscard]] Message connected(const bus::ChainFound& found, const QString& port);
 [[nodiscard]] Message echoNoticed(const QString& port);
 [[nodiscard]] Message repliesInPieces(const QString& port, int gapMs);
