@@ -90,26 +90,29 @@ bool MachineController::locked() const {
 void MachineController::edit(ModuleIndex module, const AxisSettings& settings) {
     if (locked())
         return;
-    if (m_machine.axes.size() <= module.value())
-        m_machine.axes.resize(module.value() + std::size_t{1});
-    m_machine.axes[module.value()] = settings;
-    changedAxes();
+    Machine edited = m_machine;
+    if (edited.axes.size() <= module.value())
+        edited.axes.resize(module.value() + std::size_t{1});
+    edited.axes[module.value()] = settings;
+    changeAxes(std::move(edited));
 }
 
-void MachineController::changedAxes() {
-    const bool nothingExpected = std::ranges::none_of(
-        m_machine.axes, [](const AxisSettings& axis) { return axis.expected.has_value(); });
+void MachineController::changeAxes(Machine edited) {
+    const bool nothingExpected =
+        std::ranges::none_of(edited.axes, [](const AxisSettings& axis) { return axis.expected.has_value(); });
+    const Machine before = std::exchange(m_machine, std::move(edited));
     if (nothingExpected && !chain().empty())
         return acceptChain(chain());
-    m_machine = forModules(chain(), std::move(m_machine));
+    m_machine = forModules(chain(), before, std::move(m_machine));
     changed();
 }
 
 void MachineController::editProgram(const Program& program) {
     if (locked())
         return;
-    m_machine.program = program;
-    changedAxes();
+    Machine edited = m_machine;
+    edited.program = program;
+    changeAxes(std::move(edited));
 }
 
 void MachineController::editHomeOrder(const std::vector<ModuleIndex>& order) {
@@ -286,10 +289,9 @@ void MachineController::apply(const std::vector<PartId>& chosen) {
     const Pending from = *std::exchange(m_pending, std::nullopt);
     m_window.endMessage(texts::key::kNotApplied);
     m_window.machineMenu().closeDifferences();
-    if (from.copy) {
-        m_machine = std::move(machine);
-        changedAxes();
-    } else
+    if (from.copy)
+        changeAxes(std::move(machine));
+    else
         take(from, std::move(machine), whole);
     for (const ModuleIntent& send : intents)
         emit intentRequested(send.module, send.intent);

@@ -94,7 +94,7 @@ private:
     [[nodiscard]] std::vector<Difference> differences() const;
     /// The user has changed axes, points or sequences: this implies that the present chain is the expected
     /// one, unless one is; then it does so for the modules concerned (forModules()).
-    void changedAxes();
+    void changeAxes(Machine edited);
     void apply(const std::vector<PartId>& chosen);
     void take(const Pending& from, Machine machine, bool whole);
     void followLink();

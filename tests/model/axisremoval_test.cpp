@@ -149,7 +149,7 @@ TEST(OtherModules, ANewModuleThatIsSetUpIsExpectedAndSoAreThoseBeforeIt) {
     machine.axes.resize(4);
     machine.axes[0].expected = kServo;
     machine.axes[3].name = "No number";
-    EXPECT_EQ(forModules(there, machine), machine);
+    EXPECT_EQ(forModules(there, machine, machine), machine);
     Machine set = machine;
     set.axes[2].motion.velocity = 2'000;
     Machine taught = machine;
@@ -160,9 +160,25 @@ TEST(OtherModules, ANewModuleThatIsSetUpIsExpectedAndSoAreThoseBeforeIt) {
         Machine after = edited;
         after.axes[1].expected = kServo;
         after.axes[2].expected = kStep;
-        EXPECT_EQ(forModules(there, edited), after) << "as far as it, with no gap";
-        EXPECT_EQ(forModules({}, edited), edited) << "nothing is connected";
+        EXPECT_EQ(forModules(there, machine, edited), after) << "as far as it, with no gap";
+        EXPECT_EQ(forModules({}, machine, edited), edited) << "nothing is connected";
     }
+}
+
+/// The first edit of any axis makes the whole chain the expected one, also where nothing is set up.
+TEST(OtherModules, AnAxisThatIsNotSetUpIsForTheModuleForWhichItIsFirstSetUp) {
+    using testing_support::kServo;
+    using testing_support::kStep;
+    Machine machine = xyz();
+    machine.program = {};
+    machine.axes[0].expected = kServo;
+    Machine edited = machine;
+    edited.axes[0].motion.velocity = 2'000;
+    Machine after = edited;
+    after.axes[0].expected = kStep;
+    EXPECT_EQ(forModules({kStep}, machine, edited), after);
+    EXPECT_EQ(forModules({kStep}, edited, edited), edited) << "these numbers are those of the servo";
+    EXPECT_EQ(forModules({kUnheardModule}, machine, edited), edited);
 }
 
 }  // namespace

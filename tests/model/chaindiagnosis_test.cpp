@@ -185,7 +185,7 @@ TEST(LinkState, SettingsForAnotherTypeAreNotThoseOfTheModuleThatIsThere) {
     servos.axes[1].expected = kStep;
     LinkState link = linkWith({kOldServo, kServo});
     EXPECT_EQ(usable(machine, link.modules), servos);
-    link.take(servos);
+    link.take(machine);
     EXPECT_FALSE(link.modules[0].otherType()) << "another version counts alike";
     EXPECT_TRUE(link.modules[0].replaced());
     EXPECT_EQ(link.modules[0].travel.fastest, 3'000);
@@ -195,6 +195,13 @@ TEST(LinkState, SettingsForAnotherTypeAreNotThoseOfTheModuleThatIsThere) {
     EXPECT_EQ(usable(machine, linkWith({kServo, kStep}).modules), machine);
     EXPECT_EQ(usable(machine, linkWith({kServo, kUnheardModule}).modules), machine);
     EXPECT_EQ(usable(machine, {}), machine);
+
+    link.take(servos);
+    EXPECT_TRUE(link.modules[1].replaced());
+    EXPECT_FALSE(link.modules[1].otherType()) << "there is no number of another chip";
+    servos.program.points = {{"All", {{ModuleIndex(1), 3, false}}}};
+    link.take(servos);
+    EXPECT_TRUE(link.modules[1].otherType()) << "there is one in a point";
 }
 
 }  // namespace

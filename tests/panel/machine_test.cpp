@@ -813,6 +813,29 @@ TEST_F(MachineFiles, AModuleThatIsMissingIsForgottenAtAPortWithoutMemoryAsWell) 
     EXPECT_EQ(one.violations() + servos.violations(), "");
 }
 
+/// The first edit of any axis has made the whole chain the expected one.
+TEST_F(MachineFiles, AnAxisThatIsNotSetUpIsSetUpForWhateverModuleIsThere) {
+    Machine machine;
+    machine.axes.resize(1);
+    machine.axes[0].name = "Table";
+    machine.axes[0].expected = ModuleIdentity{ModuleType::Stepper, 1};
+    const QString path = write("table.json", writeMachine(machine));
+    VirtualChain sim(QStringLiteral("servo"));
+    VirtualPanel panel;
+    panel.start();
+    open(panel, path);
+    click(panel, "applyDifferencesButton");
+    panel.connectTo(sim.terminal());
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().latest.has_value(); }));
+    EXPECT_TRUE(panel.module().replaced());
+    panel.ask(intent::ApplyGains{kGains});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains.has_value(); }));
+    const AxisSettings& axis = panel.composition().machine().axes.at(0);
+    EXPECT_EQ(axis.gains, kGains);
+    EXPECT_EQ(axis.expected, (ModuleIdentity{ModuleType::Servo, 4}));
+    EXPECT_EQ(sim.violations(), "");
+}
+
 /// "IO4 on" would be OUT4 of the stepper.
 TEST_F(MachineFiles, AModuleOfAnotherTypeIsNotAcceptedWhileARowUsesIt) {
     Machine machine;

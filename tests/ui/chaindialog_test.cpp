@@ -100,6 +100,20 @@ TEST_F(ChainWindow, TheNumbersOfAnotherTypeOfModuleAreNeitherShownNorUsedNorRepl
     EXPECT_TRUE(find<QLineEdit>(u"axisNameField"_s)->isEnabled());
 }
 
+TEST_F(ChainWindow, AnotherTypeOfModuleIsOnlyReportedWhereNothingIsSetUpForTheExpectedOne) {
+    AxisSettings& axis = machine.axes.emplace_back();
+    axis.name = "Table";
+    axis.expected = ModuleIdentity{ModuleType::Stepper, 1};
+    window->showMachine(machine);
+    showServo({.position = 500});
+    EXPECT_NE(button(u"goButton"_s)->toolTip(), texts::refusal(Refusal::OtherType));
+    EXPECT_TRUE(find<QLineEdit>(u"axisNameField"_s)->isEnabled());
+    open("chainDoctorAction");
+    EXPECT_EQ(text(u"chainFinding"_s), u"Module 1 \"Table\" is not the expected module."_s);
+    EXPECT_TRUE(text(u"chainAdvice"_s).contains(u"check these settings"_s))
+        << text(u"chainAdvice"_s).toStdString();
+}
+
 TEST_F(ChainWindow, WhatIsThereCanBeTakenAsExpected) {
     expect(2);
     showServos({{}});

@@ -73,9 +73,7 @@ QString chainAdvice(const ChainDiagnosis& chain) {
             return Texts::tr(
                 "Only the modules nearest the PC answered, and their numbers have changed. Check the cable to the module at the far end, and check that no other ADDR_IN is grounded. Until this is fixed, settings do not match the modules.");
         case Finding::OtherHardware:
-            return notExpectedAdvice(std::ranges::any_of(chain.places, [](const ChainPlace& place) {
-                return place.found && isOtherType(place.expected, *place.found);
-            }));
+            return notExpectedAdvice(std::ranges::any_of(chain.places, &ChainPlace::otherType));
         case Finding::MoreThanBefore:
             return Texts::tr("Modules from %1 on are new. If they belong there, accept the chain as found.")
                 .arg(concernedModule(chain));

@@ -18,7 +18,7 @@ void Session::setLink(const LinkState& state) {
     const auto identity = [](const ModuleState& module) { return module.info.identity; };
     if (!std::ranges::equal(next.modules, m_link.modules, {}, identity, identity))
         m_machine = usable(m_usersMachine, next.modules);
-    next.take(m_machine);
+    next.take(m_usersMachine);
     const LinkState before = std::exchange(m_link, asShown(std::move(next)));
     m_link.now = before.now;
     // One that is opened as soon as the last one has closed is not seen disconnected in between.
@@ -41,7 +41,7 @@ void Session::setLink(const LinkState& state) {
 void Session::setMachine(const Machine& machine) {
     m_usersMachine = machine;
     m_machine = usable(machine, m_link.modules);
-    m_link.take(m_machine);
+    m_link.take(m_usersMachine);
     QStringList names;
     for (const AxisSettings& axis : machine.axes)
         names.append(QString::fromStdString(axis.name));

@@ -262,7 +262,7 @@ void BusStore::setMachine(const Machine& machine) {
 
 void BusStore::useMachine() {
     m_machine = usable(m_usersMachine, m_link.modules);
-    m_link.take(m_machine);
+    m_link.take(m_usersMachine);
 }
 
 void BusStore::offerHome(ModuleIndex module, std::int32_t counts) {

@@ -98,18 +98,19 @@ Machine withModules(const std::vector<ModuleIdentity>& there, Machine machine) {
     return machine;
 }
 
-Machine forModules(const std::vector<ModuleIdentity>& there, Machine edited) {
-    const auto lacksType = [&edited](std::size_t place) {
-        const ModuleIndex module(static_cast<std::uint8_t>(place));
-        return !edited.axis(module).expected && isSetUp(edited, module);
-    };
-    std::size_t end = there.size();
-    while (end > 0 && !lacksType(end - 1))
-        --end;
-    edited.axes.resize(std::max(edited.axes.size(), end));
-    for (std::size_t i = 0; i < end; ++i)
-        if (!edited.axes[i].expected && there[i] != kUnheardModule)
+Machine forModules(const std::vector<ModuleIdentity>& there, const Machine& before, Machine edited) {
+    bool behind = false;
+    for (std::size_t i = there.size(); i-- > 0;) {
+        const ModuleIndex module(static_cast<std::uint8_t>(i));
+        const auto expected = edited.axis(module).expected;
+        const bool isNew = isSetUp(edited, module) &&
+                           (!expected || (isOtherType(expected, there[i]) && !isSetUp(before, module)));
+        if ((isNew || (behind && !expected)) && there[i] != kUnheardModule) {
+            edited.axes.resize(std::max(edited.axes.size(), i + 1));
             edited.axes[i].expected = there[i];
+        }
+        behind = behind || isNew;
+    }
     return edited;
 }
 

@@ -24,8 +24,10 @@ namespace nmc {
 /// beyond these modules, the former one stays expected, so that no numbers lose their type.
 [[nodiscard]] Machine withModules(const std::vector<ModuleIdentity>& there, Machine machine);
 
-/// The machine after an edit by the user of these modules. A place that isSetUp() but expects no module is
-/// for the one that is there, and then so are the places before it.
-[[nodiscard]] Machine forModules(const std::vector<ModuleIdentity>& there, Machine edited);
+/// The machine after an edit by the user of these modules. A place that isSetUp() is for the module that is
+/// there if it expects none, or one of another type for which nothing was set up before; and then places
+/// before it that expect none are for theirs.
+[[nodiscard]] Machine forModules(const std::vector<ModuleIdentity>& there, const Machine& before,
+                                 Machine edited);
 
 }  // namespace nmc

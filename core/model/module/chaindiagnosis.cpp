@@ -22,6 +22,7 @@ ChainPlace placeOf(std::size_t index, const Machine& machine, const LinkState& l
     }
     const ModuleState& module = link.modules[index];
     place.found = module.info.identity;
+    place.otherType = module.otherType();
     if (module.hasRestarted)
         place.state = ChainPlace::State::Restarted;
     else if (!module.lookedFor && !isLive(link, module))

@@ -25,6 +25,7 @@ struct ChainPlace {
     std::string name;
     std::optional<ModuleIdentity> expected;
     std::optional<ModuleIdentity> found;
+    bool otherType = false;  ///< the module found is only stopped, as of another type than set up
     State state = State::Fine;
 
     bool operator==(const ChainPlace&) const = default;

@@ -9,9 +9,13 @@
 namespace nmc {
 
 void LinkState::take(const Machine& machine) {
+    static const AxisSettings none;
     for (ModuleState& module : modules) {
-        const AxisSettings& axis = machine.axis(module.info.index);
-        module.expected = axis.expected;
+        const AxisSettings& ofMachine = machine.axis(module.info.index);
+        const bool other = isOtherType(ofMachine.expected, module.info.identity);
+        const AxisSettings& axis = other ? none : ofMachine;
+        module.expected = ofMachine.expected;
+        module.nothingSetUp = other && !isSetUp(machine, module.info.index);
         module.unit = axis.unit.kind;
         module.travel = axis.travel;
         module.backlash = axis.backlash;

@@ -56,8 +56,8 @@ struct LinkState {
     /// Modules are shown, and a stop of all of them may be requested: the port is open, or it was unplugged,
     /// and a stop waits for it.
     [[nodiscard]] bool hasChain() const { return isOpen() || unplugged; }
-    /// Copies the machine's settings on how its axes may move into their modules, where every precondition
-    /// finds them. They must be usable() for these modules.
+    /// Copies the settings of the user's machine on how its axes may move, as far as they are usable(), into
+    /// their modules, where every precondition finds them.
     void take(const Machine& machine);
 };
 

@@ -67,6 +67,7 @@ struct ModuleState : ServoRegisters {
     HomeFact home;
     /// The module that the machine has at this place; empty: any.
     std::optional<ModuleIdentity> expected;
+    bool nothingSetUp = false;  ///< the machine has nothing at this place that goes by that module's type
     // How the axis may move, as set by the user; the preconditions in model/intent check these.
     UnitKind unit = UnitKind::Native;
     TravelSettings travel;
@@ -119,9 +120,9 @@ struct ModuleState : ServoRegisters {
     [[nodiscard]] bool replaced() const {
         return expected && *expected != info.identity && info.identity != kUnheardModule;
     }
-    /// Not of the expected type: the settings of the axis do not apply to it, and it is only stopped, until
-    /// the user has accepted it.
-    [[nodiscard]] bool otherType() const { return isOtherType(expected, info.identity); }
+    /// Not of the type that the axis is set up for: the settings do not apply to it, and it is only stopped,
+    /// until the user has accepted it.
+    [[nodiscard]] bool otherType() const { return !nothingSetUp && isOtherType(expected, info.identity); }
     /// As last reported.
     [[nodiscard]] std::optional<std::int32_t> position() const {
         return latest ? latest->position : std::nullopt;
