@@ -194,6 +194,43 @@ TEST(Plan, LoadsNowAndStartsLater) {
     EXPECT_EQ(payloads(intent::StartLoaded{}, module), (Hex{"05"}));
 }
 
+/// DS-V 5.2, Load Trajectory: without the servo bit, the start switches the servo off and drives the motor.
+TEST(Plan, StartsALoadedPwmValueWhereOneMayBeDriven) {
+    servo::LoadTrajectory pwm;
+    pwm.servo = false;
+    pwm.pwm = std::uint8_t{200};
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1, pwm));
+    ASSERT_TRUE(module.loadWaiting);
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, module), Refusal::ServoOn);
+    module.apply(executedAt(2, stopWith(servo::StopManner::MotorOff)));
+    module.apply(sampleOf(2.1, kMoveDone | kPosError | kPower, 0));
+    module.apply(executedAt(3, pwm));
+    EXPECT_EQ(payloads(intent::StartLoaded{}, module), (Hex{"05"}));
+    module.rights = OperatorRights{.moves = true};
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, module), Refusal::OperatorMode);
+}
+
+/// DS-V 5.2, Load Trajectory: what is not loaded is as before. The stop has set the velocity to 0.
+TEST(Plan, StartsNoLoadThatCouldNeverMove) {
+    servo::LoadTrajectory load;
+    load.position = Counts(20'000);
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1, load));
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, module), Refusal::NoVelocity);
+    load.velocity = kTrapezoid.velocity;
+    module.apply(executedAt(2, load));
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, module), Refusal::NoAcceleration) << "none was ever loaded";
+    load.acceleration = kTrapezoid.acceleration;
+    module.apply(executedAt(3, load));
+    EXPECT_EQ(payloads(intent::StartLoaded{}, module), (Hex{"05"}));
+    load.velocity.reset();
+    load.acceleration.reset();
+    module.apply(executedAt(4, stopWith(servo::StopManner::Abruptly)));
+    module.apply(executedAt(5, load));
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, module), Refusal::NoVelocity);
+}
+
 /// The goal that waits counts from the zero of before.
 TEST(Plan, AnotherZeroForgetsWhatWasLoaded) {
     ModuleState module = holdingServo();

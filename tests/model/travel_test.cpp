@@ -291,6 +291,14 @@ TEST(Travel, PwmAndPushesAreRefusedAtTheEnd) {
     EXPECT_EQ(plan(intent::DrivePwm{20, false}, module).error(), Refusal::AtTravelEnd);
     EXPECT_TRUE(plan(intent::DrivePwm{20, true}, module).has_value());
     EXPECT_TRUE(plan(intent::DrivePwm{0, false}, module).has_value());
+    servo::LoadTrajectory loaded;
+    loaded.servo = false;
+    loaded.pwm = std::uint8_t{20};
+    module.apply(executedAt(2, loaded));
+    EXPECT_EQ(plan(intent::StartLoaded{}, module).error(), Refusal::AtTravelEnd);
+    loaded.reverse = true;
+    module.apply(executedAt(3, loaded));
+    EXPECT_TRUE(plan(intent::StartLoaded{}, module).has_value());
     EXPECT_EQ(plan(intent::CheckDirection{250}, module).error(), Refusal::BeyondTravel);
     module.travel.highest = 800;
     EXPECT_TRUE(plan(intent::CheckDirection{250}, module).has_value());

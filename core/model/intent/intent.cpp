@@ -23,6 +23,13 @@ bool gainsAct(const ModuleState& module) {
     return module.gains && (module.gains->kp != 0 || module.gains->kd != 0) && module.gains->ol != 0;
 }
 
+/// What a trajectory lacks to ever start or end. A run at velocity 0 ends another one.
+std::optional<Refusal> lacking(const servo::LoadTrajectory& load) {
+    const bool moves = load.velocity && (load.isVelocityMode() || load.velocity->value() != 0);
+    const bool accelerates = load.acceleration && load.acceleration->value() != 0;
+    return firstUnmet({{moves, Refusal::NoVelocity}, {accelerates, Refusal::NoAcceleration}});
+}
+
 /// Direction of the motion from the present position, -1 or 1; 0: none.
 int directionOf(const servo::LoadTrajectory& load, const ModuleState& module) {
     if (!load.isTrapezoidal())
@@ -119,7 +126,7 @@ struct ServoPlanner : MotorPlanner {
         const auto* pace = std::get_if<ServoPace>(&moveBy.pace);
         if (pace == nullptr)
             return tl::unexpected(Refusal::NotAStepper);
-        if (const auto refusal = Lacking{}(*pace))
+        if (const auto refusal = lacking(profiledLoad(pace->velocity, pace->acceleration, 0)))
             return tl::unexpected(*refusal);
         if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
@@ -137,24 +144,13 @@ struct ServoPlanner : MotorPlanner {
     Plan operator()(In<StepperIntent> auto) const { return tl::unexpected(Refusal::NotAStepper); }
 
 private:
-    /// What a motion lacks to ever start or end. A run at velocity 0 ends another one.
-    struct Lacking {
-        std::optional<Refusal> operator()(const servomotion::VelocityProfile& run) const {
-            return run.acceleration.value() == 0 ? std::optional(Refusal::NoAcceleration) : std::nullopt;
-        }
-        std::optional<Refusal> operator()(const auto& move) const {
-            if (move.velocity.value() == 0)
-                return Refusal::NoVelocity;
-            return move.acceleration.value() == 0 ? std::optional(Refusal::NoAcceleration) : std::nullopt;
-        }
-    };
     /// The motion as it may be sent: within the travel limits, and with nothing lacking.
     [[nodiscard]] tl::expected<ServoMotion, Refusal> bounded(const MotionSpec& wanted) const {
         const auto* servo = std::get_if<ServoMotion>(&wanted);
         if (servo == nullptr)
             return tl::unexpected(Refusal::NotAStepper);
         const ServoMotion motion = withinTravel(*servo, module);
-        if (const auto refusal = std::visit(Lacking{}, motion))
+        if (const auto refusal = lacking(loadFor(motion)))
             return tl::unexpected(*refusal);
         return motion;
     }
@@ -267,10 +263,12 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
         case IntentKind::StartLoaded:
             if (!module.loadWaiting)
                 return Refusal::NothingLoaded;
-            if (module.load.servo && !module.velocity)
-                return Refusal::NoVelocity;
             if (const auto problem = loadedProblem(module))
                 return problem->refusal;
+            if (!module.load.servo)
+                return whyNot(IntentKind::DrivePwm, module);
+            if (const auto refusal = lacking(module.trajectory()))
+                return refusal;
             return whyNot(IntentKind::Move, module);
         case IntentKind::StopHere:
             return firstUnmet({{chip.version >= servo::kStopHereVersion, Refusal::VersionLacksIt},

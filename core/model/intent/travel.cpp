@@ -202,15 +202,20 @@ private:
     return problemOf(course, module);
 }
 
+/// The problem of a load that starts now. A PWM value is refused only at the limit, as DrivePwm is.
+[[nodiscard]] std::optional<TravelProblem> startProblem(const servo::LoadTrajectory& load,
+                                                        const ModuleState& module) {
+    const Course course = courseOf(load, module);
+    return load.servo ? asItStands(course, module) : problemOf(course, module);
+}
+
 /// The problem of a single command of either chip, if it may move the motor at once.
 struct DirectProblem {
     const ModuleState& module;
 
     std::optional<TravelProblem> operator()(const servo::LoadTrajectory& load) const {
-        if (!load.startNow)
-            return std::nullopt;  // checked when it is started
-        const Course course = courseOf(load, module);
-        return load.servo ? asItStands(course, module) : problemOf(course, module);
+        // One that waits is checked when it is started.
+        return load.startNow ? startProblem(load, module) : std::nullopt;
     }
     std::optional<TravelProblem> operator()(const stepper::LoadTrajectory& load) const {
         return load.startNow ? asItStands(courseOf(load, module), module) : std::nullopt;
@@ -301,7 +306,7 @@ std::optional<TravelProblem> travelProblem(const Intent& intent, const ModuleSta
 
 std::optional<TravelProblem> loadedProblem(const ModuleState& module) {
     if (const auto load = module.waiting())
-        return asItStands(courseOf(*load, module), module);
+        return startProblem(*load, module);
     const auto& waits = module.stepper.waiting;
     return waits ? asItStands(courseOf(*waits, module), module) : std::nullopt;
 }
