@@ -316,6 +316,26 @@ TEST(ModuleState, APwmValueOnAServoThatIsOffIsMotion) {
     EXPECT_TRUE(module.moving());
 }
 
+/// AMP_EN stays high through a trip, so the page PWM sends no stop first.
+TEST(ModuleState, APwmValueAfterATripIsMotion) {
+    servo::LoadTrajectory pwm;
+    pwm.servo = false;
+    pwm.pwm = std::uint8_t{40};
+    for (const std::uint8_t power : {kPower, std::uint8_t{0}}) {
+        ModuleState module = holdingServo();
+        for (const double seconds : {1.0, 1.1})
+            module.apply(sampleOf(seconds, static_cast<std::uint8_t>(kMoveDone | kPosError | power), 0));
+        EXPECT_EQ(module.activity(), power != 0 ? Activity::Tripped : Activity::PowerLost);
+        module.apply(sampleOf(1.2, kMoveDone | kPosError | kPower, 0));
+        module.apply(executedAt(2.0, pwm));
+        EXPECT_TRUE(module.switchedItselfOff) << "loaded only";
+        module.apply(executedAt(2.1, StartMotion{}));
+        module.apply(sampleOf(2.2, kMoveDone | kPosError | kPower, 0, 20));
+        EXPECT_EQ(module.activity(), Activity::PwmMode);
+        EXPECT_FALSE(module.switchedItselfOff);
+    }
+}
+
 TEST(ModuleState, SilenceComesBeforeEverythingElse) {
     ModuleState module = holdingServo();
     module.silent = true;

@@ -312,6 +312,12 @@ void ModuleState::commanded(MotionMode mode, TimePoint time) {
     motion = mode;
     goalVelocity = 0.0;
     offCommanded = mode == MotionMode::None || mode == MotionMode::Pwm;
+    // Switching the motor off, or driving it by PWM, implies that the user has noticed that it is off, so it
+    // acknowledges an earlier trip.
+    if (offCommanded) {
+        switchedItselfOff = powerLostWhileOn = false;
+        m_looksWhileOff = 0;
+    }
     m_motionUnknown = m_motionUnknown && mode == MotionMode::Pwm;
     m_goal.reset();
     m_goalReverse.reset();
@@ -321,11 +327,8 @@ void ModuleState::commanded(MotionMode mode, TimePoint time) {
 void ModuleState::applyLoaded(TimePoint time) {
     const std::optional<std::int32_t> from = goal();
     const servo::LoadTrajectory started = trajectory();
-    if (!started.servo) {
-        commanded(MotionMode::Pwm, time);
-        m_looksWhileOff = 0;
-        return;
-    }
+    if (!started.servo)
+        return commanded(MotionMode::Pwm, time);
     const double magnitude = toCounts(started.velocity.value_or(CountsPerTick()));
     const bool reverse = started.isVelocityMode() ? started.reverse
                          : started.relative       ? started.position && started.position->value() < 0
@@ -358,10 +361,6 @@ void ModuleState::apply(const servo::StopMotor& stop, TimePoint time) {
     if (here)
         m_goal = stop.here.value();
     m_looksWhileOff = 0;
-    // Switching the motor off implies that the user has noticed that it is off, so it acknowledges an earlier
-    // trip.
-    if (off)
-        switchedItselfOff = powerLostWhileOn = false;
 }
 
 /// DS-V 5.2, Stop Motor: a servo switched on by a stop holds its present position. A servo already at rest
