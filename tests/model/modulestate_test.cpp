@@ -228,6 +228,35 @@ TEST(ModuleState, AServoThatGoesOffByItselfIsTripped) {
     EXPECT_EQ(severityOf(module.activity()), Severity::Fault);
 }
 
+/// I/O Control of an SC (docs/family.md): a limit switches off if bit 2 is set, and LIMIT1 is the forward
+/// one.
+TEST(ModuleState, OnlyALimitAheadThatSwitchesOffIsTheCauseOfATrip) {
+    using enum servo::LimitStop;
+    constexpr std::uint8_t kLimit1 = 0x20;
+    constexpr std::uint8_t kLimit2 = 0x40;
+    const auto causeOf = [](servo::LimitStop manner, bool reverse, std::uint8_t closed) {
+        ModuleState module = holdingServo();
+        module.info.identity.version = kScVersion;
+        servo::ScIoControl io;
+        io.limitStop = manner;
+        module.apply(executedAt(1.0, io));
+        module.apply(executedAt(1.1, trapezoid(reverse ? -20'000 : 20'000, 8 << 16, 1'311)));
+        module.apply(executedAt(1.2, StartMotion{}));
+        module.apply(sampleOf(1.3, kPower, kServoOn, reverse ? -100 : 100));
+        for (const double seconds : {1.4, 1.5})
+            module.apply(sampleOf(seconds, static_cast<std::uint8_t>(kMoveDone | kPosError | kPower | closed),
+                                  0, reverse ? -200 : 200));
+        EXPECT_TRUE(module.switchedItselfOff);
+        return module.tripCause;
+    };
+    EXPECT_EQ(causeOf(MotorOff, false, kLimit1), TripCause::OffAtLimit1);
+    EXPECT_EQ(causeOf(MotorOff, true, kLimit2), TripCause::OffAtLimit2);
+    EXPECT_EQ(causeOf(MotorOff, true, kLimit1 | kLimit2), TripCause::OffAtLimit2);
+    EXPECT_NE(causeOf(MotorOff, true, kLimit1), TripCause::OffAtLimit1) << "it moved away from it";
+    EXPECT_NE(causeOf(Abruptly, true, kLimit1), TripCause::OffAtLimit1);
+    EXPECT_NE(causeOf(Abruptly, false, kLimit1), TripCause::OffAtLimit1) << "it would have stopped, and held";
+}
+
 /// The answer may be old, damaged, or that of another module.
 TEST(ModuleState, OneAnswerThatItIsOffIsADoubtThatTheNextEnds) {
     ModuleState module = holdingServo();

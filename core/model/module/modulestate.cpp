@@ -108,8 +108,10 @@ void ModuleState::maybeWentOff(bool byHome) {
 
 /// Uses the present reply: in later ones the motor is already coasting.
 TripCause ModuleState::causeOfTrip() const {
-    if (limitEnds(1) || limitEnds(-1))
-        return limitEnds(1) ? TripCause::OffAtLimit1 : TripCause::OffAtLimit2;
+    const bool limitsSwitchOff = scIo && scIo->limitStop == servo::LimitStop::MotorOff;
+    for (const int way : {1, -1})
+        if (limitsSwitchOff && limitEnds(way) && direction() != -way)
+            return way > 0 ? TripCause::OffAtLimit1 : TripCause::OffAtLimit2;
     const auto facts = gains && latest->position ? m_trip.facts(tripLook(), gains->el) : std::nullopt;
     return facts ? diagnose(*facts) : TripCause::Unknown;
 }
