@@ -3337,8 +3337,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der A/D-Wert liegt unter der Temperaturgrenze: Den Motor abkühlen lassen oder die Grenze senken.</translation>
     </message>
     <message>
-        <source>The goal is too far away: at most 2 147 483 647 steps.</source>
-        <translation>Das Ziel ist mehr als 2 147 483 647 Schritte entfernt.</translation>
+        <source>The goal is too far away: at most 2 147 483 647 counts or steps.</source>
+        <translation>Das Ziel ist mehr als 2 147 483 647 Inkremente oder Schritte entfernt.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is open. Settings applied: %2.</source>

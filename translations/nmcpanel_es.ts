@@ -3337,8 +3337,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El valor A/D está por debajo del límite térmico: deje enfriar el motor o reduzca el límite.</translation>
     </message>
     <message>
-        <source>The goal is too far away: at most 2 147 483 647 steps.</source>
-        <translation>El destino está demasiado lejos: como máximo 2 147 483 647 pasos.</translation>
+        <source>The goal is too far away: at most 2 147 483 647 counts or steps.</source>
+        <translation>El destino está demasiado lejos: como máximo 2 147 483 647 cuentas o pasos.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is open. Settings applied: %2.</source>

@@ -3337,8 +3337,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>La valeur A/D est sous le seuil thermique&#xa0;: laissez refroidir le moteur, ou abaissez le seuil.</translation>
     </message>
     <message>
-        <source>The goal is too far away: at most 2 147 483 647 steps.</source>
-        <translation>La cible est trop éloignée&#xa0;: au plus 2&#x202f;147&#x202f;483&#x202f;647 pas.</translation>
+        <source>The goal is too far away: at most 2 147 483 647 counts or steps.</source>
+        <translation>La cible est trop éloignée&#xa0;: au plus 2&#x202f;147&#x202f;483&#x202f;647 incréments ou pas.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is open. Settings applied: %2.</source>

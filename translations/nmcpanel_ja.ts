@@ -3330,8 +3330,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>A/D値が温度制限を下回っています。モーターを冷ますか、制限値を下げてください。</translation>
     </message>
     <message>
-        <source>The goal is too far away: at most 2 147 483 647 steps.</source>
-        <translation>目標位置が遠すぎます。最大2 147 483 647ステップです。</translation>
+        <source>The goal is too far away: at most 2 147 483 647 counts or steps.</source>
+        <translation>目標位置が遠すぎます。最大2 147 483 647カウントまたはステップです。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is open. Settings applied: %2.</source>

@@ -231,6 +231,24 @@ TEST(Plan, StartsNoLoadThatCouldNeverMove) {
     EXPECT_EQ(refusalOf(intent::StartLoaded{}, module), Refusal::NoVelocity);
 }
 
+/// DS-V 5.2, footnote of Load Trajectory: the goal is at most 0x7FFFFFFF = 2 147 483 647 away. From
+/// 1 500 000 000, that is -647 483 647.
+TEST(Plan, RefusesAGoalThatIsTooFarAway) {
+    ModuleState module = holdingServo();
+    module.apply(sampleOf(1, kMoveDone | kPower, kServoOn, 1'500'000'000));
+    servomotion::Trapezoid move = kTrapezoid;
+    for (const auto& [goal, refused] :
+         {std::pair(-1'000'000'000, true), {-647'483'648, true}, {-647'483'647, false}}) {
+        const auto refusal = refused ? std::optional(Refusal::TooFar) : std::nullopt;
+        move.position = Counts(goal);
+        EXPECT_EQ(refusalOf(intent::Move{move}, module), refusal) << goal;
+        EXPECT_EQ(refusalOf(intent::LoadMove{move}, module), refusal) << goal;
+        module.apply(executedAt(2, trapezoid(goal, 8 << 16, 1'311)));
+        EXPECT_EQ(refusalOf(intent::StartLoaded{}, module), refusal) << goal;
+    }
+    EXPECT_EQ(refusalOf(kRun, module), std::nullopt) << "it has no goal";
+}
+
 /// The goal that waits counts from the zero of before.
 TEST(Plan, AnotherZeroForgetsWhatWasLoaded) {
     ModuleState module = holdingServo();

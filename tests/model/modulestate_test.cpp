@@ -162,6 +162,20 @@ TEST(ModuleState, NoStopTakesTheLoadedVelocityOfALaterVersionAway) {
     }
 }
 
+/// 2 000 000 000 + 1 000 000 000 - 2^32.
+TEST(ModuleState, AMoveByADistanceWrapsWithTheCounter) {
+    ModuleState module = holdingServo();
+    module.info.identity.version = kPathVersion;
+    module.apply(executedAt(1.0, servo::StopMotor{true, servo::StopManner::Here, Counts(2'000'000'000)}));
+    module.apply(sampleOf(1.1, kPower | kMoveDone, kServoOn, 2'000'000'000));
+    ASSERT_EQ(module.goal(), 2'000'000'000);
+    servo::LoadTrajectory load = trapezoid(1'000'000'000, 8 << 16, 1'311);
+    load.relative = true;
+    module.apply(executedAt(1.2, load));
+    module.apply(executedAt(1.3, StartMotion{}));
+    EXPECT_EQ(module.goal(), -1'294'967'296);
+}
+
 /// A servo that holds 20 000, and is 3 counts away from it.
 ModuleState heldAt20000() {
     ModuleState module = holdingServo();

@@ -177,6 +177,10 @@ TEST(StepPlan, RefusesAGoalThatIsTooFarAway) {
     EXPECT_EQ(refusalOf(to(200'000'000, false), stepper.module), Refusal::TooFar);
     EXPECT_EQ(refusalOf(to(147'483'647, false), stepper.module), std::nullopt);
     EXPECT_EQ(refusalOf(to(-200'000'000, true), stepper.module), Refusal::TooFar) << "-2 200 000 000";
+    stepper.was(Stepper::trapezoid(200'000'000));
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, stepper.module), Refusal::TooFar);
+    stepper.was(Stepper::trapezoid(147'483'647));
+    EXPECT_EQ(refusalOf(intent::StartLoaded{}, stepper.module), std::nullopt);
 }
 
 struct Transition {

@@ -260,7 +260,7 @@ QString refusal(Refusal refusal) {
             return Texts::tr(
                 "The A/D value is below the thermal limit: let the motor cool down, or lower the limit.");
         case Refusal::TooFar:
-            return Texts::tr("The goal is too far away: at most 2 147 483 647 steps.");
+            return Texts::tr("The goal is too far away: at most 2 147 483 647 counts or steps.");
     }
     return {};
 }

@@ -30,6 +30,23 @@ std::optional<Refusal> lacking(const servo::LoadTrajectory& load) {
     return firstUnmet({{moves, Refusal::NoVelocity}, {accelerates, Refusal::NoAcceleration}});
 }
 
+/// Why what was loaded cannot start now.
+std::optional<Refusal> whyNoStart(const ModuleState& module) {
+    if (!module.loadWaiting)
+        return Refusal::NothingLoaded;
+    if (const auto problem = loadedProblem(module))
+        return problem->refusal;
+    if (!module.load.servo)
+        return whyNot(IntentKind::DrivePwm, module);
+    const servo::LoadTrajectory load = module.trajectory();
+    if (const auto refusal = lacking(load))
+        return refusal;
+    if (const auto refusal = whyNot(IntentKind::Move, module))
+        return refusal;
+    const bool toPlace = load.isTrapezoidal() && !load.relative && load.position;
+    return toPlace ? whyNotThatFar(load.position->value(), module) : std::nullopt;
+}
+
 /// Direction of the motion from the present position, -1 or 1; 0: none.
 int directionOf(const servo::LoadTrajectory& load, const ModuleState& module) {
     if (!load.isTrapezoidal())
@@ -69,14 +86,14 @@ struct ServoPlanner : MotorPlanner {
         const bool ends = std::holds_alternative<servomotion::Trapezoid>(*motion);
         if (ends && motion->index() != std::get<ServoMotion>(move.motion).index() && module.moving())
             return tl::unexpected(Refusal::RunNeedsStop);
-        return as(ends ? IntentKind::Move : IntentKind::Run, loadFor(*motion), StartMotion{});
+        return loading(ends ? IntentKind::Move : IntentKind::Run, *motion, StartMotion{});
     }
 
     Plan operator()(const intent::LoadMove& load) const {
         const auto motion = bounded(load.motion);
         if (!motion)
             return tl::unexpected(motion.error());
-        return as(IntentKind::Load, loadFor(*motion));
+        return loading(IntentKind::Load, *motion);
     }
 
     Plan operator()(const intent::StopSmoothly&) const {
@@ -154,6 +171,12 @@ private:
             return tl::unexpected(*refusal);
         return motion;
     }
+    /// The motion's load and what follows it, unless something prevents the motion.
+    template <typename... Commands>
+    [[nodiscard]] Plan loading(IntentKind kind, const ServoMotion& motion, const Commands&... then) const {
+        const auto refusal = whyNot(kind, module);
+        return unless(refusal ? refusal : whyNotThatFar(goalOf(motion, 0), module), loadFor(motion), then...);
+    }
     [[nodiscard]] static servo::LoadTrajectory loadFor(const ServoMotion& motion) {
         if (const auto* run = std::get_if<servomotion::VelocityProfile>(&motion))
             return profiledLoad(run->velocity, run->acceleration, {}, run->reverse);
@@ -179,6 +202,16 @@ bool isStop(const Intent& intent) {
 std::optional<Refusal> firstUnmet(std::initializer_list<Need> needs) {
     const auto* unmet = std::ranges::find(needs, false, &Need::met);
     return unmet != needs.end() ? std::optional(unmet->otherwise) : std::nullopt;
+}
+
+std::optional<Refusal> whyNotThatFar(std::optional<std::int64_t> goal, const ModuleState& module) {
+    if (!goal)
+        return std::nullopt;
+    if (!module.position())
+        return Refusal::PositionUnknown;
+    constexpr ValueRange kReach = servo::kPositionRange;  // that of a PIC-STEP is the same
+    const bool reached = kReach.contains(*goal) && kReach.contains(*goal - *module.position());
+    return reached ? std::nullopt : std::optional(Refusal::TooFar);
 }
 
 Plan plan(const Intent& intent, const ModuleState& module) {
@@ -261,15 +294,7 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
         case IntentKind::DeclarePosition:
             return whyNotDeclare(module);
         case IntentKind::StartLoaded:
-            if (!module.loadWaiting)
-                return Refusal::NothingLoaded;
-            if (const auto problem = loadedProblem(module))
-                return problem->refusal;
-            if (!module.load.servo)
-                return whyNot(IntentKind::DrivePwm, module);
-            if (const auto refusal = lacking(module.trajectory()))
-                return refusal;
-            return whyNot(IntentKind::Move, module);
+            return whyNoStart(module);
         case IntentKind::StopHere:
             return firstUnmet({{chip.version >= servo::kStopHereVersion, Refusal::VersionLacksIt},
                                {placed, Refusal::PositionUnknown},

@@ -309,7 +309,7 @@ enum class Refusal : std::uint8_t {
     Limit1Active,  ///< blocks forward
     Limit2Active,  ///< blocks reverse
     TooHot,        ///< the A/D value is below the thermal limit
-    TooFar,        ///< a move of more than 0x7FFFFFFF steps
+    TooFar,        ///< a move of more than 0x7FFFFFFF counts or steps
 };
 
 /// What a request needs, and its refusal otherwise.

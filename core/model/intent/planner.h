@@ -58,6 +58,11 @@ struct MotorPlanner : Planner {
     }
 };
 
+/// Why a goal, if there is one, is too far away: by the 32 bits of the chip, it is on the other side
+/// (DS-V 5.2 and DS-S 5.1, footnote of Load Trajectory). Pure.
+[[nodiscard]] std::optional<Refusal> whyNotThatFar(std::optional<std::int64_t> goal,
+                                                   const ModuleState& module);
+
 /// plan() and whyNot() for a PIC-I/O. Pure.
 [[nodiscard]] Plan planIo(const Intent& intent, const ModuleState& module);
 [[nodiscard]] std::optional<Refusal> whyNotIo(IntentKind kind, const ModuleState& module);

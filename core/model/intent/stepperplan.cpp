@@ -29,18 +29,6 @@ namespace {
                        {!stepper.estopActs(), Refusal::EstopActive}});
 }
 
-[[nodiscard]] std::optional<Refusal> whyNotThatFar(const StepperMotion& motion, const ModuleState& module) {
-    const auto goal = goalNow(motion, module);
-    if (!goal)
-        return std::nullopt;
-    if (!module.stepper.position())
-        return Refusal::PositionUnknown;
-    constexpr std::int64_t kFarthest = stepper::kPositionRange.max;
-    const std::int64_t distance = *goal - *module.stepper.position();
-    const bool far = *goal < -kFarthest || *goal > kFarthest || distance < -kFarthest || distance > kFarthest;
-    return far ? std::optional(Refusal::TooFar) : std::nullopt;
-}
-
 struct LoadOf {
     std::int32_t goal;  ///< for motions that have one
     bool reverse;
@@ -247,7 +235,7 @@ std::optional<Refusal> whyNotFromStandstill(const StepperMotion& motion, const M
                                             IntentKind as) {
     if (const auto refusal = whyNoMotion(module, as))
         return refusal;
-    if (const auto refusal = whyNotThatFar(motion, module))
+    if (const auto refusal = whyNotThatFar(goalNow(motion, module), module))
         return refusal;
     if (const auto problem = travelProblem(intent::Move{motion}, module))
         return problem->refusal;
@@ -289,6 +277,9 @@ std::optional<Refusal> whyNotStarted(const stepper::LoadTrajectory& load, const 
     const StepperState& stepper = module.stepper;
     if (const auto refusal = whyNoMotion(module, IntentKind::StartLoaded))
         return refusal;
+    if (load.position)
+        if (const auto refusal = whyNotThatFar(load.position->value(), module))
+            return refusal;
     const bool reverse =
         load.position ? load.position->value() < stepper.position().value_or(0) : load.reverse;
     if (stepper.limitActs(reverse))

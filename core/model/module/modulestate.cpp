@@ -346,7 +346,7 @@ void ModuleState::applyLoaded(TimePoint time) {
     if (!started.relative)
         m_goal = started.position->value();
     else if (from)
-        m_goal = *from + started.position->value();
+        m_goal = static_cast<std::int32_t>(std::int64_t{*from} + started.position->value());  // it wraps
     m_goalReverse = reverse;
 }
 
