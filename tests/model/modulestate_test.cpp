@@ -562,6 +562,8 @@ TEST(ModuleState, AServoThatLimitsItsCurrentIsNotSimplyHolding) {
 TEST(ModuleState, AModuleThatRestartedIsOffAndHasForgotten) {
     ModuleState module = holdingServo();
     module.restarted();
+    EXPECT_FALSE(module.servoOn());
+    EXPECT_FALSE(module.driveOn());
     EXPECT_EQ(module.activity(), Activity::Restarted);
     EXPECT_FALSE(module.gains.has_value());
     EXPECT_FALSE(module.moving());

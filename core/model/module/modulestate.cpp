@@ -382,7 +382,7 @@ std::optional<ModuleState::Held> ModuleState::heldThroughStop() const {
 }
 
 bool ModuleState::servoOn() const {
-    return isServo() && latest && latest->aux && servo::AuxByte{*latest->aux}.servoOn();
+    return isServo() && !hasRestarted && latest && latest->aux && servo::AuxByte{*latest->aux}.servoOn();
 }
 
 bool ModuleState::currentWasLimited() const {
