@@ -333,6 +333,41 @@ TEST(Backlash, TheWayRoundRespectsTheLimitsToo) {
     EXPECT_FALSE(travelProblem(to(700), module)->turn) << "the goal itself is beyond it";
 }
 
+/// A servo at `position`, with home at 0, travel limits at 0 and 1000, and 20 counts of play.
+ModuleState playing(std::int32_t position) {
+    ModuleState module = limited(position);
+    module.home.found(0, atSeconds(0.4));
+    module.travel.lowest = 0;
+    module.travel.highest = 1'000;
+    module.backlash.distance = 20;
+    return module;
+}
+
+TEST(Backlash, TheWayBackRespectsTheLimitsToo) {
+    intent::MoveBy moves{{100, 1, 0, true}, ServoPace{kOne, kGentle}};
+    EXPECT_TRUE(plan(moves, playing(20)).has_value()) << "it turns at 0 on its way back";
+    EXPECT_EQ(plan(moves, playing(10)).error(), Refusal::BeyondTravel);
+    const auto problem = travelProblem(moves, playing(10));
+    EXPECT_EQ(problem->turn, -10) << "it goes straight to 110, and would arrive at 10 from below";
+    EXPECT_EQ(problem->limit, 0);
+    moves.moves.backAndForth = false;
+    EXPECT_TRUE(plan(moves, playing(10)).has_value());
+    // From outside, it may lead to the limits, and not away from them again: from 1100 to 1050 it turns at
+    // 1030.
+    moves = {{-50, 1, 0, true}, moves.pace};
+    EXPECT_EQ(travelProblem(moves, playing(1'100))->limit, 1'000);
+    moves.moves.backAndForth = false;
+    EXPECT_TRUE(plan(moves, playing(1'100)).has_value());
+}
+
+/// 5 moves by 10 counts lead 50 counts on, but the first one is shorter than the play.
+TEST(Backlash, TheFirstOfSeveralStepsMayTurnRound) {
+    const intent::MoveBy moves{{10, 5}, ServoPace{kOne, kGentle}};
+    EXPECT_TRUE(plan(moves, playing(10)).has_value()) << "it turns at 0 on its way to 20";
+    EXPECT_EQ(plan(moves, playing(9)).error(), Refusal::BeyondTravel);
+    EXPECT_EQ(travelProblem(moves, playing(9))->turn, -1);
+}
+
 TEST(Backlash, WhatKeepsAServoFromTheGoalThatItHoldsIsNotTakenForAMove) {
     ModuleState module = limited(820);
     module.backlash.distance = 50;

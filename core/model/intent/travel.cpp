@@ -75,18 +75,6 @@ struct CourseOf {
         return Course{.velocity = recipe.thenIndex ? std::max(recipe.velocity, recipe.indexVelocity)
                                                    : recipe.velocity};
     }
-    /// The course extends to the last of the moves, from where the first one starts.
-    std::optional<Course> operator()(const intent::MoveBy& by) const {
-        const auto position = module.position();
-        if (!position)
-            return std::nullopt;
-        const std::int32_t from = module.goal().value_or(*position);
-        const std::int64_t count = by.moves.backAndForth ? 1 : std::max(by.moves.rounds, 1U);
-        Course course = of(moveTo(0, by.pace), true);
-        course.goal = from + count * by.moves.counts;
-        course.from = from;
-        return course;
-    }
     /// The course extends to the farther side; whyNot() checks both.
     std::optional<Course> operator()(const intent::SquareWave& wave) const { return about(wave.counts / 2); }
     std::optional<Course> operator()(const intent::FrequencyResponse& sines) const {
@@ -95,12 +83,12 @@ struct CourseOf {
             course->velocity = std::abs(sines.speed);
         return course;
     }
-    // StartLoaded, Direct, StepResponse, StepSeries and CheckDirection are handled in travelProblem(), and
-    // the points of a path in planPath().
+    // StartLoaded, Direct, MoveBy, StepResponse, StepSeries and CheckDirection are handled in
+    // travelProblem(), and the points of a path in planPath().
     template <typename T>
     requires In<T, AnyModuleIntent> || In<T, MotorSetting> || In<T, ServoSetting> || In<T, StepperSetting> ||
-        In<T, IoIntent> || AnyOf<T, intent::StepResponse, intent::StepSeries, intent::TryGains,
-                                 intent::CheckDirection, intent::FollowPath>
+        In<T, IoIntent> || AnyOf<T, intent::MoveBy, intent::StepResponse, intent::StepSeries,
+                                 intent::TryGains, intent::CheckDirection, intent::FollowPath>
             std::optional<Course>
     operator()(const T&) const { return std::nullopt; }
 
@@ -140,6 +128,20 @@ private:
     return TravelProblem{.refusal = Refusal::AtTravelEnd, .lowest = reverse, .limit = *end};
 }
 
+/// The problem of a move that goes to `turn` first, if there is one.
+[[nodiscard]] std::optional<TravelProblem> moveProblem(std::int64_t from, std::int64_t goal,
+                                                       std::optional<std::int64_t> turn,
+                                                       const TravelRange& range) {
+    if (auto problem = turn ? beyondTravel(from, *turn, range) : std::nullopt) {
+        // The move must turn round before the limit.
+        problem->nearest = static_cast<std::int32_t>(problem->limit + (goal - *turn));
+        if (!beyondTravel(from, goal, range))
+            problem->turn = static_cast<std::int32_t>(*turn);
+        return problem;
+    }
+    return beyondTravel(from, goal, range);
+}
+
 [[nodiscard]] std::optional<TravelProblem> problemOf(const Course& course, const ModuleState& module) {
     if (const auto fast = tooFast(course.velocity, module))
         return fast;
@@ -150,14 +152,30 @@ private:
     if (!course.goal || !range || !position)
         return std::nullopt;
     const auto turn = course.turns ? turningPoint(*course.goal, module) : std::nullopt;
-    if (auto problem = turn ? beyondTravel(*position, *turn, *range) : std::nullopt) {
-        // The move must turn round before the limit.
-        problem->nearest = static_cast<std::int32_t>(problem->limit + (*course.goal - *turn));
-        if (!beyondTravel(*position, *course.goal, *range))
-            problem->turn = static_cast<std::int32_t>(*turn);
-        return problem;
-    }
-    return beyondTravel(*position, *course.goal, *range);
+    return moveProblem(*position, *course.goal, turn, *range);
+}
+
+/// Of the moves, the first one alone may be too short to take up the backlash. The others extend to the last
+/// goal, or lead back.
+[[nodiscard]] std::optional<TravelProblem> problemOf(const intent::MoveBy& by, const ModuleState& module) {
+    const MotionSpec pace = moveTo(0, by.pace);
+    const double velocity =
+        std::visit([&module](const auto& chip) { return courseOf(chip, module); }, pace).velocity;
+    if (const auto fast = tooFast(velocity, module))
+        return fast;
+    const auto range = travelRange(module);
+    const auto position = module.position();
+    if (!range || !position)
+        return std::nullopt;
+    const std::int64_t from = module.goal().value_or(*position);
+    const std::int64_t first = from + by.moves.counts;
+    const std::int64_t last = from + std::int64_t{std::max(by.moves.rounds, 1U)} * by.moves.counts;
+    const bool back = by.moves.backAndForth;
+    for (const auto& [start, goal] :
+         {std::pair(from, first), std::pair(back ? first : from, back ? from : last)})
+        if (const auto problem = moveProblem(start, goal, turningPoint(start, goal, module), *range))
+            return problem;
+    return std::nullopt;
 }
 
 /// The problem of the first step that leaves the travel. Each step begins where the previous one ends.
@@ -292,6 +310,8 @@ std::optional<TravelProblem> beyondTravel(std::int64_t from, std::int64_t goal, 
 std::optional<TravelProblem> travelProblem(const Intent& intent, const ModuleState& module) {
     if (const auto* check = std::get_if<intent::CheckDirection>(&intent))
         return problemOf(*check, module);
+    if (const auto* by = std::get_if<intent::MoveBy>(&intent))
+        return problemOf(*by, module);
     if (const auto* step = std::get_if<intent::StepResponse>(&intent))
         return problemOf(intent::StepSeries{*step, {step->counts}}, module);
     if (const auto* series = std::get_if<intent::StepSeries>(&intent))
