@@ -125,6 +125,7 @@ void Connection::openNow(const ConnectTarget& target) {
     emit opening(target, simulated);
     m_store.begin(port, simulated, config.baud, target.readOnly);
     m_worker.open(m_transports ? m_transports(target) : std::move(factory), config);
+    m_commander.opened();
 }
 
 void Connection::close() {

@@ -48,6 +48,23 @@ TEST_F(IoModulePage, StopAllTakesLowWhatTheMachineWantsLowAndLeavesTheRest) {
     EXPECT_TRUE(reads("pin2Level", QStringLiteral("high")));
 }
 
+/// The stop is sent and confirmed before the window hears of the chain.
+TEST_F(IoModulePage, AStopOfALostLineTakesItLowWhileTheWindowIsBusy) {
+    const auto high = [this] { return sim.state(1)[QStringLiteral("pins")].toArray()[0].toBool(); };
+    ASSERT_NO_FATAL_FAILURE(makeOutput("pin1Direction"));
+    ASSERT_NO_FATAL_FAILURE(strike("pin1Box"));
+    ASSERT_TRUE(reads("pin1Level", QStringLiteral("high")));
+    ASSERT_NO_FATAL_FAILURE(strike("pin1OffAtStop"));
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    panel.pressEsc();
+    ASSERT_TRUE(high());
+    sim.plugIn();
+    emit panel.window().connectRequested(sim.terminal(), 115'200, false);
+    panel.freeze(std::chrono::seconds(3));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
+    EXPECT_TRUE(panel.waitFor([&] { return !high(); }));
+}
+
 TEST_F(IoModulePage, WhatItsInputsReadIsShown) {
     EXPECT_TRUE(sim.control(QStringLiteral("set 1 in 5 1")).contains(QStringLiteral("ok")));
     EXPECT_TRUE(reads("pin5Level", QStringLiteral("high")));

@@ -170,13 +170,15 @@ void Commander::endRuns() {
     m_procedures.stopAll();
 }
 
+void Commander::opened() {
+    m_stopOutputs.clear();
+    sendStopOutputs();
+}
+
 bool Commander::take(const StoreEvent& event) {
     const bool ends = std::holds_alternative<bus::OperationFinished>(event);
-    if (std::holds_alternative<bus::ChainFound>(event)) {
+    if (std::holds_alternative<bus::ChainFound>(event))
         m_travelLimits.clear();
-        m_stopOutputs.clear();
-        sendStopOutputs();
-    }
     if (ends || std::holds_alternative<bus::GroupFinished>(event)) {
         // The operation may have set a counter, in which case the bus has dropped the limits of that axis.
         m_travelLimits.clear();

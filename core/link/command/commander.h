@@ -47,6 +47,9 @@ public:
     /// them.
     void endRuns();
 
+    /// Must be called as soon as a connection is being opened, whose bus thread does not know any stop
+    /// outputs yet: it may send a stop before this thread hears of the chain.
+    void opened();
     /// Must be called first for every event. Returns true if the operation that ended belongs to a procedure
     /// or a sequence, which reports the outcome.
     [[nodiscard]] bool take(const StoreEvent& event);
