@@ -30,8 +30,11 @@ bool PortController::mayConnect(const ConnectTarget& target) {
 void PortController::opening(const ConnectTarget& target) {
     m_open = target;
     m_offer.reset();
-    m_lost = false;
-    m_adapters.opened(target.port, ports());
+    // A port without its adapter cannot be opened, so the adapter remains lost.
+    if (!m_adapters.isLostAt(target.port, ports())) {
+        m_lost = false;
+        m_adapters.opened(target.port, ports());
+    }
     const auto latency = latencyTimerOf(target.port, m_places.sysfs);
     m_slow = latency && *latency >= kSlow ? latency : std::nullopt;
     emit ended(texts::key::kSlowAdapter);  // its remedy applies to the port that is open

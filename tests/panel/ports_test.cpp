@@ -121,6 +121,44 @@ TEST_P(StopOfAnAdapterThatIsBack, UnderAnotherNameIsSent) {
 INSTANTIATE_TEST_SUITE_P(F29, StopOfAnAdapterThatIsBack, testing::Bool(),
                          [](const auto& typed) { return typed.param ? "Typed" : "Offered"; });
 
+TEST(F29_BackUnderAnotherName, GetsItsStopAlsoAfterARetryThatFailed) {
+    PortsMachine machine;
+    const QString one = machine.port("ttyUSB0");
+    const QString two = machine.port("ttyUSB1");
+    machine.set({adapter(one, "A1")});
+    VirtualChain sim(QStringLiteral("servo"), one);
+    VirtualPanel panel({}, machine.places());
+    ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
+    machine.set({});
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    panel.pressEsc();
+    ASSERT_TRUE(panel.press(QStringLiteral("was unplugged"), QStringLiteral("Retry")));
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));
+    sim.plugIn();
+    sim.rename(two);
+    machine.set({adapter(two, "A1")});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(kBack) == 1; }));
+    ASSERT_TRUE(moves(sim));
+    ASSERT_TRUE(panel.press(kBack, QStringLiteral("Reconnect")));
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+}
+
+TEST(F30_OldName, WithAnotherAdapterIsSaidAlsoAfterARetryThatFailed) {
+    PortsMachine machine;
+    const QString port = machine.port("ttyUSB0");
+    machine.set({adapter(port, "A1")});
+    VirtualChain sim(QStringLiteral("servo"), port);
+    VirtualPanel panel({}, machine.places());
+    panel.start();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(port));
+    machine.set({});
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    ASSERT_TRUE(panel.press(QStringLiteral("was unplugged"), QStringLiteral("Retry")));
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.composition().worker().isOpen(); }));
+    machine.set({adapter(port, "B2")});
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(kDifferent) == 1; }));
+}
+
 /// Another adapter took the place of a broken one after a stop that was not confirmed.
 TEST(F30_OldName, WithAnotherAdapterGetsTheStopThatWasNotConfirmed) {
     PortsMachine machine;

@@ -41,6 +41,10 @@ void AdapterMemory::lost(const QString& port) {
         m_lost = *known;
 }
 
+bool AdapterMemory::isLostAt(const QString& port, const QList<PortEntry>& ports) const {
+    return m_lost && port == m_opened && find(port, ports) == nullptr;
+}
+
 std::optional<AdapterMemory::Back> AdapterMemory::back(const QList<PortEntry>& ports) {
     if (!m_lost && find(m_opened, ports) != nullptr)
         m_others = allBut(m_opened, ports);

@@ -26,6 +26,8 @@ public:
     void opened(const QString& port, const QList<PortEntry>& ports);
     /// The adapter at this port was unplugged.
     void lost(const QString& port);
+    /// True if the adapter was unplugged from this port, which has none now.
+    [[nodiscard]] bool isLostAt(const QString& port, const QList<PortEntry>& ports) const;
     /// Called whenever ports have appeared or disappeared; returns each return once.
     [[nodiscard]] std::optional<Back> back(const QList<PortEntry>& ports);
     /// True if that was the port, and the adapter has not disappeared since.
