@@ -61,8 +61,9 @@ void PositionKeeper::begin(const QString& port, bool owns) {
     m_found.reset();
     const QString file = owns ? fileOf(m_folder, port) : QString();
     m_memory = {};
-    // The positions that this session has stored may not be on disk yet.
-    if (file == m_file && m_loaded)
+    // The positions that this session has stored may not be on disk yet. Otherwise, another session may have
+    // stored newer ones there.
+    if (file == m_file && m_loaded && (m_failed || m_files.isBusy(m_file)))
         return begin();
     m_file = file;
     m_kept = {};

@@ -143,6 +143,31 @@ TEST_F(PositionKept, OneThatWasStoppedByQuittingIsOffered) {
     EXPECT_NEAR(panel.module().home.place()->counts, -rests, 4 + 5);
 }
 
+TEST_F(PositionKept, ThatOfAnotherPanelReplacesWhatThisOneRemembers) {
+    const auto isClosed = [](VirtualPanel& panel) {
+        panel.disconnect();
+        return panel.waitFor([&] { return !panel.composition().worker().isOpen(); });
+    };
+    VirtualPanel panel({}, {}, folder.path());
+    ASSERT_NO_FATAL_FAILURE(leaveAt5000(panel));
+    ASSERT_TRUE(isClosed(panel));
+    {
+        VirtualPanel another({}, {}, folder.path());
+        ASSERT_NO_FATAL_FAILURE(another.startAt(sim.terminal()));
+        another.ask(intent::SaveAsHome{});
+        ASSERT_TRUE(another.waitFor([&] { return another.module().home.place().has_value(); }));
+        ASSERT_TRUE(another.answersFor(1.0)) << "a rest is kept half a second later";
+        ASSERT_TRUE(isClosed(another));
+    }
+    power();
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.standing(offer) != nullptr; }));
+    ASSERT_TRUE(panel.press(offer, u"Restore home"_s));
+    // It was at home, and its counter started at 0 there. It had been within 4 counts of its goal when home
+    // was saved, and afterwards; its position is saved again from 5 counts on.
+    EXPECT_NEAR(panel.module().home.place()->counts, 0, 4 + 4 + 5);
+}
+
 /// The disk carries out the last request first.
 TEST_F(PositionKept, IsReadOnlyWhenWhatIsLeftOutIsNotInTheFileAnyMore) {
     {
