@@ -187,7 +187,8 @@ void Composition::wireConnection() {
     connect(&m_connection, &Connection::searching, this, [this] { m_messages.end(texts::key::kPort); });
     connect(&m_connection, &Connection::recovered, this, [this] {
         m_messages.end(texts::key::kGone);
-        m_messages.end(texts::key::kStopWaits);
+        if (!m_store.link().readOnly)
+            m_messages.end(texts::key::kStopWaits);
         m_messages.end(texts::key::kLink);
     });
     connect(&m_connection, &Connection::accepted, this,

@@ -231,7 +231,8 @@ void Connection::take(const StoreEvent& event) {
 /// Known modules that are missing are reported separately, as silent.
 void Connection::on(const bus::ChainFound& found) {
     if (m_lost && m_lost->port == m_target->port) {
-        m_lost.reset();
+        if (!found.readOnly)  // otherwise, the stops that are owed still wait
+            m_lost.reset();
         emit recovered();
     }
     m_chain = found.modules;

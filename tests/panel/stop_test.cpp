@@ -149,8 +149,12 @@ TEST(LostLine, StopsTheMotorOnlyOnceCommandsAreAllowedAgain) {
     ASSERT_TRUE(panel.waitFor([&] { return panel.connected(); }));
     ASSERT_TRUE(panel.answersFor(1.0));
     EXPECT_TRUE(moves(sim)) << "nothing is sent";
+    const QString waits = QStringLiteral("No stop can be sent now");
+    EXPECT_NE(panel.standing(waits), nullptr);
+    EXPECT_EQ(panel.standing(QStringLiteral("was unplugged")), nullptr);
     ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_EQ(panel.standing(waits), nullptr);
 }
 
 /// The module was given another address in this connection.
