@@ -116,6 +116,8 @@ void RunKeeper::loaded() {
     if (runs.empty())
         return;
     m_window.stepResponses().showKept(std::move(runs));
+    if (!read->leftOut.empty())
+        keep();            // with the new numbers
     moveFrom(read->path);  // the machine may have got another file meanwhile
 }
 
@@ -147,6 +149,8 @@ void RunKeeper::leaveOut(const std::vector<ModuleIndex>& modules) {
         }
     m_window.stepResponses().clearRuns();
     m_window.stepResponses().showKept(std::move(left));
+    if (!m_window.stepResponses().runs().empty())
+        keep();
 }
 
 void RunKeeper::keep() {

@@ -3,6 +3,7 @@
 // it.
 #include "app/knownchain.h"
 
+#include "model/machinefile/responsestore.h"
 #include "tests/support/virtualpanel.h"
 #include "widgets/mainwindow/operatorlock.h"
 #include "widgets/response/responsedock.h"
@@ -152,6 +153,19 @@ TEST_F(WithoutY, ZKeepsItsSettings) {
     EXPECT_EQ(xyz.violations(), "");
 }
 
+TEST_F(WithoutY, TheStepResponsesOfZHaveItsNewNumberAfterTheNextStart) {
+    ASSERT_NO_FATAL_FAILURE(run(xyz.terminal()));
+    ASSERT_NO_FATAL_FAILURE(lookAgain());
+    showRun(z);
+    ASSERT_NO_FATAL_FAILURE(workWithTheOthers());
+    end();
+    ASSERT_NO_FATAL_FAILURE(run(xyz.terminal()));
+    ASSERT_TRUE(panel->waitFor([&] { return !panel->window().stepResponses().runs().empty(); }));
+    const std::vector<KeptResponse> runs = panel->window().stepResponses().runs();
+    ASSERT_EQ(runs.size(), 1U);
+    EXPECT_EQ(runs[0].run.module, ModuleIndex(1));
+}
+
 /// They are in the file with the numbers of before.
 TEST_F(WithoutY, StepResponsesThatASlowDiskReadsLateHaveTheNewNumbers) {
     ASSERT_NO_FATAL_FAILURE(run(xyz.terminal()));
@@ -175,6 +189,12 @@ TEST_F(WithoutY, StepResponsesThatASlowDiskReadsLateHaveTheNewNumbers) {
     ASSERT_EQ(runs.size(), 1U) << "Y's is no longer listed";
     EXPECT_EQ(runs[0].run.module, ModuleIndex(1));
     EXPECT_EQ(runs[0].startedAt, "2026-11-21T21:21:02+01:00");
+    end();
+    const auto stored = readResponses(
+        readFile(directory.filePath(QStringLiteral("runs/no-machine-file.runs")), kMaxRunFile).value_or(""));
+    ASSERT_TRUE(stored.has_value());
+    for (const KeptResponse& run : *stored)
+        EXPECT_EQ(run.run.module, ModuleIndex(1)) << run.startedAt;  // Y's had that number already
 }
 
 /// The port has to close first. Positions, step responses and the port's own list follow in any case.
