@@ -127,6 +127,27 @@ TEST(F25_Rate, ThatTheAdapterRoundsAwayIsRefusedBeforeAByteIsSent) {
     EXPECT_EQ(sim.control(QStringLiteral("time"))[QStringLiteral("received")].toInt(-1), 0);
 }
 
+/// The chain was left at that rate by another adapter.
+TEST(F25_Rate, ThatIsRememberedAndThatTheAdapterCannotMakeIsNotSearched) {
+    NmcsimProcess sim(QStringLiteral("servo"));
+    Connection connection;
+    bus::EngineConfig config;
+    config.knownBaud = 250'000;
+    connection.open(
+        [port = sim.terminal()] {
+            return std::make_unique<SerialTransport>(port, 19'200, [](int fd) {
+                const auto rate = lineRate(fd);
+                return rate == 250'000U ? std::optional(230'000U) : rate;
+            });
+        },
+        config);
+    // Whether its module is found also depends on how busy this computer is.
+    EXPECT_TRUE(connection.waitUntil([&] {
+        return connection.news<bus::ChainFound>() != nullptr ||
+               connection.news<bus::ConnectFailed>() != nullptr;
+    }));
+}
+
 TEST(F25_Rate, ThatATerminalTakesIsReadBackFromIt) {
     const auto terminal = PtyServer::create({});
     ASSERT_TRUE(terminal.has_value());

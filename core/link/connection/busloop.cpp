@@ -13,6 +13,7 @@
 #include "link/connection/bussession.h"
 #include "link/connection/crashburst.h"
 #include "link/threadpriority.h"
+#include "protocol/baud.h"
 
 namespace nmc {
 
@@ -93,6 +94,12 @@ void BusLoop::run(const TransportFactory& factory, const bus::EngineConfig& conf
         bus::EngineConfig measured = config;
         measured.adapterLatency = std::max(config.adapterLatency, transport->latency());
         measured.fixedRate = transport->hasFixedRate();
+        if (measured.knownBaud != 0) {
+            // The adapter may be another one than then. A rate that it cannot make would end the search.
+            if (!transport->setBaud(measured.knownBaud))
+                measured.knownBaud = 0;
+            (void)transport->setBaud(kPowerUpBaud);  // if this fails, so does the session's first request
+        }
         m_channel.post(PortOpened{measured.adapterLatency});
         BusSession session(m_channel, *transport, measured, m_guards, m_asleepSoFar);
         closed.error = session.run();
