@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A program at the terminal at which the line is lent: a real terminal, in real threads.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -10,6 +12,8 @@
 #include <numeric>
 #include <random>
 
+#include "link/connection/lentterminal.h"
+#include "link/connection/wakeup.h"
 #include "tests/link/hurriedclock.h"
 #include "tests/link/looprig.h"
 #include "tests/support/gains.h"
@@ -231,6 +235,29 @@ TEST_F(LineLentAt, NothingIsOverwritten) {
     loop.requestBox().change([&](auto& pending) { pending.lendAt = path + "/no/such/folder/x"; });
     ASSERT_TRUE(waitUntil([&] { return count<LendingProblem>() == 3; }));
     EXPECT_EQ(last<LendingProblem>()->kind, LendingProblem::Kind::System);
+}
+
+/// Otherwise the bus thread would not be woken by a stop.
+TEST(LentTerminal, IsNotMadeWithoutADescriptorToWaitFor) {
+    const std::string path = testing::TempDir() + "lent-few-" + std::to_string(::getpid());
+    const Wakeup wakeup;
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+    const rlimit few{128, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+    std::vector<int> taken;
+    for (int fd = 0; (fd = ::open("/dev/null", O_RDONLY | O_CLOEXEC)) >= 0;)
+        taken.push_back(fd);
+    // It needs 6: both ends of a terminal, two watches, what these are collected in, and the wait.
+    for (int left = 0; left <= 6 && !taken.empty(); ++left) {
+        const auto lent = LentTerminal::create(path, 19'200, wakeup.fd());
+        EXPECT_TRUE(lent ? lent->waitFd() >= 0 : lent.error().kind == LendingProblem::Kind::System) << left;
+        ::close(taken.back());
+        taken.pop_back();
+    }
+    for (const int fd : taken)
+        ::close(fd);
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
 }
 
 TEST_F(LineLentAt, NotWhileAMotorMoves) {

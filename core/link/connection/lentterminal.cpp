@@ -4,6 +4,8 @@
 #include <sys/epoll.h>
 #include <sys/stat.h>
 
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
 namespace nmc {
@@ -25,8 +27,11 @@ tl::expected<LentTerminal, LendingProblem> LentTerminal::create(const std::strin
          {wakeFd, lent.m_terminal.fd(), lent.m_terminal.actsFd(), lent.m_terminal.leavesFd()}) {
         epoll_event event{};
         event.events = EPOLLIN;
-        if (fd >= 0)
-            ::epoll_ctl(lent.m_wait.get(), EPOLL_CTL_ADD, fd, &event);
+        // Without it, the bus thread would wait for the line alone, and hear no stop.
+        if (fd >= 0 && ::epoll_ctl(lent.m_wait.get(), EPOLL_CTL_ADD, fd, &event) != 0)
+            return tl::unexpected(
+                LendingProblem{LendingProblem::Kind::System, path,
+                               std::string("it cannot be watched: ") + std::strerror(errno)});
     }
     return lent;
 }
