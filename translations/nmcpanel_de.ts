@@ -3002,6 +3002,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>nein</translation>
     </message>
     <message>
+        <source>Another type of module: if any of this axis is applied, the rest is reset.</source>
+        <translation>Anderer Modultyp: Wird etwas von dieser Achse übernommen, wird der Rest zurückgesetzt.</translation>
+    </message>
+    <message>
         <source>Changes only the panel; nothing is sent.</source>
         <translation>Ändert nur das Programm; es wird nichts gesendet.</translation>
     </message>

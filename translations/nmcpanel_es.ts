@@ -3002,6 +3002,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>no</translation>
     </message>
     <message>
+        <source>Another type of module: if any of this axis is applied, the rest is reset.</source>
+        <translation>Otro tipo de módulo: si se aplica algo de este eje, el resto se restablece.</translation>
+    </message>
+    <message>
         <source>Changes only the panel; nothing is sent.</source>
         <translation>Solo cambia el panel; no se envía nada.</translation>
     </message>

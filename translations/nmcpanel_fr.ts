@@ -3002,6 +3002,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>non</translation>
     </message>
     <message>
+        <source>Another type of module: if any of this axis is applied, the rest is reset.</source>
+        <translation>Autre type de module&#xa0;: si une partie de cet axe est appliquée, le reste est réinitialisé.</translation>
+    </message>
+    <message>
         <source>Changes only the panel; nothing is sent.</source>
         <translation>Ne modifie que le programme&#x202f;; rien n’est envoyé.</translation>
     </message>

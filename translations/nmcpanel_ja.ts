@@ -2996,6 +2996,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>いいえ</translation>
     </message>
     <message>
+        <source>Another type of module: if any of this axis is applied, the rest is reset.</source>
+        <translation>モジュールの種類が異なります。この軸の一部でも適用すると、残りはリセットされます。</translation>
+    </message>
+    <message>
         <source>Changes only the panel; nothing is sent.</source>
         <translation>パネルだけが変わり、何も送信されません。</translation>
     </message>

@@ -132,7 +132,7 @@ TEST(MachineCompare, TheChipOfAnAxisIsNoDifferenceOfItsNumbers) {
     Machine servo = stepper;
     stepper.axes[0].expected = ModuleIdentity{ModuleType::Stepper, 1};
     servo.axes[0].expected = ModuleIdentity{ModuleType::Servo, 5};
-    EXPECT_THAT(compare(stepper, servo, {}), IsEmpty());
+    EXPECT_THAT(ids(compare(stepper, servo, {})), ElementsAre(PartId{kFirst, MachinePart::Hardware}));
 }
 
 TEST(MachineCompare, GroupsPointsAndSequencesAreEachOneText) {
@@ -388,6 +388,53 @@ TEST(MachineCompare, AnAxisForAnotherTypeOrVersionCannotBeApplied) {
     }
 }
 
+/// The axis of the file is for a PIC-SERVO; so far, it was for a PIC-STEP.
+TEST(MachineCompare, NoNumberOfOneTypeOfModuleIsJoinedWithThoseOfAnother) {
+    const Machine file = testing_support::taughtMill();
+    Machine now;
+    AxisSettings& axis = now.axes.emplace_back();
+    axis.name = "Table";
+    axis.expected = ModuleIdentity{ModuleType::Stepper, 1};
+    axis.motion.velocity = 2'000;
+    axis.travel.fastest = 3'000;
+    now.program.points = {{"Pick", {{kFirst, 30'000, false}, {kSecond, 7, false}}}};
+    const auto rows = compare(file, now, {});
+    const PartId hardware{kFirst, MachinePart::Hardware};
+    ASSERT_NE(row(rows, hardware), nullptr);
+    EXPECT_TRUE(row(rows, hardware)->possible());
+    EXPECT_EQ(row(rows, hardware)->fields[0].file, FieldValue(std::string("PIC-SERVO v4")));
+    EXPECT_EQ(row(rows, hardware)->fields[0].now, FieldValue(std::string("PIC-STEP v1")));
+    EXPECT_EQ(applied(file, now, {}, {}).axes[0], now.axes[0]) << "not even its type";
+
+    const Machine some = applied(file, now, {}, {{kFirst, MachinePart::Unit}});
+    AxisSettings expected;
+    expected.name = "Table";
+    expected.expected = file.axes[0].expected;
+    expected.unit = file.axes[0].unit;
+    EXPECT_EQ(some.axes[0], expected);
+    EXPECT_EQ(some.program.points[0].axes, (std::vector<PointAxis>{{kSecond, 7, false}}))
+        << "30 000 steps are no place of a servo";
+    EXPECT_EQ(applied(file, now, {}, all(rows)), file);
+
+    const Machine taught = applied(file, now, {}, {{{}, MachinePart::Program}});
+    EXPECT_EQ(taught.axes[0], now.axes[0]);
+    for (const Point& point : taught.program.points)
+        for (const PointAxis& place : point.axes)
+            EXPECT_NE(place.module, kFirst) << "nor is a place of a servo one of a stepper";
+}
+
+TEST(MachineCompare, NumbersOfWhichAFileNamesNoTypeDoNotTakeItFromOthers) {
+    Machine file;
+    file.axes.resize(1);
+    file.axes[0].unit = {UnitKind::Turns, 2'000.0, {}};
+    Machine now;
+    now.axes.emplace_back().expected = ModuleIdentity{ModuleType::Stepper, 1};
+    now.axes[0].motion.velocity = 2'000;
+    const PartId unit{kFirst, MachinePart::Unit};
+    EXPECT_EQ(applied(file, now, {}, {unit}).axes[0].expected, now.axes[0].expected);
+    EXPECT_EQ(applied(file, now, {}, all(compare(file, now, {}))), file);
+}
+
 TEST(MachineCompare, MoreAxesThanModulesAreKeptAndFewerLeaveTheOthersAlone) {
     auto modules = millChain();
     modules.pop_back();
@@ -421,7 +468,10 @@ TEST(MachineCompare, ApplyingNothingChangesNoValueAndSendsNothing) {
         const auto modules = millChain();
         RC_ASSERT(sendings(file, now, modules, {}).empty());
         Machine after = applied(file, now, modules, {});
-        // Only the expected modules are taken over.
+        // Only the expected modules are taken over, and of those no other type.
+        for (std::size_t i = 0; i < std::min(now.axes.size(), after.axes.size()); ++i)
+            if (now.axes[i].expected && after.axes[i].expected)
+                RC_ASSERT(now.axes[i].expected->type == after.axes[i].expected->type);
         for (AxisSettings& axis : after.axes)
             axis.expected.reset();
         for (AxisSettings& axis : now.axes)

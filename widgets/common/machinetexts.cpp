@@ -470,7 +470,10 @@ QString machineValue(const FieldDifference& field, const std::optional<FieldValu
 QString machineApplying(const Difference& difference) {
     switch (difference.applying) {
         case Applying::ChangesPanel:
-            return Texts::tr("Changes only the panel; nothing is sent.");
+            return difference.id.part == MachinePart::Hardware
+                       ? Texts::tr(
+                             "Another type of module: if any of this axis is applied, the rest is reset.")
+                       : Texts::tr("Changes only the panel; nothing is sent.");
         case Applying::Sends:
             return Texts::tr("Sent to the module.");
         case Applying::KeepsUnsent:

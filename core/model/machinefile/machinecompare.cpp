@@ -225,6 +225,11 @@ bool forOther(const AxisSettings& axis, const ModuleState* module) {
     return module != nullptr && axis.expected && *axis.expected != module->info.identity;
 }
 
+/// True if the two are for different types of module, so that no number of one fits the other.
+bool differInType(const AxisSettings& file, const AxisSettings& now) {
+    return now.expected && isOtherType(file.expected, *now.expected);
+}
+
 /// The axis with the gains that this module takes.
 AxisSettings asTaken(AxisSettings axis, const ModuleState* module) {
     if (axis.gains && module != nullptr)
@@ -281,9 +286,9 @@ std::optional<FieldValue> identityText(const std::optional<ModuleIdentity>& iden
            inOneText(json["version"]);
 }
 
-/// The difference between the module in the file and the one in the chain; empty if there is none, or if the
-/// file's module is absent and nothing is connected.
-std::optional<Difference> hardwareDifference(ModuleIndex index, const Machine& file,
+/// The difference between the module in the file and the one in the chain or, if that is none or nothing is
+/// connected, the type that the axis is for now; empty if there is none.
+std::optional<Difference> hardwareDifference(ModuleIndex index, const Machine& file, const Machine& now,
                                              const std::vector<ModuleState>& modules) {
     const ModuleState* module = moduleAt(index, modules);
     const bool inFile = index.value() < file.axes.size();
@@ -295,10 +300,13 @@ std::optional<Difference> hardwareDifference(ModuleIndex index, const Machine& f
         row.applying = Applying::NotThere;
     else if (forOther(file.axis(index), module))
         row.applying = Applying::OtherHardware;
+    else if (differInType(file.axis(index), now.axis(index)))
+        row.wanted = true;
     else
         return std::nullopt;
+    const auto present = module != nullptr ? std::optional(module->info.identity) : std::nullopt;
     row.fields = {{"hardware", Quantity::Plain, identityText(file.axis(index).expected),
-                   module != nullptr ? identityText(module->info.identity) : std::nullopt}};
+                   identityText(row.possible() ? now.axis(index).expected : present)}};
     return row;
 }
 
@@ -345,6 +353,26 @@ bool isUnset(AxisSettings axis) {
     return axis == AxisSettings{};
 }
 
+bool isAmong(const std::vector<Difference>& rows, const PartId& part) {
+    return std::ranges::find(rows, part, &Difference::id) != rows.end();
+}
+
+/// True if there is a row of this axis.
+bool has(const std::vector<Difference>& rows, ModuleIndex axis) {
+    return std::ranges::any_of(rows, [axis](const Difference& row) { return row.id.module == axis; });
+}
+
+/// Removes the axes that are for another type of module than in `from`, from which the points are.
+void leavePoints(Machine& machine, const Machine& from, const std::vector<ModuleState>& modules) {
+    for (Point& point : machine.program.points)
+        std::erase_if(point.axes, [&](const PointAxis& place) {
+            auto expected = machine.axis(place.module).expected;
+            if (const ModuleState* module = moduleAt(place.module, modules); module != nullptr && !expected)
+                expected = module->info.identity;
+            return expected && isOtherType(from.axis(place.module).expected, *expected);
+        });
+}
+
 /// Keeps the chosen rows that are possible.
 std::vector<Difference> chosenOf(std::vector<Difference> rows, const std::vector<PartId>& chosen) {
     std::erase_if(rows, [&chosen](const Difference& row) {
@@ -371,10 +399,10 @@ std::vector<Difference> compare(const Machine& file, const Machine& now,
     for (std::size_t i = 0; i < axes; ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));
         const ModuleState* module = moduleAt(index, modules);
-        const std::optional<Difference> hardware = hardwareDifference(index, file, modules);
+        const std::optional<Difference> hardware = hardwareDifference(index, file, now, modules);
         if (hardware)
             rows.push_back(*hardware);
-        if (!hardware || hardware->applying == Applying::NotThere)
+        if (!hardware || hardware->possible() || hardware->applying == Applying::NotThere)
             compareAxis(rows, index, asTaken(file.axis(index), module), asTaken(now.axis(index), module),
                         module);
     }
@@ -389,17 +417,37 @@ bool stillHold(const std::vector<Difference>& shown, const std::vector<Differenc
 Machine applied(const Machine& file, const Machine& now, const std::vector<ModuleState>& modules,
                 const std::vector<PartId>& chosen) {
     Machine machine = now;
-    for (const Difference& row : chosenOf(compare(file, now, modules), chosen))
+    std::vector<Difference> rows = compare(file, now, modules);
+    const std::vector<Difference> taken = chosenOf(rows, chosen);
+    for (const Difference& row : taken)
         if (row.id.module) {
             makeRoom(machine, row.id.module->value() + std::size_t{1});
             takePart(kAxisParts, row.id.part, file.axis(*row.id.module),
                      machine.axes[row.id.module->value()]);
         } else
             takePart(kMachineParts, row.id.part, file, machine);
+    std::erase_if(rows, [&taken](const Difference& row) {
+        return !row.possible() || isAmong(taken, row.id);  // what is left was not chosen
+    });
     makeRoom(machine, file.axes.size());
-    for (std::size_t i = 0; i < file.axes.size(); ++i)
-        if (!forOther(file.axes[i], moduleAt(ModuleIndex(static_cast<std::uint8_t>(i)), modules)))
-            machine.axes[i].expected = file.axes[i].expected;
+    for (std::size_t i = 0; i < file.axes.size(); ++i) {
+        const ModuleIndex index(static_cast<std::uint8_t>(i));
+        AxisSettings& axis = machine.axes[i];
+        if (forOther(file.axes[i], moduleAt(index, modules)))
+            continue;
+        if (!differInType(file.axes[i], now.axis(index))) {
+            if (file.axes[i].expected || !has(rows, index))
+                axis.expected = file.axes[i].expected;
+        } else if (has(taken, index)) {
+            axis = file.axes[i];
+            for (const Difference& row : rows)
+                if (row.id.module == index)
+                    takePart(kAxisParts, row.id.part, usable(now.axis(index), *axis.expected), axis);
+        }
+    }
+    const PartId program{{}, MachinePart::Program};
+    if (isAmong(taken, program) || isAmong(rows, program))
+        leavePoints(machine, isAmong(taken, program) ? file : now, modules);
     // Drops axes that are neither in the file nor connected, and of which nothing else is known any more.
     while (machine.axes.size() > std::max(file.axes.size(), modules.size()) && isUnset(machine.axes.back()))
         machine.axes.pop_back();

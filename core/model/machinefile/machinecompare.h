@@ -20,7 +20,7 @@ enum class MachinePart : std::uint8_t {
     Program,  ///< points and sequences, which belong together
     HomeOrder,
     OperatorRights,
-    Hardware,  ///< the module that the file is for; applying it changes nothing
+    Hardware,  ///< the module that the file is for
     AxisName,
     Unit,
     Motion,
@@ -94,7 +94,9 @@ struct Difference {
 [[nodiscard]] bool stillHold(const std::vector<Difference>& shown, const std::vector<Difference>& now,
                              const std::vector<PartId>& chosen);
 
-/// Returns `now` with the chosen parts of the file. Parts of axes for other hardware stay as they are.
+/// Returns `now` with the chosen parts of the file. Parts of axes for other hardware stay as they are. An
+/// axis that changes to another type of module begins anew (usable()) if any part of it is chosen, since no
+/// number fits both, and leaves the points that are for the other type.
 [[nodiscard]] Machine applied(const Machine& file, const Machine& now,
                               const std::vector<ModuleState>& modules, const std::vector<PartId>& chosen);
 
