@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/machinecontroller.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
@@ -28,14 +29,19 @@ QString folderOr(const QString& folder, const QSettings& settings) {
                             : folder;
 }
 
+QString hashOf(const std::string& text) {
+    const auto bytes = QByteArray::fromRawData(text.data(), static_cast<qsizetype>(text.size()));
+    return QString::fromLatin1(QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex());
+}
+
 /// The text to write, unless someone else has changed the file, who must not lose that. Runs in another
 /// thread.
-tl::expected<std::string, FileError> replacing(const std::optional<std::string>& before, const QString& path,
+tl::expected<std::string, FileError> replacing(const QString& before, const QString& path,
                                                const std::string& text) {
-    if (!before)
+    if (before.isEmpty())
         return text;
     const auto now = readFile(path, kMaxMachineFile);
-    if (now && *now != *before)
+    if (now && hashOf(*now) != before)
         return tl::unexpected(FileError{FileErrorKind::ChangedElsewhere, path});
     if (!now && now.error().trouble != FileErrorKind::NotThere)
         return tl::unexpected(now.error());
@@ -57,7 +63,7 @@ MachineController::MachineController(QSettings& settings, MainWindow& window, co
     MachineMenu& menu = m_window.machineMenu();
     connect(&menu, &MachineMenu::newRequested, this, &MachineController::beginNew);
     connect(&menu, &MachineMenu::openRequested, this, &MachineController::open);
-    connect(&menu, &MachineMenu::saveRequested, this, [this] { save(m_path, m_text); });
+    connect(&menu, &MachineMenu::saveRequested, this, [this] { save(m_path, m_inFile); });
     // Who chooses a file that exists has agreed to replace it.
     connect(&menu, &MachineMenu::saveAsRequested, this, [this](const QString& path) { save(path, {}); });
     connect(&menu, &MachineMenu::applyRequested, this, &MachineController::apply);
@@ -175,7 +181,7 @@ void MachineController::beginNew() {
     m_saved = Machine{};
     m_unknown = {};
     m_path.clear();
-    m_text.reset();
+    m_inFile.clear();
     m_saving.clear();
     changed();
     emit taken(m_path);
@@ -193,7 +199,7 @@ std::optional<MachineController::Pending> MachineController::read(const QString&
         return std::nullopt;
     }
     m_window.endMessage(texts::key::kMachineFile);
-    return Pending{path, std::move(*content), false, {}, {}, *text};
+    return Pending{path, std::move(*content), false, {}, {}, hashOf(*text)};
 }
 
 void MachineController::open(const QString& path) {
@@ -220,7 +226,7 @@ void MachineController::restoreWork() {
     auto content = parseMachine(m_unsaved.left()->content);
     if (!content)
         return;
-    const Pending work{m_unsaved.left()->file, std::move(*content), true, {}};
+    const Pending work{m_unsaved.left()->file, std::move(*content), true, {}, {}, m_unsaved.left()->fileHash};
     if (m_machine == Machine{} && modules().empty()) {
         take(work, work.content.machine, true);
         return;
@@ -308,7 +314,7 @@ void MachineController::take(const Pending& from, Machine machine, bool whole) {
     m_machine = std::move(machine);
     m_unknown = from.content.unknown;
     m_path = whole ? from.path : QString();
-    m_text = from.text;
+    m_inFile = from.inFile;
     m_saving.clear();
     m_saved = whole && !from.restored ? std::optional(from.content.machine) : std::nullopt;
     if (!from.restored)
@@ -321,7 +327,7 @@ void MachineController::take(const Pending& from, Machine machine, bool whole) {
     keepUnsaved();
 }
 
-void MachineController::save(const QString& path, const std::optional<std::string>& before) {
+void MachineController::save(const QString& path, const QString& before) {
     Machine machine = withChain(m_machine, modules(), m_store.link().baud);
     if (machine.name.empty())
         machine.name = QFileInfo(path).completeBaseName().toStdString();
@@ -359,7 +365,7 @@ void MachineController::saved(const QString& path, const Machine& asked, const s
     }
     m_saved = written.machine;
     m_path = path;
-    m_text = text;
+    m_inFile = hashOf(text);
     remember(path);
     emit hasFile(m_path);
     changed();  // what waited for the save follows at once, which may be another machine
@@ -386,13 +392,14 @@ void MachineController::keepUnsaved() {
         dropRestored();
         return;
     }
-    m_unsaved.keep(m_path, writeMachine(m_machine, m_unknown), [this](const FileWriter::Result& kept) {
-        if (kept)
-            dropRestored();
-        else if (!m_keepFailed)
-            m_window.showMessage(texts::unsavedWorkNotKept(kept.error()));
-        m_keepFailed = !kept;
-    });
+    m_unsaved.keep(m_path, m_inFile, writeMachine(m_machine, m_unknown),
+                   [this](const FileWriter::Result& kept) {
+                       if (kept)
+                           dropRestored();
+                       else if (!m_keepFailed)
+                           m_window.showMessage(texts::unsavedWorkNotKept(kept.error()));
+                       m_keepFailed = !kept;
+                   });
 }
 
 void MachineController::dropRestored() {

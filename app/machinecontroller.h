@@ -74,16 +74,16 @@ private:
         ParsedMachine content;
         bool restored = false;  ///< unsaved work, which is not in any file
         std::vector<ModuleIdentity> chain;
-        std::optional<AxisCopy> copy{};     ///< then there is no file
-        std::optional<std::string> text{};  ///< of the file
-        std::vector<Difference> shown{};    ///< the rows of the table
+        std::optional<AxisCopy> copy{};   ///< then there is no file
+        QString inFile{};                 ///< hash of the text in the file
+        std::vector<Difference> shown{};  ///< the rows of the table
     };
 
     /// Empty if the file cannot be read, which the window then shows.
     [[nodiscard]] std::optional<Pending> read(const QString& path);
     void beginNew();
-    /// `before`: the only text of the file that may be replaced; empty: any.
-    void save(const QString& path, const std::optional<std::string>& before);
+    /// `before`: hash of the only text of the file that may be replaced; empty: any.
+    void save(const QString& path, const QString& before);
     /// `asked`: the machine at the time of the request; `text` and `written`: the content of the file on
     /// success.
     void saved(const QString& path, const Machine& asked, const std::string& text,
@@ -119,8 +119,8 @@ private:
     std::optional<Machine> m_saved{Machine{}};  ///< as in the file; empty: not in any file
     UnknownKeys m_unknown;
     QString m_path;
-    std::optional<std::string> m_text;  ///< read from the file or written to it last; empty: not known
-    QString m_saving;                   ///< the file being written; empty: none
+    QString m_inFile;  ///< hash of the text read from the file or written to it last; empty: not known
+    QString m_saving;  ///< the file being written; empty: none
     std::optional<Pending> m_pending;
     QTimer m_keepTimer;
     bool m_keepFailed = false;  ///< the message about it has been shown

@@ -77,15 +77,16 @@ TEST_F(MachineIo, UnsavedWorkIsFoundByTheNextSessionUntilItIsDropped) {
         EXPECT_FALSE(work.left().has_value());
         EXPECT_TRUE(QDir(folder).entryList({QStringLiteral("unsaved-?")}).isEmpty())
             << "nothing has been kept yet";
-        work.keep(QStringLiteral("/home/anna/my mill\n.json"), "first", {});
-        work.keep(QStringLiteral("/home/anna/my mill\n.json"), "second\nline", {});
+        work.keep(QStringLiteral("/home/anna/my mill\n.json"), {}, "first", {});
+        work.keep(QStringLiteral("/home/anna/my mill\n.json"), QStringLiteral("a1"), "second\nline", {});
     }
     {
         UnsavedWork work(folder);
         ASSERT_TRUE(work.left().has_value());
         EXPECT_EQ(work.left()->file, QStringLiteral("/home/anna/my mill\n.json"));
+        EXPECT_EQ(work.left()->fileHash, QStringLiteral("a1"));
         EXPECT_EQ(work.left()->content, "second\nline");
-        work.keep({}, "another", {});  // its own work goes elsewhere
+        work.keep({}, {}, "another", {});  // its own work goes elsewhere
         work.forget();
     }
     {
@@ -103,7 +104,7 @@ TEST_F(MachineIo, UnsavedWorkOfAProgramThatStillRunsIsLeftToIt) {
     running->keep({}, "of the first", {});
     UnsavedWork second(folder);
     EXPECT_FALSE(second.left().has_value());
-    second.keep({}, "of the second", {});
+    second.keep({}, {}, "of the second", {});
     running.reset();
     UnsavedWork third(folder);
     ASSERT_TRUE(third.left().has_value());
@@ -112,11 +113,11 @@ TEST_F(MachineIo, UnsavedWorkOfAProgramThatStillRunsIsLeftToIt) {
 
 TEST_F(MachineIo, UnsavedWorkThatCannotBeReadDoesNotHideWhatIsBehindIt) {
     const QString folder = path("unsaved");
-    UnsavedWork(folder).keep({}, std::string(1'200'000, 'x'), {});  // no machine file is that large
+    UnsavedWork(folder).keep({}, {}, std::string(1'200'000, 'x'), {});  // no machine file is that large
     {
         UnsavedWork second(folder);
         EXPECT_FALSE(second.left().has_value());
-        second.keep({}, "of the second", {});
+        second.keep({}, {}, "of the second", {});
     }
     UnsavedWork third(folder);
     ASSERT_TRUE(third.left().has_value());
@@ -127,7 +128,7 @@ TEST_F(MachineIo, UnsavedWorkThatCannotBeKeptSaysSo) {
     ASSERT_TRUE(writeFile(path("file"), "x").has_value());
     UnsavedWork work(path("file/unsaved"));
     std::optional<FileWriter::Result> kept;
-    work.keep({}, "x", [&](const FileWriter::Result& result) { kept = result; });
+    work.keep({}, {}, "x", [&](const FileWriter::Result& result) { kept = result; });
     ASSERT_TRUE(testing_support::eventually([&] { return kept.has_value(); }));
     EXPECT_FALSE(kept->has_value());
 }

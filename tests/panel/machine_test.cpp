@@ -582,6 +582,28 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
     EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), 0) << "it has been saved";
 }
 
+TEST_F(MachineFiles, RestoredWorkDoesNotReplaceWhatSomeoneElseHasChangedMeanwhile) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    {
+        VirtualPanel panel(settings);
+        panel.start();
+        open(panel, file);
+        click(panel, "applyDifferencesButton");
+        rename(panel, "Unsaved");
+    }
+    Machine changed = twoServos();
+    changed.axes[1].name = "Changed elsewhere";
+    const std::string theirs = writeMachine(changed);
+    write("mill.json", theirs);
+    VirtualPanel panel(settings);
+    panel.start();
+    ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Restore")));
+    save(panel);
+    EXPECT_EQ(readFile(file, kMaxMachineFile).value(), theirs);
+    EXPECT_NE(panel.standing(QStringLiteral("Could not save \"mill.json\".")), nullptr);
+    EXPECT_TRUE(panel.window().isWindowModified());
+}
+
 TEST_F(MachineFiles, UnsavedWorkThatIsDiscardedIsGone) {
     const QString settings = directory.filePath(QStringLiteral("panel.ini"));
     for (const int starts : {1, 2}) {

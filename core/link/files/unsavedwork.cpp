@@ -11,7 +11,7 @@ namespace nmc {
 namespace {
 /// The maximum number of programs that keep unsaved work at the same time.
 constexpr int kSlots = 20;
-/// The size of a machine file, preceded by its file name.
+/// The size of a machine file, preceded by its file name, and by the hash as the fragment of that URL.
 constexpr std::size_t kMaxKept = 1'100'000;
 
 std::optional<UnsavedWork::Left> workIn(const QString& path) {
@@ -19,8 +19,8 @@ std::optional<UnsavedWork::Left> workIn(const QString& path) {
     const std::size_t line = content ? content->find('\n') : std::string::npos;
     if (line == std::string::npos)
         return std::nullopt;
-    return UnsavedWork::Left{QUrl(QString::fromStdString(content->substr(0, line))).toLocalFile(),
-                             content->substr(line + 1)};
+    const QUrl file(QString::fromStdString(content->substr(0, line)));
+    return UnsavedWork::Left{file.toLocalFile(), file.fragment(), content->substr(line + 1)};
 }
 }  // namespace
 
@@ -55,14 +55,14 @@ void UnsavedWork::dropLeft() {
     m_left.reset();
 }
 
-void UnsavedWork::keep(const QString& file, const std::string& content, FileWriter::Done done) {
+void UnsavedWork::keep(const QString& file, const QString& fileHash, const std::string& content,
+                       FileWriter::Done done) {
+    QUrl url = QUrl::fromLocalFile(file);
+    url.setFragment(fileHash);
     // Without a slot, the write fails and reports the reason.
     const QString path = m_own ? m_own->path : m_folder;
     m_files.write(
-        path,
-        [name = QUrl::fromLocalFile(file).toEncoded().toStdString(), content] {
-            return name + '\n' + content;
-        },
+        path, [name = url.toEncoded().toStdString(), content] { return name + '\n' + content; },
         std::move(done));
 }
 

@@ -17,7 +17,8 @@ namespace nmc {
 class UnsavedWork {
 public:
     struct Left {
-        QString file;  ///< the file it was to be saved to; may be empty
+        QString file;      ///< the file it was to be saved to; may be empty
+        QString fileHash;  ///< what is known of that file's content; may be empty
         std::string content;
     };
 
@@ -31,8 +32,9 @@ public:
     [[nodiscard]] const std::optional<Left>& left() const { return m_left; }
     void dropLeft();
 
-    /// Replaces what this session kept before. `done`: as in FileWriter.
-    void keep(const QString& file, const std::string& content, FileWriter::Done done);
+    /// Replaces what this session kept before; see Left. `done`: as in FileWriter.
+    void keep(const QString& file, const QString& fileHash, const std::string& content,
+              FileWriter::Done done);
     /// Called when everything is saved, or no longer wanted.
     void forget();
 
