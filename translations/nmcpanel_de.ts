@@ -1762,8 +1762,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Den Motor stoppen, dann erneut versuchen.</translation>
     </message>
     <message>
-        <source>A stop replaced the command for module %1.</source>
-        <translation>Ein Stopp hat den Befehl für Modul %1 ersetzt.</translation>
+        <source>The command for module %1 was cancelled.</source>
+        <translation>Der Befehl für Modul %1 wurde abgebrochen.</translation>
     </message>
     <message>
         <source>Too many commands are waiting. Nothing was sent to module %1.</source>
@@ -2482,8 +2482,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Es wurde kein Motor bewegt. Eine Gruppe hat höchstens ein Leitmodul, Gruppe FF hat keines, und die Gruppen aller Module müssen bekannt sein. Das prüfen, dann erneut versuchen.</translation>
     </message>
     <message>
-        <source>A stop replaced the command to group %1.</source>
-        <translation>Ein Stopp hat den Befehl an Gruppe %1 ersetzt.</translation>
+        <source>The command to group %1 was cancelled.</source>
+        <translation>Der Befehl an Gruppe %1 wurde abgebrochen.</translation>
     </message>
     <message>
         <source>Too many commands are waiting. Nothing was sent to group %1.</source>

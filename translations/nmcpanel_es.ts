@@ -1762,8 +1762,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Pare el motor e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>A stop replaced the command for module %1.</source>
-        <translation>Una parada sustituyó al comando para el módulo %1.</translation>
+        <source>The command for module %1 was cancelled.</source>
+        <translation>El comando para el módulo %1 se canceló.</translation>
     </message>
     <message>
         <source>Too many commands are waiting. Nothing was sent to module %1.</source>
@@ -2482,8 +2482,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No se movió nada. Un grupo tiene como máximo un líder, el grupo FF no tiene ninguno y deben conocerse los grupos de todos los módulos. Compruébelo e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>A stop replaced the command to group %1.</source>
-        <translation>Una parada sustituyó al comando para el grupo %1.</translation>
+        <source>The command to group %1 was cancelled.</source>
+        <translation>El comando para el grupo %1 se canceló.</translation>
     </message>
     <message>
         <source>Too many commands are waiting. Nothing was sent to group %1.</source>

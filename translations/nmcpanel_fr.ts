@@ -1762,8 +1762,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Arrêtez le moteur, puis réessayez.</translation>
     </message>
     <message>
-        <source>A stop replaced the command for module %1.</source>
-        <translation>Un arrêt a remplacé la commande destinée au module %1.</translation>
+        <source>The command for module %1 was cancelled.</source>
+        <translation>La commande destinée au module %1 a été annulée.</translation>
     </message>
     <message>
         <source>Too many commands are waiting. Nothing was sent to module %1.</source>
@@ -2482,8 +2482,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Rien n’a bougé. Un groupe a au plus un meneur, le groupe FF n’en a pas, et les groupes de tous les modules doivent être connus. Vérifiez cela, puis réessayez.</translation>
     </message>
     <message>
-        <source>A stop replaced the command to group %1.</source>
-        <translation>Un arrêt a remplacé la commande au groupe %1.</translation>
+        <source>The command to group %1 was cancelled.</source>
+        <translation>La commande au groupe %1 a été annulée.</translation>
     </message>
     <message>
         <source>Too many commands are waiting. Nothing was sent to group %1.</source>

@@ -1760,8 +1760,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モーターを停止してから、もう一度試してください。</translation>
     </message>
     <message>
-        <source>A stop replaced the command for module %1.</source>
-        <translation>停止が優先され、モジュール%1へのコマンドは取り消されました。</translation>
+        <source>The command for module %1 was cancelled.</source>
+        <translation>モジュール%1へのコマンドは取り消されました。</translation>
     </message>
     <message>
         <source>Too many commands are waiting. Nothing was sent to module %1.</source>
@@ -2476,8 +2476,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>何も動かしていません。リーダーは1グループに1台まで、グループFFにはリーダーを置けません。また、全モジュールのグループが分かっている必要があります。確認してから、もう一度試してください。</translation>
     </message>
     <message>
-        <source>A stop replaced the command to group %1.</source>
-        <translation>停止が優先され、グループ%1へのコマンドは取り消されました。</translation>
+        <source>The command to group %1 was cancelled.</source>
+        <translation>グループ%1へのコマンドは取り消されました。</translation>
     </message>
     <message>
         <source>Too many commands are waiting. Nothing was sent to group %1.</source>

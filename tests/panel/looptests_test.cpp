@@ -136,7 +136,7 @@ TEST_F(TestsOfTheLoop, EndingASineIsNoNews) {
     ASSERT_TRUE(panel.answersFor(0.8));
     EXPECT_TRUE(panel.module().servoOn());
     EXPECT_FALSE(panel.module().moving());
-    EXPECT_EQ(panel.count(u"A stop replaced"_s), 0) << panel.headlines().join(u'\n').toStdString();
+    EXPECT_EQ(panel.count(u"The command for module"_s), 0) << panel.headlines().join(u'\n').toStdString();
 }
 
 }  // namespace

@@ -296,6 +296,17 @@ TEST(UnpluggedWhileItMoves, NamesTheModuleAndTheAgeOfItsPositionGoesOn) {
     EXPECT_TRUE(label("positionUnit")->text().endsWith(QStringLiteral("s old")));
 }
 
+TEST(Unplugged, EndsACommandOfWhichNoStopIsTold) {
+    VirtualChain sim(QStringLiteral("servo"));
+    VirtualPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
+    panel.ask(intent::ApplyGains{{200, 2'000, 20, 200, 255, 0, 8'000, 1, std::uint8_t{0}}});
+    ASSERT_NO_FATAL_FAILURE(panel.unplug(sim));
+    EXPECT_EQ(panel.count(QStringLiteral("The command for module 1 was cancelled.")), 1);
+    EXPECT_EQ(panel.count(QStringLiteral("A stop")), 0)
+        << panel.headlines().join(QLatin1Char('\n')).toStdString();
+}
+
 /// The message about it stays, because its motors may still be moving.
 TEST(Unplugged, IsConnectedByItsRetryWhateverIsConnectedMeanwhile) {
     VirtualChain sim(QStringLiteral("servo"));

@@ -101,10 +101,10 @@ TEST(ChainTexts, RateForAll) {
               u"All modules now run at 57 600 Bd. Positions and gains are unchanged."_s);
 }
 
-/// It may have been the stop of a single module, even of one outside the group.
-TEST(ChainTexts, AStopThatReplacesAGroupCommandIsNotSaidToBeOfAll) {
+/// It may have been by the stop of a single module, even of one outside the group, or by no stop at all.
+TEST(ChainTexts, AGroupCommandThatWasCancelledIsNotSaidToBeReplacedByAStop) {
     const Message m = texts::groupFailed(start(bus::Outcome::Cancelled, {}));
-    EXPECT_EQ(m.headline, u"A stop replaced the command to group 81."_s);
+    EXPECT_EQ(m.headline, u"The command to group 81 was cancelled."_s);
     EXPECT_TRUE(m.body.isEmpty()) << m.body.toStdString();
 }
 

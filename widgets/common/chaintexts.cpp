@@ -92,7 +92,7 @@ Words commandFailed(const bus::GroupFinished& finished, const bus::GroupCommand&
     if (finished.outcome == Outcome::Forbidden)
         return withheld(finished, command);
     if (finished.outcome == Outcome::Cancelled)
-        return {Texts::tr("A stop replaced the command to group %1.").arg(number), {}};
+        return {Texts::tr("The command to group %1 was cancelled.").arg(number), {}};
     if (finished.outcome == Outcome::QueueFull)
         return {Texts::tr("Too many commands are waiting. Nothing was sent to group %1.").arg(number),
                 Texts::tr("Wait until they are carried out, or press STOP ALL to discard them.")};

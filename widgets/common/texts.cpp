@@ -75,8 +75,7 @@ Words outcomeWords(bus::Outcome outcome, const QString& number) {
             return {Texts::tr("Module %1 cannot do this in its present state. Nothing was sent.").arg(number),
                     Texts::tr("Stop the motor, then try again.")};
         case bus::Outcome::Cancelled:
-            return {
-                Texts::tr("A stop replaced the command for module %1.").arg(number), {}, Severity::Normal};
+            return {Texts::tr("The command for module %1 was cancelled.").arg(number), {}, Severity::Normal};
         case bus::Outcome::QueueFull:
             return {Texts::tr("Too many commands are waiting. Nothing was sent to module %1.").arg(number),
                     Texts::tr("Wait until they are carried out, or press STOP ALL to discard them.")};
