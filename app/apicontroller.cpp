@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/apicontroller.h"
 
+#include <QScopedValueRollback>
 #include <algorithm>
 #include <utility>
 
@@ -21,8 +22,8 @@ namespace {
 
 constexpr qsizetype kLongestName = 60;
 constexpr Duration kStillHeld = std::chrono::milliseconds(250);  ///< a jog after that is another press
-constexpr std::size_t kMostWaits = 64;                           ///< pending, of one client
-constexpr qsizetype kLongestCall = 120;                          ///< characters of it in a message
+constexpr std::size_t kMostWaits = 64;   ///< pending, of one client; and as many that are held back
+constexpr qsizetype kLongestCall = 120;  ///< characters of it in a message
 
 // Codes of JSON-RPC 2.0, and ours.
 constexpr int kParseError = -32700, kInvalidRequest = -32600, kNoMethod = -32601, kBadParameters = -32602;
@@ -65,6 +66,12 @@ ApiController::ApiController(const BusStore& store, BusWorker& worker, Connectio
     connect(&m_store, &BusStore::linkChanged, this, &ApiController::follow);
     connect(&m_commander, &Commander::refused, this,
             [this](ModuleIndex, Refusal refusal, const Intent&) { m_refused = refusal; });
+    connect(&m_commander, &Commander::aboutToMove, this,
+            [this](bus::OperationId operation, const std::vector<ModuleIndex>& modules) {
+                for (const ModuleIndex module : modules)
+                    if (m_calling)
+                        m_pending[module] = operation;
+            });
     connect(&m_commander.sequences(), &SequenceController::refused, this,
             [this](const std::vector<SequenceProblem>& problems) {
                 m_notBegun = texts::sequenceProblem(problems.front());
@@ -114,6 +121,7 @@ void ApiController::listen() {
 void ApiController::follow() {
     m_stateText.clear();
     listen();
+    goOn();  // without a chain, what is held back is refused as it would be now
     if (whyNoChain(m_store.link())) {
         m_stopping = false;
         m_pending.clear();
@@ -144,8 +152,10 @@ void ApiController::gone(Client client) {
         m_asked.reset();
         emit askingEnded();
     }
-    if (m_control == client)
+    if (m_control == client) {
+        m_heldBack.clear();
         m_control.reset();
+    }
     bool stops = false;
     if (!session.finishes) {
         if (session.requests.runsSequence() && m_commander.sequences().running()) {
@@ -191,6 +201,7 @@ void ApiController::call(Client client, const api::Method& method, const Json& p
         return ask(client, parameters, id);
     if (name == "release_control") {
         if (m_control == client) {
+            cancelHeldBack({});
             m_control.reset();
             showPrograms();
         }
@@ -207,7 +218,7 @@ void ApiController::call(Client client, const api::Method& method, const Json& p
     if (name == "state")
         return module ? answer(client, id, stateOf(module)) : answerText(client, id, stateText());
     if (session(client).waits.size() >= kMostWaits)
-        return fail(client, id, kRefused, QStringLiteral("Too many calls of wait are pending."), "TooMany");
+        return failTooMany(client, id);
     session(client).waits.push_back({id, module, {}});
     answerWaits();
 }
@@ -263,6 +274,7 @@ void ApiController::decide(Client client, bool may) {
 void ApiController::endControl(texts::ControlLost why) {
     if (!m_control)
         return;
+    cancelHeldBack({});
     const Client client = *std::exchange(m_control, std::nullopt);
     m_server.send(
         client, ApiFeed::notification("control_lost",
@@ -306,6 +318,53 @@ void ApiController::command(Client client, const api::Method& method, const Json
                             const Json& id) {
     if (method.access == api::Access::Control && m_control != client)
         return fail(client, id, kNoControl, texts::noControl(), "NoControl");
+    std::optional<ModuleIndex> module;
+    if (parameters.contains("axis"))
+        if (const auto axis = api::axisOf(parameters, m_store.link(), m_store.machine()))
+            module = *axis;
+    const bool staysHeld =
+        method.name == "jog" && isHeld(session(client)) && session(client).held.module == module;
+    if (method.access == api::Access::Stop || staysHeld || (m_heldBack.empty() && mayPlan(module)))
+        return carryOut(client, method, parameters, id);
+    if (m_heldBack.size() >= kMostWaits)
+        return failTooMany(client, id);
+    m_heldBack.push_back({&method, parameters, id, module, monotonicNow()});
+}
+
+/// What is planned depends on the state, which what was requested before may be about to change. Where
+/// nothing can be sent anyway, planning says why.
+bool ApiController::mayPlan(std::optional<ModuleIndex> index) const {
+    return whyNoChain(m_store.link()) ||
+           std::ranges::all_of(m_store.link().modules, [this, index](const ModuleState& module) {
+               return (index && *index != module.info.index) || !module.isKnown() || module.silent ||
+                      shows(module);
+           });
+}
+
+void ApiController::goOn() {
+    while (!m_calling && !m_heldBack.empty() && mayPlan(m_heldBack.front().module)) {
+        const HeldBack next = std::move(m_heldBack.front());
+        m_heldBack.pop_front();
+        // Nobody can still be said to hold that button.
+        if (next.method->name == "jog" && monotonicNow() - next.since >= kStillHeld)
+            fail(*m_control, next.id, kRefused, texts::wasCancelled(), "NotCarriedOut");
+        else
+            carryOut(*m_control, *next.method, next.parameters, next.id);
+    }
+}
+
+void ApiController::cancelHeldBack(std::optional<ModuleIndex> module) {
+    std::erase_if(m_heldBack, [this, module](const HeldBack& each) {
+        const bool cancelled = !module || each.concerns(*module);
+        if (cancelled)
+            fail(*m_control, each.id, kRefused, texts::wasCancelled(), "NotCarriedOut");
+        return cancelled;
+    });
+}
+
+void ApiController::carryOut(Client client, const api::Method& method, const Json& parameters,
+                             const Json& id) {
+    const QScopedValueRollback<bool> calling(m_calling, true);
     const bool stops = method.access == api::Access::Stop;
     if (const auto refusal = stops ? whyNoStop(m_store.link()) : whyNoChain(m_store.link()))
         return refuse(client, id, api::refused(*refusal));
@@ -327,6 +386,8 @@ void ApiController::command(Client client, const api::Method& method, const Json
 
 void ApiController::request(Client client, const api::Call& call, const Json& id) {
     const Intent& intent = std::get<Intent>(call.what);
+    if (isStop(intent))
+        cancelHeldBack(call.module);
     const ModuleState& module = *m_store.module(call.module);
     const AxisScale scale = scaleOf(module, m_store.machine().axis(call.module));
     const auto why = [&](Refusal refusal) {
@@ -431,15 +492,18 @@ bool ApiController::rests(ModuleIndex index) const {
     const ModuleState* module = m_store.module(index);
     if (module == nullptr || !module->isKnown())  // what an unknown one does is never known
         return true;
-    const auto done = m_doneAt.find(index);
     // A jog may have been requested only just now.
     const bool held = std::ranges::any_of(m_sessions, [index](const auto& each) {
         return isHeld(each.second) && each.second.held.module == index;
     });
-    return !held && module->motionSeen() && !module->awaited && !module->home.awaited() &&
-           !m_pending.contains(index) && (done == m_doneAt.end() || module->latestTime > done->second) &&
-           !module->moving() && !m_commander.procedures().running(index) &&
-           !m_commander.sequences().parts().contains(index);
+    return !held && module->motionSeen() && shows(*module) && !module->moving() &&
+           !m_commander.procedures().running(index) && !m_commander.sequences().parts().contains(index);
+}
+
+bool ApiController::shows(const ModuleState& module) const {
+    const auto done = m_doneAt.find(module.info.index);
+    return !module.awaited && !module.home.awaited() && !m_pending.contains(module.info.index) &&
+           (done == m_doneAt.end() || module.latestTime > done->second);
 }
 
 /// An axis without a tolerance has arrived when it rests.
@@ -461,11 +525,13 @@ Arrival::State ApiController::arrivalOf(Pending& wait, const std::vector<ModuleI
 void ApiController::noteFinished(const bus::OperationFinished& finished) {
     // Null if the port had closed before the window heard of it: such a command ends without its chain.
     const ModuleState* module = m_store.module(finished.module);
-    if (const auto pending = m_pending.find(finished.module);
-        pending != m_pending.end() && pending->second == finished.id) {
-        m_pending.erase(pending);
-        if (module != nullptr)
-            m_doneAt[finished.module] = module->latestTime;
+    for (const ModuleState& each : m_store.link().modules) {
+        const auto pending = m_pending.find(each.info.index);
+        const bool requested = pending != m_pending.end() && pending->second == finished.id;
+        if (requested)
+            m_pending.erase(pending);
+        if (requested || &each == module)
+            m_doneAt[each.info.index] = each.latestTime;
     }
     for (auto& [client, session] : m_sessions)
         session.requests.onFinished(finished, module);
@@ -496,6 +562,11 @@ void ApiController::noteSequence(const SequenceReport& report) {
 
 void ApiController::answerWaits() {
     const bool connected = m_store.link().phase == LinkPhase::Connected;
+    const auto isDone = [this](ModuleIndex module) {
+        return rests(module) && std::ranges::none_of(m_heldBack, [module](const HeldBack& each) {
+                   return each.concerns(module);
+               });
+    };
     for (auto& [client, session] : m_sessions) {
         std::vector<Pending> waiting;
         bool sequenceReported = false;
@@ -508,7 +579,7 @@ void ApiController::answerWaits() {
                 refuse(client, wait.id,
                        api::refused(connected ? Refusal::Unresponsive : Refusal::NotConnected));
             else if (m_stopping || (!wait.module && m_commander.sequences().running()) ||
-                     !std::ranges::all_of(modules, [this](ModuleIndex module) { return rests(module); }))
+                     !std::ranges::all_of(modules, isDone))
                 waiting.push_back(std::move(wait));
             else if (const auto failure = failureOf(session.requests, modules, !wait.module)) {
                 sequenceReported |= !wait.module;
@@ -587,6 +658,10 @@ void ApiController::refuse(Client client, const Json& id, const api::Problem& pr
                                         : enumName<api::Problem::Kind::Refused>(problem.kind);
     fail(client, id, codeOf(problem.kind), sentence.isEmpty() ? texts::apiProblem(problem) : sentence,
          reason);
+}
+
+void ApiController::failTooMany(Client client, const Json& id) {
+    fail(client, id, kRefused, QStringLiteral("Too many calls are pending."), "TooMany");
 }
 
 void ApiController::fail(Client client, const Json& id, int code, const QString& sentence,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <deque>
 #include <map>
 #include <optional>
 #include <vector>
@@ -74,6 +75,16 @@ private:
         std::optional<TimePoint> heldAt{};
         bool stopped = false;  ///< another program has stopped the motor that this one jogs
     };
+    /// A call of the client that has control, until what it is planned from shows what was done before.
+    struct HeldBack {
+        const api::Method* method;
+        Json parameters;
+        Json id;
+        std::optional<ModuleIndex> module;  ///< empty: any
+        TimePoint since;
+
+        [[nodiscard]] bool concerns(ModuleIndex index) const { return !module || *module == index; }
+    };
     struct Asked {
         Client client;
         Json id;
@@ -89,12 +100,20 @@ private:
     void ask(Client client, const Json& parameters, const Json& id);
     void stop(Client client, const api::Method& method, const Json& parameters, const Json& id);
     void command(Client client, const api::Method& method, const Json& parameters, const Json& id);
+    [[nodiscard]] bool mayPlan(std::optional<ModuleIndex> index) const;
+    /// With what has been held back.
+    void goOn();
+    /// What is held back for this module, or for any of them.
+    void cancelHeldBack(std::optional<ModuleIndex> module);
+    void carryOut(Client client, const api::Method& method, const Json& parameters, const Json& id);
     void request(Client client, const api::Call& call, const Json& id);
     void jog(Client client, bus::HoldToMove hold, const Json& id);
     void run(Client client, const api::Method& method, const Json& parameters, const Json& id);
     void setMoved(Client client, ModuleIndex module);
     [[nodiscard]] static bool isHeld(const Session& session);
     [[nodiscard]] bool rests(ModuleIndex module) const;
+    /// Its state shows what has been requested of it.
+    [[nodiscard]] bool shows(const ModuleState& module) const;
     /// How far these modules, all at rest, are: Missed if any of them has missed its goal, Underway if any
     /// has not arrived yet.
     [[nodiscard]] Arrival::State arrivalOf(Pending& wait, const std::vector<ModuleIndex>& modules) const;
@@ -115,6 +134,7 @@ private:
     void answer(Client client, const Json& id, const Json& result);
     void answerText(Client client, const Json& id, const QByteArray& result);
     void refuse(Client client, const Json& id, const api::Problem& problem, const QString& sentence = {});
+    void failTooMany(Client client, const Json& id);
     void fail(Client client, const Json& id, int code, const QString& sentence, std::string_view reason);
     [[nodiscard]] Session& session(Client client) { return m_sessions.at(client); }
     void showPrograms();
@@ -129,11 +149,13 @@ private:
     std::map<Client, Session> m_sessions;
     std::optional<Client> m_control;
     std::optional<Asked> m_asked;                       ///< the user is being asked
-    std::map<ModuleIndex, bus::OperationId> m_pending;  ///< the last one that a program requested
+    std::map<ModuleIndex, bus::OperationId> m_pending;  ///< the last one that a program's call began
     /// Only a status latched after this shows what was done (the reply to a command is older than its
     /// effect).
     std::map<ModuleIndex, TimePoint> m_doneAt;
-    bool m_stopping = false;  ///< a program has requested a stop of all motors, which is not over yet
+    bool m_stopping = false;          ///< a program has requested a stop of all motors, which is not over yet
+    std::deque<HeldBack> m_heldBack;  ///< in the order of their arrival
+    bool m_calling = false;           ///< a call is being carried out
     std::optional<Refusal> m_refused;   ///< by Commander, during a call
     std::optional<QString> m_notBegun;  ///< why a sequence was refused during a call
     bool m_on = false;

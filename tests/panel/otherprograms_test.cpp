@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What other programs may do at the panel's socket, and what they learn of it (docs/api.md).
+#include <QJsonArray>
 #include <algorithm>
 #include <random>
 #include <vector>
@@ -69,6 +70,53 @@ TEST_F(OtherPrograms, MoveWhereTheyWantOnceTheUserAgrees) {
               true);
     EXPECT_NEAR(client.call("wait", {{"axis", 1}})["result"]["position"].get<double>(), 300, 2);
     EXPECT_EQ(sim.violations(), "");
+}
+
+/// 100 counts from where it was called 0, not from 5000.
+TEST_F(OtherPrograms, MoveFromWhereTheirLastRequestHasLeftTheMotor) {
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("move", {{"axis", 1}, {"to", 5'000}})["result"]["accepted"], true);
+    ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+    int zero = client.request("zero", {{"axis", 1}});
+    int move = client.request("move_by", {{"axis", 1}, {"by", 100}});
+    const int wait = client.request("wait", {{"axis", 1}});
+    EXPECT_EQ(client.answer(zero)["result"]["accepted"], true);
+    EXPECT_EQ(client.answer(move)["result"]["accepted"], true);
+    EXPECT_NEAR(client.answer(wait)["result"]["position"].get<double>(), 100, 10);
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 100, 10);
+
+    move = client.request("move_by", {{"axis", 1}, {"by", 100'000}});
+    zero = client.request("zero", {{"axis", 1}});
+    EXPECT_EQ(client.answer(move)["result"]["accepted"], true);
+    EXPECT_TRUE(client.answer(zero).contains("error")) << "it moves by then";
+    EXPECT_EQ(sim.violations(), "");
+}
+
+/// What is requested next waits for the answer to the first request, and no time passes on the bus until a
+/// test waits.
+TEST_F(OtherPrograms, RequestNothingMoreThanAStopOrTheUserLetsThem) {
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    const auto request = [&] {
+        client.request("clear_sticky_bits", {{"axis", 1}});
+        return client.request("move_by", {{"axis", 1}, {"by", 100'000}});
+    };
+    const int first = request();
+    const int stop = client.request("stop", {{"axis", 1}});
+    EXPECT_EQ(client.answer(first)["error"]["data"]["reason"], "NotCarriedOut");
+    EXPECT_EQ(client.answer(stop)["result"]["accepted"], true);
+    ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+
+    client.arrived().clear();
+    const int second = request();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !client.arrived().empty(); }));
+    EXPECT_EQ(client.arrived().size(), 1U);
+    emit panel.window().requests().intent(ModuleIndex(1), intent::ClearStickyBits{});
+    EXPECT_EQ(client.answer(second)["error"]["data"]["reason"], "NotCarriedOut");
+    EXPECT_TRUE(panel.answersFor(0.5));
+    EXPECT_FALSE(moves(sim));
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 10);
 }
 
 /// The axis needs half a second within 20 counts of its goal.
@@ -444,6 +492,12 @@ TEST_F(OtherPrograms, WaitForALimitedNumberOfThings) {
     for (int i = 0; i < 64; ++i)
         client.request("wait", {{"axis", 1}});
     EXPECT_EQ(client.call("wait", {{"axis", 1}})["error"]["data"]["reason"], "TooMany");
+    int last = 0;
+    for (int i = 0; i < 1 + 64 + 1; ++i)
+        last = client.request("clear_sticky_bits", {{"axis", 1}});
+    // No time passes on the bus here, so the first is not over, and 64 wait for it.
+    ASSERT_TRUE(QTest::qWaitFor([&] { return client.arrived().size() >= 2; }));
+    EXPECT_EQ(client.answer(last)["error"]["data"]["reason"], "TooMany");
 }
 
 TEST_F(OtherPrograms, LoseControlByTheButton) {
@@ -688,6 +742,26 @@ TEST_F(OtherProgramsAtAllTypes, WaitForModulesThatWereFoundAsTheyWere) {
     client.hello();
     EXPECT_TRUE(client.call("wait").contains("result"));
     EXPECT_TRUE(client.call("wait", {{"axis", 2}}).contains("result"));
+}
+
+/// One command sets all pins, so each is planned from what the one before has left.
+TEST_F(OtherProgramsAtAllTypes, SetSeveralPinsWithoutWaiting) {
+    OtherProgram client(panel, path());
+    client.hello();
+    ASSERT_NO_FATAL_FAILURE(control(client));
+    std::vector<int> requests;
+    for (const int pin : {1, 2})
+        requests.push_back(client.request("set_direction", {{"axis", 3}, {"input", false}, {"pin", pin}}));
+    for (const int pin : {1, 2})
+        requests.push_back(client.request("set_output", {{"axis", 3}, {"output", pin}, {"high", true}}));
+    for (const int request : requests)
+        EXPECT_EQ(client.answer(request)["result"]["accepted"], true);
+    ASSERT_TRUE(client.call("wait", {{"axis", 3}}).contains("result"));
+    const QJsonObject io = sim.state(3);
+    for (const int pin : {0, 1}) {
+        EXPECT_FALSE(io[u"is_input"_s].toArray().at(pin).toBool()) << pin;
+        EXPECT_TRUE(io[u"pins"_s].toArray().at(pin).toBool()) << pin;
+    }
 }
 
 /// Whatever arrives, it is answered or its sender is cut off, and nothing moves.
