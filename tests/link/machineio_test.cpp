@@ -101,7 +101,7 @@ TEST_F(MachineIo, UnsavedWorkIsFoundByTheNextSessionUntilItIsDropped) {
 TEST_F(MachineIo, UnsavedWorkOfAProgramThatStillRunsIsLeftToIt) {
     const QString folder = path("unsaved");
     auto running = std::make_unique<UnsavedWork>(folder);
-    running->keep({}, "of the first", {});
+    running->keep({}, {}, "of the first", {});
     UnsavedWork second(folder);
     EXPECT_FALSE(second.left().has_value());
     second.keep({}, {}, "of the second", {});
