@@ -102,9 +102,9 @@ TEST_F(Reversed, TheHighestPositionIsWhereTheUserGoesForwardTo) {
     ASSERT_NO_FATAL_FAILURE(hand.turnTo(u"Axis"_s));
     ASSERT_NO_FATAL_FAILURE(hand.type(u"Highest position"_s, u"2"_s));
     ASSERT_NO_FATAL_FAILURE(hand.type(u"Lowest position"_s, u"-10"_s));
-    const TravelSettings& travel = panel.composition().machine().axes.at(0).travel;
-    EXPECT_EQ(travel.lowest, -800);
-    EXPECT_EQ(travel.highest, 4'000);
+    const auto travel = [&] { return panel.composition().machine().axes.at(0).travel; };
+    EXPECT_EQ(travel().lowest, -800);
+    EXPECT_EQ(travel().highest, 4'000);
     ASSERT_TRUE(hand.reads(u"In force: from −10 mm to 2 mm"_s) ||
                 hand.reads(u"In force: from -10 mm to 2 mm"_s));
     ASSERT_NO_FATAL_FAILURE(hand.type(u"Goal position"_s, u"3"_s));
@@ -115,7 +115,7 @@ TEST_F(Reversed, TheHighestPositionIsWhereTheUserGoesForwardTo) {
     EXPECT_TRUE(hand.reads(u"At the highest position"_s));
     // Only the display is reversed: the motor's travel limits stay where they are.
     ASSERT_NO_FATAL_FAILURE(hand.click(u"reversed"_s));
-    EXPECT_EQ(travel.lowest, -800);
+    EXPECT_EQ(travel().lowest, -800);
     EXPECT_TRUE(hand.reads(u"At the lowest position"_s));
     EXPECT_EQ(hand.find<QLineEdit>(u"Lowest position"_s)->text(), u"-2"_s);
     EXPECT_TRUE(rests());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "module/profiledload.h"
 #include "tests/support/motionof.h"
 #include "widgets/common/words.h"
 #include "windowtest.h"
@@ -135,7 +136,9 @@ TEST_F(IoPage, ADistanceIsFromWhereTheMotorIs) {
     EXPECT_EQ(test::motionOf<servomotion::Trapezoid>(only<intent::LoadMove>()).position.value(), 750);
     EXPECT_FALSE(button(u"startButton"_s)->isEnabled());
     ModuleState module = Servo{.position = 1000, .millisecond = 10}.state();
-    module.loadWaiting = true;
+    module.apply(bus::CommandExecuted{
+        module.info.index, module.latestTime,
+        ServoCommand(profiledLoad(CountsPerTick(65'536), CountsPerTickSquared(131), 750))});
     window->showLink(connectedTo({module}));
     click(u"startButton"_s);
     only<intent::StartLoaded>();

@@ -32,7 +32,9 @@ namespace {
 /// Seconds before and after an event that are visible at first: "Show the last 2 s".
 constexpr double kBeforeEvent = 2.0;
 constexpr double kBehindEvent = 0.5;
-constexpr qint64 kSuspended = 1'000;  ///< ms by which the date differs from the time that has passed
+/// Milliseconds by which the date differs from the time that has passed since the first sample. Less is left
+/// alone: the clock may be set, or this thread may be late.
+constexpr qint64 kSuspended = 60'000;
 /// Height, in lines of text, that strips and readings need one below the other.
 constexpr int kEnoughRows = 32;
 }  // namespace
