@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "module/profiledload.h"
 #include "widgets/chain/chainmenu.h"
 #include "widgets/common/words.h"
 #include "windowtest.h"
@@ -170,14 +171,19 @@ TEST_F(ChainWindow, AModuleJoinsAGroupAndLeadsIt) {
 
 TEST_F(ChainWindow, AGroupStartIsWithheldUntilEachMemberHasLoaded) {
     showGrouped({bus::GroupPlace{0x81, true}, bus::GroupPlace{0x81, false}, bus::GroupPlace{}});
+    const auto load = [&](std::size_t i) {
+        ModuleState& module = link.modules[i];
+        module.apply(bus::CommandExecuted{
+            module.info.index, module.latestTime,
+            ServoCommand(profiledLoad(CountsPerTick(65'536), CountsPerTickSquared(131), 750))});
+        window->showLink(link);
+    };
     open("groupsAction");
     EXPECT_FALSE(button(u"groupStartButton"_s)->isEnabled());
     EXPECT_TRUE(button(u"groupStartButton"_s)->toolTip().startsWith(u"Module 1:"_s));
-    link.modules[0].loadWaiting = true;
-    window->showLink(link);
+    load(0);
     EXPECT_TRUE(button(u"groupStartButton"_s)->toolTip().startsWith(u"Module 2:"_s));
-    link.modules[1].loadWaiting = true;
-    window->showLink(link);
+    load(1);
     EXPECT_EQ(text(u"load2Label"_s), u"move loaded"_s);
     click(u"groupStartButton"_s);
     click(u"groupHomeButton"_s);
