@@ -25,11 +25,11 @@ public:
     [[nodiscard]] const Range& range() const { return m_range; }
     void reset();
 
-    /// The smallest range of whole divisions around low..high, with about `divisions` of them. A single value
-    /// with no `smallest` span is in the middle of a span of 2.
     /// The smallest span of an axis at these values: on a narrower one, rounding would move them by whole
     /// divisions.
     [[nodiscard]] static double narrowest(double low, double high);
+    /// The smallest range of whole divisions around low..high, with about `divisions` of them. A single value
+    /// with no `smallest` span is in the middle of a span of 2.
     [[nodiscard]] static Range around(double low, double high, double smallest = kSmallestSpan,
                                       int divisions = 4);
 
