@@ -101,7 +101,7 @@ private:
     void stop(Client client, const api::Method& method, const Json& parameters, const Json& id);
     void command(Client client, const api::Method& method, const Json& parameters, const Json& id);
     [[nodiscard]] bool mayPlan(std::optional<ModuleIndex> index) const;
-    /// With what has been held back.
+    /// Carries out what is held back, as far as its modules show by now what was done before.
     void goOn();
     /// What is held back for this module, or for any of them.
     void cancelHeldBack(std::optional<ModuleIndex> module);

@@ -186,7 +186,7 @@ void Connection::acceptChain() {
     }
     for (std::size_t i = link.modules.size(); i < m_store.machine().axes.size(); ++i)
         chain.missing.emplace_back(static_cast<std::uint8_t>(i));
-    // Of another type, a module has other inputs and outputs under the same numbers.
+    // A module of another type has other inputs and outputs under the same numbers.
     std::vector<ModuleIndex> unusable = chain.missing;
     for (const ModuleState& module : link.modules)
         if (module.otherType())

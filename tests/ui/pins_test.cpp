@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The panel of a PIC-I/O, by mouse and keys. IO1 and IO2 are outputs, and IO1 and IO12 read high.
+#include <QAbstractItemView>
+#include <QSignalSpy>
+
 #include "scopehistory.h"
 #include "widgets/scope/scopeplot.h"
 #include "widgets/scope/statuslane.h"
@@ -104,7 +107,10 @@ TEST_F(Pins, OnlyAnotherDirectionIsARequest) {
     direction->setFocus();
     QTest::keyClick(direction, Qt::Key_End);
     EXPECT_EQ(direction->currentText(), u"input"_s);
-    emit direction->activated(direction->currentIndex());
+    const QSignalSpy chosen(direction, &QComboBox::activated);
+    QTest::keyClick(direction, Qt::Key_Space);
+    QTest::keyClick(direction->view(), Qt::Key_Return);
+    EXPECT_EQ(chosen.count(), 1) << "the list was opened, and left with Enter";
     EXPECT_EQ(intents.size(), 0);
 }
 

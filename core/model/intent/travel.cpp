@@ -155,8 +155,8 @@ private:
     return moveProblem(*position, *course.goal, turn, *range);
 }
 
-/// Of the moves, the first one alone may be too short to take up the backlash. The others extend to the last
-/// goal, or lead back.
+/// Checks two moves: the first one, which may be the only one that has to take up the backlash, and then the
+/// one to the last goal, or back.
 [[nodiscard]] std::optional<TravelProblem> problemOf(const intent::MoveBy& by, const ModuleState& module) {
     const MotionSpec pace = moveTo(0, by.pace);
     const double velocity =

@@ -19,14 +19,14 @@ namespace nmc {
 /// They leave groups, points and the order of homing; no row of a sequence may use them (userOfModules()).
 [[nodiscard]] ParsedMachine withoutAxes(const std::vector<ModuleIndex>& gone, ParsedMachine from);
 
-/// The machine that has these modules. An axis that was set for another type begins anew (usable()), and
-/// leaves the points: positions are in counts of the chip as well. Where the type was not heard yet, and
-/// beyond these modules, the former one stays expected, so that no numbers lose their type.
+/// The machine that expects these modules. An axis that was set for another type is reset (usable()), and
+/// removed from the points: positions are in counts of the chip as well. Where the type was not heard yet,
+/// and beyond these modules, the former one stays expected, so that no numbers lose their type.
 [[nodiscard]] Machine withModules(const std::vector<ModuleIdentity>& there, Machine machine);
 
-/// The machine after an edit by the user of these modules. A place that isSetUp() is for the module that is
-/// there if it expects none, or one of another type for which nothing was set up before; and then places
-/// before it that expect none are for theirs.
+/// The edited machine, with the module that is there as the expected one of each axis that has been set up
+/// and expects none. So it is of one that expects another type, for which nothing had been set up `before`.
+/// The places before such an axis that expect no module expect theirs, too.
 [[nodiscard]] Machine forModules(const std::vector<ModuleIdentity>& there, const Machine& before,
                                  Machine edited);
 

@@ -95,8 +95,8 @@ struct Difference {
                              const std::vector<PartId>& chosen);
 
 /// Returns `now` with the chosen parts of the file. Parts of axes for other hardware stay as they are. An
-/// axis that changes to another type of module begins anew (usable()) if any part of it is chosen, since no
-/// number fits both, and leaves the points that are for the other type.
+/// axis that changes to another type of module is reset (usable()) if any part of it is chosen, since no
+/// number fits both, and removed from the points that are for the other type.
 [[nodiscard]] Machine applied(const Machine& file, const Machine& now,
                               const std::vector<ModuleState>& modules, const std::vector<PartId>& chosen);
 

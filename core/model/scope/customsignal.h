@@ -27,7 +27,8 @@ struct CustomSignal {
 struct SignalSource {
     const ModuleHistory* samples = nullptr;
     ScopeSignal signal = ScopeSignal::Position;
-    /// Of a derived signal: another one whenever its values are computed anew, perhaps at the same address.
+    /// Of a derived signal: changes whenever its values are recomputed, because the new ones may have the
+    /// address of the old ones.
     std::uint64_t number = 0;
     bool operator==(const SignalSource&) const = default;
 };

@@ -190,7 +190,8 @@ double highest(const std::vector<Weighted>& samples, double low, double high) {
 
 }  // namespace
 
-/// With as many intervals as this, the mesh is no larger than that of the most samples with a few missing.
+/// With up to this many intervals, the mesh is no larger than for the greatest number of samples, a few of
+/// which are missing.
 bool hasLongGap(const std::vector<SignalPoint>& points) {
     constexpr double kMostIntervals = 2 * kMostSpectrumSamples;
     const double usual = usualInterval(points);
