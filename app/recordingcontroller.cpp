@@ -198,6 +198,8 @@ void RecordingController::loaded(std::shared_ptr<LoadedRecording> recording) {
 
 void RecordingController::save(const QString& path, const FileWriter::Content& content) {
     m_files.write(path, content, [this, path](const FileWriter::Result& result) {
+        if (result)
+            m_window.endMessage(texts::key::kNotExported);
         m_window.showMessage(result ? texts::exported(path) : texts::notExported(result.error()));
     });
 }

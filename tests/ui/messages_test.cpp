@@ -104,6 +104,24 @@ TEST_F(Messages, TheOldestRowLastsAsLongAsTheClickOnItsButton) {
     EXPECT_EQ(list()->rows().first()->message().headline, u"News"_s);
 }
 
+TEST_F(Messages, WhatStandsIsNotDroppedForWhatIsOver) {
+    window->showMessage({.key = u"fault"_s, .headline = u"No motor power"_s, .stands = true});
+    // Each ends the one before.
+    for (std::size_t i = 0; i <= MessageModel::kMost; ++i)
+        window->showMessage({.key = u"other"_s, .headline = u"Other "_s + QString::number(i)});
+    EXPECT_EQ(list()->rows().size(), static_cast<qsizetype>(MessageModel::kMost));
+    EXPECT_EQ(list()->rows().last()->message().headline, u"No motor power"_s);
+}
+
+TEST_F(Messages, OneRowForAllFilesThatWereSavedAndOneForAFailure) {
+    window->showMessage(texts::exported(u"/tmp/trigger 001.csv"_s));
+    window->showMessage(texts::notExported({FileErrorKind::Other, u"/tmp/trigger 002.csv"_s, {}}));
+    window->showMessage(texts::exported(u"/tmp/trigger 003.csv"_s));
+    ASSERT_EQ(list()->rows().size(), 2);
+    EXPECT_TRUE(list()->rows().at(0)->message().headline.contains(u"trigger 003.csv"_s));
+    EXPECT_TRUE(list()->rows().at(1)->message().headline.contains(u"trigger 002.csv"_s));
+}
+
 TEST_F(Messages, ButtonsThatDoNotFitBesideOneAnotherMakeNoRowWider) {
     const QString words(40, u'x');
     window->showMessage({.key = u"key"_s,

@@ -164,11 +164,12 @@ Message recordingNotOpened(const FileError& error) {
 Message exported(const QString& path) {
     return {.key = key::kExported,
             .headline = Texts::tr("Saved \"%1\".").arg(fileNameOf(path)),
-            .body = Texts::tr("Saved in %1.").arg(folderOf(path))};
+            .body = Texts::tr("Saved in %1.").arg(folderOf(path)),
+            .relation = Message::Relation::Update};  // the trigger may save one after another
 }
 
 Message notExported(const FileError& error) {
-    return {.key = key::kExported,
+    return {.key = key::kNotExported,
             .severity = Severity::Attention,
             .headline = Texts::tr("Could not save \"%1\".").arg(fileNameOf(error.path)),
             .body = fileProblem(error),

@@ -269,6 +269,7 @@ inline const QString kUnsavedWork = QStringLiteral("unsavedWork");
 inline const QString kRecording = QStringLiteral("recording");
 inline const QString kOpenedRecording = QStringLiteral("openedRecording");
 inline const QString kExported = QStringLiteral("exported");
+inline const QString kNotExported = QStringLiteral("notExported");
 inline const QString kRuns = QStringLiteral("runs");
 inline const QString kRunsNotKept = QStringLiteral("runsNotKept");
 // The next ones are about one module: ofModule() adds its number.

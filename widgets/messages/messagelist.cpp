@@ -60,10 +60,14 @@ void MessageList::showReported(const MessageEntry& entry) {
     m_layout->insertWidget(0, row);
     filterRow(*row);
     verticalScrollBar()->setValue(0);
-    while (m_rows.size() > static_cast<qsizetype>(m_model.entries().size())) {
+    const auto dropped = std::ranges::find_if_not(m_rows, [this](const MessageRow* shown) {
+        return std::ranges::count(m_model.entries(), shown->entry().number, &MessageEntry::number) > 0;
+    });
+    if (dropped != m_rows.end()) {
         // The message may be reported by the click on a button of this row, which has not returned yet.
-        m_rows.last()->hide();
-        m_rows.takeLast()->deleteLater();
+        (*dropped)->hide();
+        (*dropped)->deleteLater();
+        m_rows.erase(dropped);
     }
     showWhetherEmpty();
 }

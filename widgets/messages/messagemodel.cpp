@@ -2,6 +2,8 @@
 #include "widgets/messages/messagemodel.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <utility>
 
 namespace nmc {
@@ -27,8 +29,12 @@ void MessageModel::report(const Message& message, const QDateTime& time) {
         m_entries.erase(found);
     }
     m_entries.push_front(std::move(entry));
-    if (m_entries.size() > kMost)
-        m_entries.pop_back();
+    if (m_entries.size() > kMost) {
+        // What still stands is not reported again.
+        const auto over =
+            std::find_if(m_entries.rbegin(), m_entries.rend(), std::mem_fn(&MessageEntry::ended));
+        m_entries.erase(over != m_entries.rend() ? std::prev(over.base()) : std::prev(m_entries.end()));
+    }
     emit reported(m_entries.front());
 }
 
