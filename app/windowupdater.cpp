@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/windowupdater.h"
 
-#include <algorithm>
-
 #include "link/clock.h"
 #include "widgets/monitor/monitordock.h"
 #include "widgets/scope/scopepanel.h"
@@ -83,13 +81,12 @@ WindowUpdater::Shown::Shown(const LinkState& link)
 
 void WindowUpdater::showFrame() {
     m_window.monitor().showPackets(m_worker.takeRecords());
-    std::vector<ModuleIndex> watched = m_window.watchedModules();
+    std::set<ModuleIndex> watched = m_window.watchedModules();
     for (const ModuleIndex module : m_commander.sequences().parts())
-        if (!std::ranges::count(watched, module))
-            watched.push_back(module);  // its arrival is awaited
+        watched.insert(module);  // its arrival is awaited
     if (watched != m_watched) {
         m_watched = watched;
-        m_worker.watch(watched);
+        m_worker.watch({watched.begin(), watched.end()});
     }
     // When no more data arrives, time stops where the data ended.
     const History& history = m_store.history();

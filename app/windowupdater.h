@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QTimer>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <vector>
 
@@ -63,7 +64,7 @@ private:
     std::optional<Shown> m_shown;
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
-    std::vector<ModuleIndex> m_watched;  ///< polled most by the worker: shown in panels and scope
+    std::set<ModuleIndex> m_watched;  ///< polled most by the worker: shown in panels and scope
 };
 
 }  // namespace nmc

@@ -639,15 +639,13 @@ void MainWindow::showUnder(std::shared_ptr<const ScopeRecord> record) {
     m_scope->showUnder(std::move(record));
 }
 
-std::vector<ModuleIndex> MainWindow::watchedModules() const {
-    std::vector<ModuleIndex> watched = m_scope->setup().fixedModules();
+std::set<ModuleIndex> MainWindow::watchedModules() const {
+    std::set<ModuleIndex> watched = m_scope->watchedModules();
     if (m_axes->seen())
         for (const ModuleState& module : m_session.link().modules)
-            if (std::ranges::find(watched, module.info.index) == watched.end())
-                watched.push_back(module.info.index);
-    const std::optional<ModuleIndex> selected = selectedModule();
-    if (selected && std::ranges::find(watched, *selected) == watched.end())
-        watched.push_back(*selected);
+            watched.insert(module.info.index);
+    if (const std::optional<ModuleIndex> selected = selectedModule())
+        watched.insert(*selected);
     return watched;
 }
 

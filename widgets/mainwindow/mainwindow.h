@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "model/module/linkstate.h"
 #include "model/procedure/procedure.h"
@@ -132,7 +133,7 @@ public:
     [[nodiscard]] std::optional<ModuleIndex> selectedModule() const;
 
     /// The modules that the panel, the scope and the dock of all axes show.
-    [[nodiscard]] std::vector<ModuleIndex> watchedModules() const;
+    [[nodiscard]] std::set<ModuleIndex> watchedModules() const;
 
     /// Closes the window for good: after closeConfirmed(), when the motors are known to have stopped or can
     /// no longer be reached.

@@ -378,6 +378,14 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
         drawLive(history, now);
 }
 
+std::set<ModuleIndex> ScopePanel::watchedModules() const {
+    const std::vector<ModuleIndex> shown = m_setup.fixedModules();
+    std::set<ModuleIndex> watched(shown.begin(), shown.end());
+    for (const ModuleIndex module : m_trigger->modules())
+        watched.insert(module);
+    return watched;
+}
+
 bool ScopePanel::isPainting() const {
     return m_strips != nullptr && m_strips->isPainting();
 }

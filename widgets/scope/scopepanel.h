@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "model/scope/scopetrigger.h"
@@ -54,6 +55,8 @@ public:
     /// The user's arrangement.
     void setSetup(const ScopeSetup& setup);
     [[nodiscard]] const ScopeSetup& setup() const { return m_setup; }
+    /// The modules that it needs whichever is selected: those of its strips, and of the trigger.
+    [[nodiscard]] std::set<ModuleIndex> watchedModules() const;
     /// Where the live samples come from.
     void showSession(const QString& port, bool simulated);
     [[nodiscard]] ScopeFiles& files() { return *m_files; }

@@ -107,6 +107,18 @@ void TriggerControl::feed(const History& history) {
             values->visitSince(m_derivedFed, [&](const ScopeSample& value) { m_trigger.feedDerived(value); });
 }
 
+std::vector<ModuleIndex> TriggerControl::modules() const {
+    if (m_trigger.state() == ScopeTrigger::State::Off)
+        return {};
+    std::vector<ModuleIndex> modules{m_trigger.settings().module};
+    for (const CustomSignal& custom : m_trigger.settings().custom) {
+        modules.push_back(custom.first.of.module);
+        if (custom.second)
+            modules.push_back(custom.second->of.module);
+    }
+    return modules;
+}
+
 std::optional<ScopeTrigger::Picture> TriggerControl::picture() const {
     return m_trigger.state() == ScopeTrigger::State::Complete ? m_trigger.picture() : std::nullopt;
 }

@@ -27,6 +27,8 @@ public:
     /// Call once per frame, whatever is shown. `zero`: date and time of the history's zero. With another
     /// history, a trigger that has fired waits again.
     void follow(const History& history, TimePoint now, const QDateTime& zero);
+    /// The modules whose samples it needs; none while it is off.
+    [[nodiscard]] std::vector<ModuleIndex> modules() const;
     /// The trigger's picture; empty while it is not complete.
     [[nodiscard]] std::optional<ScopeTrigger::Picture> picture() const;
     [[nodiscard]] std::optional<TimePoint> firedAt() const { return m_trigger.firedAt(); }
