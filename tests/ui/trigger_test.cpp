@@ -289,12 +289,46 @@ TEST_F(Trigger, TheLevelIsOfNoOtherModuleInAnotherUnit) {
     EXPECT_FALSE(button(u"triggerArmButton"_s)->isEnabled());
 }
 
-TEST_F(Trigger, OffersTheSignalsOfTheOtherModules) {
+TEST_F(Trigger, OffersTheSignalsOfTheSelectedModuleAndOfEachByItsName) {
     auto* sources = find<QComboBox>(u"triggerSourceBox"_s);
     EXPECT_EQ(sources->itemText(0), u"position"_s);
+    EXPECT_GE(sources->findText(u"Module 1: position"_s), 0);
     EXPECT_GE(sources->findText(u"Module 2: velocity"_s), 0);
     EXPECT_GE(sources->findText(u"Module 2: move_done"_s), 0);
-    EXPECT_EQ(sources->findText(u"Module 1: position"_s), -1) << "it is the selected module";
+}
+
+TEST_F(Trigger, WaitsForTheModuleThatIsNamedWhicheverIsSelected) {
+    auto* sources = find<QComboBox>(u"triggerSourceBox"_s);
+    choose(u"triggerSourceBox"_s, u"Module 2: velocity"_s);
+    type(u"triggerLevelField"_s, u"50"_s);
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    auto* list = find<QAbstractItemView>(u"chainList"_s);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Down);
+    ASSERT_EQ(window->selectedModule(), ModuleIndex(1));
+    EXPECT_EQ(sources->currentText(), u"Module 2: velocity"_s);
+    EXPECT_EQ(field(u"triggerLevelField"_s)->value(), 50);
+    EXPECT_EQ(state(), u"waiting"_s);
+}
+
+TEST_F(Trigger, IsOffOnceWhatItWaitsForIsGone) {
+    choose(u"triggerSourceBox"_s, u"Module 2: move_done"_s);
+    choose(u"triggerModeBox"_s, u"Normal"_s);
+    run(0.5, oneMove);
+    ASSERT_EQ(state(), u"waiting"_s);
+    showServo();
+    run(1, oneMove);
+    EXPECT_EQ(find<QComboBox>(u"triggerModeBox"_s)->currentText(), u"Off"_s);
+    EXPECT_EQ(state(), QString());
+}
+
+TEST_F(Trigger, HasItsModulePolledLikeThoseThatAreShown) {
+    EXPECT_EQ(window->watchedModules(), std::set{ModuleIndex(0)});
+    choose(u"triggerSourceBox"_s, u"Module 2: move_done"_s);
+    choose(u"triggerModeBox"_s, u"Single"_s);
+    EXPECT_EQ(window->watchedModules(), (std::set{ModuleIndex(0), ModuleIndex(1)}));
+    choose(u"triggerModeBox"_s, u"Off"_s);
+    EXPECT_EQ(window->watchedModules(), std::set{ModuleIndex(0)});
 }
 
 /// Starts at 3 s with 20 000 counts/s^2. At this moment, the parabola over five samples shows half of it.

@@ -139,13 +139,16 @@ void TriggerBar::listSources() {
     if (m_selected && m_selected->value() < m_modules.size())
         addSources(std::nullopt, m_modules[m_selected->value()]);
     for (std::size_t i = 0; i < m_modules.size(); ++i)
-        if (const ModuleIndex index(static_cast<std::uint8_t>(i)); index != m_selected)
-            addSources(index, m_modules[i]);
+        addSources(ModuleIndex(static_cast<std::uint8_t>(i)), m_modules[i]);
     const auto again = chosen >= 0 ? std::ranges::find(m_sources, before[static_cast<std::size_t>(chosen)])
                                    : m_sources.end();
-    m_source->setCurrentIndex(again != m_sources.end() ? static_cast<int>(again - m_sources.begin())
-                              : m_sources.empty()      ? -1
-                                                       : 0);
+    const bool found = again != m_sources.end();
+    m_source->setCurrentIndex(found               ? static_cast<int>(again - m_sources.begin())
+                              : m_sources.empty() ? -1
+                                                  : 0);
+    // What the user waits for is gone; nobody has asked to wait for anything else.
+    if (!found && chosen >= 0)
+        m_mode->setCurrentIndex(static_cast<int>(Mode::Off));
     takeSourceAgain();
 }
 
