@@ -98,6 +98,21 @@ TEST_F(ScopeFilesTest, TheSamplesAfterASuspendHaveTheirDate) {
     EXPECT_LE(started, QDateTime::currentDateTime().addSecs(-28));
 }
 
+/// 600 s after the last sample, the port is closed, and time stands where the samples end.
+TEST_F(ScopeFilesTest, TheDatesOfTheSamplesStayAfterADisconnect) {
+    HandMadeHistory made = twoModules();
+    const QDateTime before = QDateTime::currentDateTime();
+    show(made, 630);
+    const double end = toSeconds(*made.history().end() - *made.history().zero());
+    show(made, end);
+    RecordingReader reader({[](ModuleIndex /*module*/, const ScopeSample& /*sample*/) {}});
+    reader.feed(exported(u"Csv"_s, made, end));
+    const QDateTime started =
+        QDateTime::fromString(QString::fromStdString(reader.header().startedAt), Qt::ISODateWithMs);
+    EXPECT_GE(started, before.addSecs(-631));
+    EXPECT_LE(started, QDateTime::currentDateTime().addSecs(-628));
+}
+
 TEST_F(ScopeFilesTest, CsvHasAColumnForEachSignalWhereThatIsChosen) {
     HandMadeHistory made = twoModules();
     show(made, 29.5);

@@ -355,9 +355,11 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
         m_another = true;
         m_origin.zero = {};
     }
-    // While the computer is suspended, the dates go on, but not the time of the samples.
+    // While the computer is suspended, the dates go on, but not the time of the samples. Without a
+    // connection, that has ended.
     const QDateTime zero = dateOf(m_zero.value_or(now), now);
-    if (!m_origin.zero.isValid() || qAbs(m_origin.zero.msecsTo(zero)) > kSuspended)
+    const bool goesOn = history.end() != now;
+    if (!m_origin.zero.isValid() || (goesOn && qAbs(m_origin.zero.msecsTo(zero)) > kSuspended))
         m_origin.zero = zero;
     m_trigger->follow(history, now, m_origin.zero);
     if (m_strips == nullptr || (!isVisible() && !m_files->exporting().isDue()))
