@@ -810,6 +810,20 @@ TEST_F(ScopeControls, ARecordStandsInPlaceOfWhatIsLiveUntilTheUserGoesBack) {
     frame();
     EXPECT_FALSE(paused());
     EXPECT_LT(plot().valueRange().max, 1'000);
+    EXPECT_NEAR(right() - left(), 10, 1e-6) << "the time of the layout, not that of the record";
+}
+
+TEST_F(ScopeControls, StandsStillWhileAnotherModuleIsSelected) {
+    click(u"scopePauseButton"_s);
+    frame();
+    const double from = left();
+    auto* list = find<QAbstractItemView>(u"chainList"_s);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Down);
+    ASSERT_EQ(window->selectedModule(), ModuleIndex(1));
+    frame(25);
+    EXPECT_TRUE(paused());
+    EXPECT_EQ(left(), from);
 }
 
 TEST_F(ScopeControls, HasThePresentUnitEvenWhilePaused) {

@@ -320,13 +320,8 @@ void ScopePanel::touch() {
 void ScopePanel::showModules(std::vector<ScopeModule> modules, std::optional<ModuleIndex> selected) {
     if (modules == m_modules && selected == m_selected)
         return;
-    const bool another = selected != m_selected;
     m_modules = std::move(modules);
     m_selected = selected;
-    if (another && !m_record && m_strips != nullptr) {
-        m_strips->time().roll();
-        showTime();
-    }
     applyModules();
 }
 
