@@ -462,7 +462,7 @@ void ScopePanel::backToLive() {
     m_picture.reset();
     m_strips->forget();
     applyModules();
-    showTime();
+    showWidth();  // that of the record was not chosen for the live samples
 }
 
 // ---- the recording under the live traces ----
