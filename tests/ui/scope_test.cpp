@@ -49,6 +49,20 @@ protected:
     }
 };
 
+TEST_F(Scope, HasNoStripForAModuleThatIsNotThere) {
+    const auto visible = [this] {
+        return std::ranges::count_if(find(u"scopeStrips"_s)->findChildren<ScopePlot*>(),
+                                     [](const ScopePlot* strip) { return strip->isVisible(); });
+    };
+    const auto shown = visible();
+    ScopeSetup setup = ScopeSetup::usual();
+    setup.strips[3] = {{ModuleIndex(1), ScopeSignal::Position}};
+    find<ScopePanel>(u"scopePanel"_s)->setSetup(setup);
+    EXPECT_EQ(visible(), shown);
+    showServos({{}, {}});
+    EXPECT_EQ(visible(), shown + 1);
+}
+
 TEST_F(Scope, DrawsASpikeOfOneSample) {
     HandMadeHistory level;
     level.add(0, 0);

@@ -100,7 +100,7 @@ std::vector<SignalRef> ScopeStrips::signalsOf(std::size_t strip) const {
     std::erase_if(signalsShown, [this](const SignalRef& signal) {
         const auto index = signal.module ? signal.module : m_selected;
         if (!index || index->value() >= m_modules.size())
-            return false;
+            return !m_modules.empty();
         const ScopeModule& module = m_modules[index->value()];
         return signal.module ? !module.has(signal.signal) : !module.reports(signal.signal);
     });
