@@ -35,6 +35,10 @@ MessageController::MessageController(MainWindow& window, const BusStore& store,
         report(texts::messagesNotKept(error));
         panel.showLogFile({});
     });
+    connect(&m_log, &DayLog::kept, this, [this, &panel](const QString& path) {
+        end(texts::key::kMessageLog);
+        panel.showLogFile(path);
+    });
     panel.showLogFile(m_log.file(QDateTime::currentDateTime()));
     connect(&m_store, &BusStore::linkChanged, this, &MessageController::look);
     connect(&m_procedures, &ProcedureController::reported, this, &MessageController::showEnd);
@@ -48,9 +52,7 @@ MessageController::MessageController(MainWindow& window, const BusStore& store,
 }
 
 void MessageController::keepLog(const QString& line) {
-    const QDateTime now = QDateTime::currentDateTime();
-    m_log.write(line.toStdString(), now);
-    m_window.messages().showLogFile(m_log.file(now));
+    m_log.write(line.toStdString(), QDateTime::currentDateTime());
 }
 
 AxisScale MessageController::scaleOf(const ModuleState& module) const {

@@ -92,6 +92,8 @@ TEST_F(HistoryKept, ALogThatCannotBeWrittenIsSaidOnceAndEverythingElseWorks) {
     panel.pressStopAll();
     EXPECT_TRUE(panel.waitFor([&] { return !panel.module().moving(); }));
     EXPECT_EQ(panel.count(u"lost when this session ends"_s), 1);
+    EXPECT_EQ(panel.window().findChild<QLabel*>(u"messageLogLabel"_s)->text(),
+              u"Kept for this session only."_s);
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ Message settingsNotSaved(const QString& file) {
 
 Message messagesNotKept(const FileError& error) {
     return {
-        .key = u"messageLog"_s,
+        .key = key::kMessageLog,
         .severity = Severity::Attention,
         .headline = Texts::tr("Messages are lost when this session ends."),
         .body =

@@ -265,6 +265,7 @@ inline const QString kGone = QStringLiteral("gone");
 inline const QString kSafety = QStringLiteral("safety");
 inline const QString kMachineFile = QStringLiteral("machineFile");
 inline const QString kNotApplied = QStringLiteral("notApplied");
+inline const QString kMessageLog = QStringLiteral("messageLog");
 inline const QString kUnsavedWork = QStringLiteral("unsavedWork");
 inline const QString kRecording = QStringLiteral("recording");
 inline const QString kOpenedRecording = QStringLiteral("openedRecording");

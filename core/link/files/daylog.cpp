@@ -54,8 +54,11 @@ void DayLog::write(const std::string& line, const QDateTime& now) {
     }
     m_files.write(
         path, [waiting = m_waiting, path] { return waiting->take(path); },
-        [this](const FileWriter::Result& result) {
-            if (!std::exchange(m_failed, !result) && !result)
+        [this, path](const FileWriter::Result& result) {
+            const bool before = std::exchange(m_failed, !result);
+            if (result)
+                emit kept(path);
+            else if (!before)
                 emit failed(result.error());
         });
 }

@@ -35,6 +35,8 @@ public:
     [[nodiscard]] static FileWriter::Result appendToFile(const QString& path, std::string_view lines);
 
 signals:
+    /// Lines were written to this file.
+    void kept(const QString& path);
     /// Emitted once, until writing works again: the lines were lost.
     void failed(const nmc::FileError& error);
 
