@@ -45,8 +45,7 @@ RecordingController::RecordingController(MainWindow& window, const BusStore& sto
     connect(&m_writer, &RecordingWriter::finished, this, [this](qint64 /*bytes*/, double seconds) {
         showRecording();
         m_window.showMessage(texts::recordingEnded(m_writer.path(), seconds));
-        if (const QString next = std::exchange(m_next, {}); !next.isEmpty())
-            start(next);
+        startNext();
     });
     m_clock.setInterval(kClockMs);
     connect(&m_clock, &QTimer::timeout, this, &RecordingController::showRecording);
@@ -75,6 +74,11 @@ void RecordingController::start(const QString& path) {
     writeHead();
     m_clock.start();
     showRecording();
+}
+
+void RecordingController::startNext() {
+    if (const QString next = std::exchange(m_next, {}); !next.isEmpty())
+        start(next);
 }
 
 void RecordingController::writeHead() {
@@ -144,10 +148,8 @@ void RecordingController::write(std::string text) {
 }
 
 void RecordingController::take(const StoreEvent& event) {
-    if (!std::holds_alternative<PortClosed>(event))
-        return;
-    m_next.clear();
-    end();
+    if (std::holds_alternative<PortClosed>(event))
+        end();
 }
 
 void RecordingController::end() {
@@ -166,9 +168,10 @@ void RecordingController::showRecording() {
 }
 
 void RecordingController::failed(const RecordingFailure& failure) {
-    m_next.clear();
+    const Message message = texts::recordingFailed(m_writer.path(), failure);
+    startNext();
     showRecording();
-    m_window.showMessage(texts::recordingFailed(m_writer.path(), failure));
+    m_window.showMessage(message);
 }
 
 // ---- files ----

@@ -31,6 +31,8 @@ private:
     void start(const QString& path);
     void look();
     [[nodiscard]] bool isOfThisChain();
+    /// Begins the recording that waits for the end of the last one, if one does.
+    void startNext();
     void writeHead();
     void writeNews();
     void showRecording();

@@ -143,6 +143,19 @@ TEST_F(SlowDisk, GetsTheNextRecordingWhenItHasTakenTheOneBefore) {
     EXPECT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("Recorded \"second.csv\"")) == 1; }));
 }
 
+TEST_F(SlowDisk, SaysSoIfTheNextRecordingCannotBeginAnyMore) {
+    ASSERT_NO_FATAL_FAILURE(connect());
+    ScopeFiles& files = panel.window().scopeFiles();
+    emit files.recordRequested(directory.filePath(QStringLiteral("first.csv")));
+    emit files.recordingEndRequested();
+    emit files.recordRequested(directory.filePath(QStringLiteral("second.csv")));
+    panel.disconnect();
+    ASSERT_TRUE(panel.waitFor([&] { return !panel.connected(); }));
+    answer();
+    EXPECT_TRUE(panel.waitFor(
+        [&] { return panel.count(QStringLiteral("Nothing is recorded to \"second.csv\"")) == 1; }));
+}
+
 TEST_F(SlowDisk, LetsMotorsRunWhilePacketsAreSaved) {
     ASSERT_NO_FATAL_FAILURE(panel.startMoving(sim));
     find<QDockWidget>("monitorDock")->toggleViewAction()->trigger();
