@@ -21,8 +21,8 @@ unsigned FlightController::note(const QString& what, std::optional<ModuleIndex> 
 
 void FlightController::show(unsigned record) {
     const FlightRecorder::Incident* incident = m_recorder.find(record, m_store.history());
-    if (incident == nullptr || incident->history.empty())
-        return;
+    if (incident == nullptr)
+        return m_window.showMessage(texts::recordNotKept(FlightRecorder::kKept));
     const Circumstances& then = m_circumstances[record];
     const double at = toSeconds(incident->at - *incident->history.zero());
     m_window.showRecord(std::make_shared<const ScopeRecord>(

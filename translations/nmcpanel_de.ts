@@ -4112,6 +4112,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 ist nicht beschreibbar. Alles andere funktioniert. Um Meldungen aufzubewahren, die Liste der Meldungen exportieren.</translation>
     </message>
     <message>
+        <source>What led to that message is no longer kept.</source>
+        <translation>Was zu dieser Meldung führte, wird nicht mehr aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The last %1 faults and stops can be shown. A recording keeps everything.</source>
+        <translation>Die letzten %1 Fehler und Stopps können gezeigt werden. Eine Aufzeichnung behält alles.</translation>
+    </message>
+    <message>
         <source>The positions of the axes are not saved.</source>
         <translation>Die Positionen der Achsen werden nicht gespeichert.</translation>
     </message>

@@ -4112,6 +4112,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No se puede escribir en %1. Todo lo demás funciona. Para conservar los mensajes, exporte la lista de mensajes.</translation>
     </message>
     <message>
+        <source>What led to that message is no longer kept.</source>
+        <translation>Lo que llevó a ese mensaje ya no se conserva.</translation>
+    </message>
+    <message>
+        <source>The last %1 faults and stops can be shown. A recording keeps everything.</source>
+        <translation>Se pueden mostrar los últimos %1 fallos y paradas. Una grabación lo conserva todo.</translation>
+    </message>
+    <message>
         <source>The positions of the axes are not saved.</source>
         <translation>Las posiciones de los ejes no se guardan.</translation>
     </message>

@@ -4112,6 +4112,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Écriture impossible dans %1. Tout le reste fonctionne. Pour conserver les messages, exportez la liste des messages.</translation>
     </message>
     <message>
+        <source>What led to that message is no longer kept.</source>
+        <translation>Ce qui a mené à ce message n’est plus conservé.</translation>
+    </message>
+    <message>
+        <source>The last %1 faults and stops can be shown. A recording keeps everything.</source>
+        <translation>Les %1 derniers défauts et arrêts peuvent être affichés. Un enregistrement conserve tout.</translation>
+    </message>
+    <message>
         <source>The positions of the axes are not saved.</source>
         <translation>Les positions des axes ne sont pas enregistrées.</translation>
     </message>

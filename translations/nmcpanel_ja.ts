@@ -4100,6 +4100,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1に書き込めません。ほかはすべて動作します。メッセージを残すには、メッセージ一覧をエクスポートしてください。</translation>
     </message>
     <message>
+        <source>What led to that message is no longer kept.</source>
+        <translation>そのメッセージに至った経過はもう残っていません。</translation>
+    </message>
+    <message>
+        <source>The last %1 faults and stops can be shown. A recording keeps everything.</source>
+        <translation>最近の障害と停止%1件を表示できます。記録すればすべて残ります。</translation>
+    </message>
+    <message>
         <source>The positions of the axes are not saved.</source>
         <translation>軸の位置は保存されません。</translation>
     </message>

@@ -122,6 +122,19 @@ TEST_F(Flight, WhatIsExportedSaysWhereItHappenedWhateverIsConnectedNow) {
     EXPECT_FALSE(file.contains(other.terminal())) << file.left(500).toStdString();
 }
 
+TEST_F(Flight, SaysSoIfTooMuchHasHappenedSince) {
+    begin();
+    (void)sim.control(QStringLiteral("set 1 power 0"));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(QStringLiteral("no motor power")) > 0; }));
+    for (int stop = 0; stop < 20; ++stop) {
+        panel.pressStopAll();
+        ASSERT_TRUE(panel.answersFor(0.5));
+    }
+    ASSERT_TRUE(clickShow(QStringLiteral("no motor power")));
+    EXPECT_FALSE(scope().showsRecord());
+    EXPECT_EQ(panel.count(QStringLiteral("no longer kept")), 1);
+}
+
 TEST_F(Flight, TheHistoryIsStillThereAfterThePortIsClosed) {
     begin();
     const auto kept = panel.composition().store().history().module(ModuleIndex(0))->count();

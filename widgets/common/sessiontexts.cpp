@@ -173,6 +173,14 @@ Message withRecord(Message message) {
     return message;
 }
 
+Message recordNotKept(std::size_t most) {
+    return {
+        .key = u"record"_s,
+        .headline = Texts::tr("What led to that message is no longer kept."),
+        .body =
+            Texts::tr("The last %1 faults and stops can be shown. A recording keeps everything.").arg(most)};
+}
+
 QString recordTitle(const QString& headline, const QTime& when) {
     return Common::tr("%1 (%2)").arg(headline, when.toString(u"HH:mm:ss"_s));
 }

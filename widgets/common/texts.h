@@ -119,6 +119,8 @@ namespace texts {
 // ---- records of the scope ----
 /// Returns the message with "Show the last 2 s" before its other buttons.
 [[nodiscard]] Message withRecord(Message message);
+/// The record of the message was dropped for newer ones; `most` are kept.
+[[nodiscard]] Message recordNotKept(std::size_t most);
 /// The title of a record kept around an incident: its headline and its time.
 [[nodiscard]] QString recordTitle(const QString& headline, const QTime& when);
 /// The headline of a record kept around a stop of all motors.
