@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kFrameIntervalMs = 16;
 constexpr int kFiguresIntervalMs = 1'000;
-constexpr int kReadableMs = 64;
+constexpr int kReadableMs = 100;  ///< ten numbers a second can be followed by eye
 
 }  // namespace
 
