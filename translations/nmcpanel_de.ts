@@ -1893,8 +1893,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Servo hat sich abgeschaltet, weil der Motor zu weit von der Sollposition entfernt war.</translation>
     </message>
     <message>
-        <source>A fixed PWM value drives the motor; the servo does not control it.</source>
-        <translation>Ein fester PWM-Wert treibt den Motor an; der Servo regelt ihn nicht.</translation>
+        <source>A fixed PWM value drives the motor; the servo does not control it. After a loss of motor power, the motor may turn again by itself.</source>
+        <translation>Ein fester PWM-Wert treibt den Motor an; der Servo regelt ihn nicht. Nach einem Ausfall der Motorversorgung kann er sich von selbst wieder drehen.</translation>
     </message>
     <message>
         <source>The motor is changing its speed.</source>

@@ -1893,8 +1893,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El servo se apagó solo porque el motor estaba demasiado lejos de donde debía.</translation>
     </message>
     <message>
-        <source>A fixed PWM value drives the motor; the servo does not control it.</source>
-        <translation>Un valor de PWM fijo acciona el motor; el servo no lo controla.</translation>
+        <source>A fixed PWM value drives the motor; the servo does not control it. After a loss of motor power, the motor may turn again by itself.</source>
+        <translation>Un valor de PWM fijo acciona el motor; el servo no lo controla. Tras un fallo de la alimentación del motor, puede volver a girar por sí solo.</translation>
     </message>
     <message>
         <source>The motor is changing its speed.</source>

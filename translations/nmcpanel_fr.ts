@@ -1893,8 +1893,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le servo s’est coupé, car le moteur était trop loin de la position de consigne.</translation>
     </message>
     <message>
-        <source>A fixed PWM value drives the motor; the servo does not control it.</source>
-        <translation>Une valeur PWM fixe entraîne le moteur&#x202f;; le servo ne le régule pas.</translation>
+        <source>A fixed PWM value drives the motor; the servo does not control it. After a loss of motor power, the motor may turn again by itself.</source>
+        <translation>Une valeur PWM fixe entraîne le moteur&#x202f;; le servo ne le régule pas. Après une coupure de l’alimentation moteur, il peut se remettre à tourner tout seul.</translation>
     </message>
     <message>
         <source>The motor is changing its speed.</source>

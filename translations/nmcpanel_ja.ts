@@ -1890,8 +1890,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モーターがあるべき位置から大きくずれたため、サーボが自動でオフになりました。</translation>
     </message>
     <message>
-        <source>A fixed PWM value drives the motor; the servo does not control it.</source>
-        <translation>固定のPWM値でモーターを駆動しています。サーボは制御していません。</translation>
+        <source>A fixed PWM value drives the motor; the servo does not control it. After a loss of motor power, the motor may turn again by itself.</source>
+        <translation>固定のPWM値でモーターを駆動しています。サーボは制御していません。モーター電源が一度切れて戻ると、モーターがひとりでに再び回ることがあります。</translation>
     </message>
     <message>
         <source>The motor is changing its speed.</source>

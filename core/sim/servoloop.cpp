@@ -20,7 +20,8 @@ void ServoLoop::tick() {
     m_encoder.read(m_encoderShaft + encoderNoise());
     m_tripped = false;
     limitCurrent();
-    if (undervoltage() && (m_servoOn || m_magnitude != 0))
+    // On an SC, this ends PWM mode, too (docs/family.md, Choices).
+    if (undervoltage() && (m_servoOn || (isSc() && m_magnitude != 0)))
         fault();
     if (protectsLimits())
         protectLimits();
@@ -318,9 +319,9 @@ void ServoLoop::startPwm() {
     m_loaded.pwm = t.pwm;
     // CMC and SC keep the present output when no value is loaded.
     if (isLater() && !t.has(Trajectory::kPwm))
-        setOutput(undervoltage() ? 0 : present, reverse);
+        setOutput(present, reverse);
     else
-        setOutput(undervoltage() ? 0 : t.pwm * pwmSteps(), t.has(Trajectory::kReverse));
+        setOutput(t.pwm * pwmSteps(), t.has(Trajectory::kReverse));
     driveMotor();
 }
 

@@ -197,6 +197,20 @@ TEST_P(ScServo, VoltageSense4_TooMuchLowersTheEnablesOnlyWhileItLasts) {
     EXPECT_EQ(truth("servo_on"), true);
 }
 
+TEST_P(ScServo, VoltageSense5_TooLittleSetsThePwmValueTo0) {
+    pwm(60);
+    EXPECT_EQ(truth("pwm"), 60);
+    rig->must("set 1 vsense 0.5");
+    rig->waitTicks(2);
+    EXPECT_EQ(truth("pwm"), 0);
+    pwm(60);
+    rig->waitTicks(2);
+    EXPECT_EQ(truth("pwm"), 0) << "started without power";
+    rig->must("set 1 vsense 3");
+    rig->wait(milliseconds(10));
+    EXPECT_EQ(truth("pwm"), 0);
+}
+
 // ---- Auxiliary status byte ----
 
 TEST_P(ScServo, ScAuxByte0_TheIndexIsNotComplemented) {

@@ -299,6 +299,26 @@ TEST_P(PicServo, PwmMode8_ATrapezoidBeginsAtZeroVelocityAllTheSame) {
     EXPECT_LT(number("command_velocity"), 40.0 / 64) << "what 40 ticks add";
 }
 
+TEST_P(PicServo, PwmMode9_AValueThatDrivesTheMotorOutlastsALossOfPower) {
+    for (const char* chip : {"servo@1", "servo@4", "servo@5"}) {
+        start(chip, 1);
+        stop(kAmplifier);
+        pwm(80);
+        rig->must("set 1 power 0");
+        rig->wait(milliseconds(500));
+        EXPECT_EQ(truth("pwm"), 80) << chip;
+        rig->must("set 1 power 1");
+        const double shaft = number("shaft");
+        rig->wait(milliseconds(500));
+        EXPECT_EQ(truth("pwm"), 80) << chip;
+        EXPECT_GT(number("shaft"), shaft + 5000) << chip << ", as in PwmMode1";
+        rig->must("set 1 power 0");
+        pwm(-60);
+        rig->must("set 1 power 1");
+        EXPECT_EQ(truth("pwm"), -60) << chip << ", started without power";
+    }
+}
+
 TEST_P(PicServo, PowerMonitor1_TheStatusByteTellsTheMotorPower) {
     EXPECT_EQ(status().byte & kPowerOn, kPowerOn);
     rig->must("set 1 power 0");

@@ -359,6 +359,26 @@ TEST(ModuleState, APwmValueOnAServoThatIsOffIsMotion) {
     EXPECT_TRUE(module.moving());
 }
 
+/// DS-V 4.5 sets the value to 0 only when it disables the servo, which is off already.
+TEST(ModuleState, APwmValueIsMotionWithoutPowerToo) {
+    ModuleState module = holdingServo();
+    servo::LoadTrajectory pwm;
+    pwm.servo = false;
+    pwm.pwm = std::uint8_t{40};
+    pwm.startNow = true;
+    module.apply(executedAt(1, pwm));
+    for (int look = 0; look < 6; ++look) {
+        const std::uint8_t power = look < 2 || look > 3 ? kPower : std::uint8_t{0};
+        module.apply(sampleOf(1 + look * 0.1, static_cast<std::uint8_t>(kMoveDone | kPosError | power), 0));
+        EXPECT_EQ(module.activity(), Activity::PwmMode) << look;
+        EXPECT_TRUE(module.moving()) << look;
+    }
+    module.apply(executedAt(2, stopWith(servo::StopManner::MotorOff)));
+    module.apply(sampleOf(2.1, kMoveDone | kPosError, 0));
+    EXPECT_EQ(module.activity(), Activity::NoPower);
+    EXPECT_FALSE(module.moving());
+}
+
 /// AMP_EN stays high through a trip, so the page PWM sends no stop first.
 TEST(ModuleState, APwmValueAfterATripIsMotion) {
     servo::LoadTrajectory pwm;

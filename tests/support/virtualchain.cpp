@@ -247,7 +247,7 @@ bool VirtualChain::driven(std::size_t place) {
     const sim::ServoSnapshot& servo = module.servo;
     if (servo.servoOn)
         return servo.commandVelocity != 0.0;
-    return servo.mode == sim::ServoMode::Pwm && servo.pwm != 0 && servo.ampEnabled && servo.power;
+    return servo.mode == sim::ServoMode::Pwm && servo.pwm != 0 && servo.ampEnabled;
 }
 
 bool VirtualChain::isOn(std::size_t place) {

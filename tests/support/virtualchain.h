@@ -76,7 +76,8 @@ public:
     [[nodiscard]] std::size_t size() const { return m_chain.moduleCount(); }
     [[nodiscard]] std::uint8_t address(std::size_t place) { return look(place).address; }
     [[nodiscard]] std::uint8_t group(std::size_t place) { return look(place).group; }
-    /// True if a command drives the motor, whatever holds the shaft or turns it besides.
+    /// True if a command drives the motor, or will when motor power returns, whatever holds the shaft or
+    /// turns it besides.
     [[nodiscard]] bool driven(std::size_t place);
     /// True if the motor has current.
     [[nodiscard]] bool isOn(std::size_t place);

@@ -51,8 +51,10 @@ ActivityTexts textsOf(Activity activity) {
             return {Texts::tr("Power was lost"),
                     Texts::tr("The module switched its motor off when motor power failed. It stays off.")};
         case Activity::PwmMode:
-            return {Texts::tr("PWM mode"),
-                    Texts::tr("A fixed PWM value drives the motor; the servo does not control it.")};
+            return {
+                Texts::tr("PWM mode"),
+                Texts::tr(
+                    "A fixed PWM value drives the motor; the servo does not control it. After a loss of motor power, the motor may turn again by itself.")};
         case Activity::MaybeOff:
             return {
                 Texts::tr("Maybe off"),

@@ -14,7 +14,7 @@ enum class Activity : std::uint8_t {
     ServoOff,      ///< not a fault: it was never switched on, or was switched off
     Tripped,       ///< switched itself off: position error while it was on
     PowerLost,     ///< switched itself off: motor power was lost; it stays off even when power is back
-    PwmMode,       ///< servo off; a PWM value drives the motor
+    PwmMode,       ///< servo off; a PWM value drives the motor, or will when power returns
     MaybeOff,      ///< one reply says that it switched itself off; the next one decides
     MaybeMoving,   ///< at rest in its last replies, but whether it was started is still unknown
     Turned,        ///< off, but its shaft moves: a load turns it, or it is still coasting

@@ -457,10 +457,11 @@ Activity ModuleState::activityWhileOff() const {
         return Activity::Tripped;
     if (m_looksWhileOff == 1)
         return Activity::MaybeOff;
-    if (!latest->servoStatus().powerOn())
-        return Activity::NoPower;
+    // Without power, too: when it returns, the value may drive the motor again (docs/protocol.md, section 2).
     if (motion == MotionMode::Pwm)
         return Activity::PwmMode;
+    if (!latest->servoStatus().powerOn())
+        return Activity::NoPower;
     return turns() ? Activity::Turned : Activity::ServoOff;
 }
 
