@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,7 +28,7 @@ struct Asked {
     Chain& chain;
     const WordList& words;
     TimePoint now;
-    const Pace& pace;
+    const std::optional<Pace>& pace;
 };
 
 Json error(const std::string& text) {
@@ -84,6 +85,13 @@ Json violationList(const std::vector<Violation>& entries) {
     return list;
 }
 
+void addStalls(Json& json, const std::optional<Pace>& pace) {
+    if (!pace)
+        return;
+    json["stalls"] = pace->stalls;
+    json["longest_stall"] = pace->longestStallSeconds;
+}
+
 Json stats(const Asked& asked) {
     Chain& chain = asked.chain;
     if (asked.words.size() > 1) {
@@ -97,27 +105,31 @@ Json stats(const Asked& asked) {
     Json modules = Json::array();
     for (const ModuleStatistics& m : s.modules)
         modules.push_back(moduleStatistics(m, modules.size() + 1));
-    return {{"time", toSeconds(s.time.time_since_epoch())},
-            {"exchanges", s.exchanges},
-            {"bytes_in", s.bytesIn},
-            {"bytes_out", s.bytesOut},
-            {"bytes_unheard", s.bytesUnheard},
-            {"bytes_lost", s.bytesLost},
-            {"modules", modules},
-            {"stalls", asked.pace.stalls},
-            {"longest_stall", asked.pace.longestStallSeconds},
-            {"violation_count", chain.violations().count()},
-            {"violations", violationList(chain.violations().entries())},
-            {"remarks", violationList(chain.violations().remarks())}};
+    Json json = {{"time", toSeconds(s.time.time_since_epoch())},
+                 {"exchanges", s.exchanges},
+                 {"bytes_in", s.bytesIn},
+                 {"bytes_out", s.bytesOut},
+                 {"bytes_unheard", s.bytesUnheard},
+                 {"bytes_lost", s.bytesLost},
+                 {"modules", modules}};
+    addStalls(json, asked.pace);
+    json["violation_count"] = chain.violations().count();
+    json["violations"] = violationList(chain.violations().entries());
+    json["remarks"] = violationList(chain.violations().remarks());
+    return json;
 }
 
 Json time(const Asked& asked) {
     const Duration since = asked.now.time_since_epoch();
-    const Pace& pace = asked.pace;
-    return {{"time", toSeconds(since)},  {"ticks", since / kServoTick},
-            {"lag", pace.lagSeconds},    {"late_p99", pace.lateP99Seconds},
-            {"received", pace.received}, {"sent", pace.sent},
-            {"stalls", pace.stalls},     {"longest_stall", pace.longestStallSeconds}};
+    Json json = {{"time", toSeconds(since)}, {"ticks", since / kServoTick}};
+    if (const auto& pace = asked.pace) {
+        json["lag"] = pace->lagSeconds;
+        json["late_p99"] = pace->lateP99Seconds;
+        json["received"] = pace->received;
+        json["sent"] = pace->sent;
+    }
+    addStalls(json, asked.pace);
+    return json;
 }
 
 // ---- modules ----
@@ -296,7 +308,8 @@ std::string controlHelp() {
     return text;
 }
 
-std::string handleControlLine(Chain& chain, std::string_view line, TimePoint now, const Pace& pace) {
+std::string handleControlLine(Chain& chain, std::string_view line, TimePoint now,
+                              const std::optional<Pace>& pace) {
     const WordList words = split(line);
     // The input may contain any bytes; the output must be UTF-8.
     return answer({chain, words, now, pace}).dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,9 +24,10 @@ struct Pace {
 /// Answers one control line (simulator.md, Control) with one line of JSON, without its line end: `state N`,
 /// `set N NAME VALUE`, `power-cycle N|all`, `break N`, `mend N`, `fault ...`, `fault clear`, `faults`,
 /// `foreign BYTES`, `stats`, `stats clear`, `time`, `help`. Modules count from 1. Any other line is answered
-/// with `{"error":...}`, which names what is allowed, and changes nothing.
+/// with `{"error":...}`, which names what is allowed, and changes nothing. Without `pace`, answers say
+/// nothing about it.
 [[nodiscard]] std::string handleControlLine(Chain& chain, std::string_view line, TimePoint now,
-                                            const Pace& pace = {});
+                                            const std::optional<Pace>& pace = {});
 
 /// A text for users: all control lines, what `set` can change with its polarity and range, and the kinds of
 /// violations.

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 class Control : public testing::Test {
 protected:
     Control() : wire("servo,servo@2") { wire.address(2); }
-    nlohmann::json say(std::string_view line, const Pace& pace = {}) {
+    nlohmann::json say(std::string_view line, const std::optional<Pace>& pace = {}) {
         const std::string answer = handleControlLine(wire.chain, line, wire.now, pace);
         EXPECT_EQ(answer.find('\n'), std::string::npos);
         return nlohmann::json::parse(answer);
@@ -520,6 +520,14 @@ TEST_F(Control, TimeHasTheTicksAndTheCallersPace) {
     const auto s = say("stats", Pace{0.25, 0.0001, 7, 9, 2, 0.05});
     EXPECT_EQ(s["stalls"], 2);
     EXPECT_EQ(s["longest_stall"], 0.05);
+}
+
+TEST_F(Control, WhereNothingPacesTheChainNothingIsSaidOfIt) {
+    wire.wait(milliseconds(5120) - wire.now.time_since_epoch());
+    EXPECT_EQ(say("time"), (nlohmann::json{{"time", 5.12}, {"ticks", 10000}}));
+    const auto s = say("stats");
+    EXPECT_FALSE(s.contains("stalls"));
+    EXPECT_FALSE(s.contains("longest_stall"));
 }
 
 }  // namespace
