@@ -252,6 +252,30 @@ TEST(Terminal, ASimulatorThatIsNotLetRunSaysSo) {
     EXPECT_EQ(stepped.sim.control("stats")["stalls"], 0) << "nothing is late where nothing is paced";
 }
 
+TEST(Terminal, OnlyALineThatIsObeyedRestartsAMeasurement) {
+    SimProcess sim("servo");
+    Port port(sim.terminal());
+    port.write(kSetAddress);
+    for (std::size_t i = 0; i < kIdle.size(); ++i)
+        ASSERT_FALSE(port.read(1, kPatienceMs).empty());
+    for (const char* refused : {"time now", "times"})
+        EXPECT_TRUE(sim.control(refused).contains("error")) << refused;
+    EXPECT_GT(sim.control("  time ")["lag"], 0.0) << "a byte never arrives before it is due";
+    EXPECT_EQ(sim.control("time")["lag"], 0.0) << "nothing has been sent since";
+
+    ::kill(sim.pid(), SIGSTOP);
+    int status = 0;
+    ASSERT_EQ(::waitpid(sim.pid(), &status, WUNTRACED), sim.pid());
+    EXPECT_TRUE(port.read(1, 50).empty());  // for 50 ms
+    ::kill(sim.pid(), SIGCONT);
+    const double longest = sim.control("time")["longest_stall"];
+    ASSERT_GE(longest, 0.05);
+    EXPECT_TRUE(sim.control("stats clear all").contains("error"));
+    EXPECT_GE(sim.control("stats")["longest_stall"], longest);
+    EXPECT_EQ(sim.control("stats  clear")["ok"], true);
+    EXPECT_NE(sim.control("stats")["longest_stall"], longest);
+}
+
 TEST(Terminal, ASimulationThatCannotKeepUpSaysSoAndStillAnswers) {
     // 32 moving servos at a thousand times real time are too much for any machine.
     constexpr int kServos = 32;

@@ -26,6 +26,15 @@ constexpr Duration kLate = std::chrono::milliseconds(2);
 constexpr Duration kSlice = std::chrono::milliseconds(10);      // simulated
 constexpr Duration kCatchUpFor = std::chrono::milliseconds(5);  // real
 
+/// The words of a control line, with one blank between them.
+std::string wordsOf(const std::string& line) {
+    std::istringstream rest(line);
+    std::string words;
+    for (std::string word; rest >> word;)
+        words += (words.empty() ? "" : " ") + word;
+    return words;
+}
+
 }  // namespace
 
 SimServer::SimServer(sim::Chain chain, PtyServer terminal, const Pacing& pacing, int controlIn,
@@ -164,22 +173,25 @@ bool SimServer::serveControl() {
 }
 
 bool SimServer::answer(const std::string& line) {
-    const bool last = line == "quit" || line == "quit\r";
-    const std::string reply = (last ? R"({"quit":true})" : answerTo(line)) + '\n';
+    const std::string words = wordsOf(line);
+    const bool last = words == "quit";
+    const std::string reply =
+        (last                     ? R"({"quit":true})"
+         : line.size() > kMaxLine ? R"({"error":"too long a line; allowed are 4096 bytes"})"
+                                  : answerTo(words)) +
+        '\n';
     [[maybe_unused]] const auto written = ::write(m_controlOut, reply.data(), reply.size());
     return !last;
 }
 
-std::string SimServer::answerTo(const std::string& line) {
-    if (line.size() > kMaxLine)
-        return R"({"error":"too long a line; allowed are 4096 bytes"})";
-    if (line.rfind("advance", 0) == 0)
-        return advance(line);
-    const std::string answer = sim::handleControlLine(m_chain, line, m_now, pace());
+std::string SimServer::answerTo(const std::string& words) {
+    if (words.rfind("advance", 0) == 0)
+        return advance(words);
+    const std::string answer = sim::handleControlLine(m_chain, words, m_now, pace());
     // Only `time` reports how late bytes were, so only `time` restarts that measurement.
-    if (line.rfind("time", 0) == 0)
+    if (words == "time")
         m_lateness = {};
-    if (line.rfind("stats clear", 0) == 0)
+    if (words == "stats clear")
         m_stalls = {};
     return answer;
 }

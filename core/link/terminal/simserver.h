@@ -43,7 +43,8 @@ private:
     /// Returns false when this was the last line.
     bool serveControl();
     bool answer(const std::string& line);
-    std::string answerTo(const std::string& line);
+    /// Words have one blank between them.
+    std::string answerTo(const std::string& words);
     std::string advance(const std::string& line);
     [[nodiscard]] sim::Pace pace() const;
 
