@@ -42,8 +42,9 @@ struct AsLoaded {
         const auto& load = belief.servoLoad();
         if (!load)
             return Permission::Never;
-        return load->isTrapezoidal() ? onlyAtStandstill(belief) : offThePath(belief);
+        return mayStart(*load);
     }
+    Permission operator()(const servo::LoadTrajectory& load) const { return mayStart(load); }
     Permission operator()(const stepper::LoadTrajectory& load) const {
         if (!inTable4(load) || !belief.parametersSet())
             return Permission::Never;
@@ -59,6 +60,11 @@ struct AsLoaded {
     }
     Permission operator()(const auto& /*other*/) const { return Permission::Never; }
 
+    /// PWM mode drops what the servo moves (DS-V 5.1, notes 1 and 2).
+    [[nodiscard]] Permission mayStart(const servo::LoadTrajectory& load) const {
+        const bool stands = load.servo ? load.isTrapezoidal() : belief.mayBeOn();
+        return stands ? onlyAtStandstill(belief) : offThePath(belief);
+    }
     [[nodiscard]] Permission mayStart(const stepper::LoadTrajectory& load) const {
         if (!belief.fresh())
             return Permission::NeedsStatus;

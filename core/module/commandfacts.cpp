@@ -44,7 +44,8 @@ struct Row {
     CommandFacts operator()(const servo::LoadTrajectory& load) const {
         if (!load.startNow)
             return kSetting;
-        return {kGiveUp, None, load.isTrapezoidal() ? Never : OffThePath, Effect::Start};
+        const When when = load.isTrapezoidal() ? Never : load.servo ? OffThePath : AsLoaded;
+        return {kGiveUp, None, when, Effect::Start};
     }
     CommandFacts operator()(const servo::SetGain&) const { return kSetting; }
     /// The position of Stop Here may differ from the present one, so it can start a motion.

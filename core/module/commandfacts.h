@@ -37,7 +37,7 @@ enum class When : std::uint8_t {
     Standstill,  ///< the motor stands still, powered or not
     OffThePath,  ///< the module is not running path points
     MotorOff,    ///< the servo is off and nothing moves
-    AsLoaded,    ///< depends on what was loaded or set before: gate.cpp
+    AsLoaded,    ///< depends on what was loaded or set before, or on whether the servo is on: gate.cpp
 };
 
 enum class Effect : std::uint8_t {

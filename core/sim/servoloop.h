@@ -110,7 +110,9 @@ public:
 
     /// True during a trapezoidal move, when Reset Position and a new trapezoid are forbidden.
     [[nodiscard]] bool inTrapezoid() const;
+    /// With the servo off, it follows the motor.
     [[nodiscard]] std::int64_t commandVelocity() const { return m_profile.velocity(); }
+    [[nodiscard]] bool isServoOn() const { return m_servoOn; }
 
     /// The value must be in the range that Input states.
     void set(Input input, std::optional<double> value);

@@ -178,9 +178,11 @@ void ServoModule::startMotion() {
     const Trajectory& loaded = m_loop.loaded();
     if (!loaded.isLoaded)
         return;  // nothing to execute
-    // DS-V 4.4: a trapezoid starts from standstill, and none of its parameters may change while it runs. CMC
-    // and SC allow both.
-    if (!isLater() && loaded.isTrapezoidal() && (m_loop.inTrapezoid() || m_loop.commandVelocity() != 0))
+    // DS-V 5.1, notes 1 and 2: while moving, only velocity mode is started. A trapezoid starts from
+    // standstill even with the servo off (DS-V 4.4). CMC and SC allow both.
+    const bool moves = m_loop.inTrapezoid() || m_loop.commandVelocity() != 0;
+    if (!isLater() && moves && !loaded.has(Trajectory::kVelocityProfile) &&
+        (loaded.has(Trajectory::kServo) || m_loop.isServoOn()))
         violates(ViolationKind::TrapezoidInMotion);
     if (loaded.has(Trajectory::kServo) && loaded.velocityZeroed)
         violates(ViolationKind::VelocityNotLoaded);

@@ -14,8 +14,9 @@ constexpr std::array kViolations{
                  "a command sent before the previous one was answered (DS-V 4.1), unless it stops a motor"},
     ViolationRow{Kind::CommandOverwritten, "command_overwritten",
                  "a module lost a command to the next one (DS-V 4.1)"},
-    ViolationRow{Kind::TrapezoidInMotion, "trapezoid_in_motion",
-                 "a trapezoidal move started or changed while the motor moved (DS-V 4.4)"},
+    ViolationRow{
+        Kind::TrapezoidInMotion, "trapezoid_in_motion",
+        "a trapezoidal move started or changed while the motor moved, or PWM mode while the servo moved it (DS-V 4.4, 5.1)"},
     ViolationRow{
         Kind::ResetInMotion, "reset_in_motion",
         "Reset Position in a servo's trapezoid, an SC aside, or in any motion of a stepper (DS-V 5.1, DS-S 5.1)"},

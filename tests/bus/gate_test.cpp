@@ -222,6 +222,24 @@ TEST(Gate, TakesAPwmOutputForMoving) {
     EXPECT_EQ(module.permitMove(), Permission::Allowed);
 }
 
+/// DS-V 5.1, notes 1 and 2.
+TEST(Gate, StartsNoPwmOutputWhileTheServoMoves) {
+    servo::LoadTrajectory waiting;
+    waiting.servo = false;
+    waiting.pwm = std::uint8_t{60};
+    Module module = standing();
+    EXPECT_EQ(module.permit(loadPwm(0, 60)), Permission::Allowed);
+    module.executed(loadVelocity(0, 65'536, true));
+    module.status(kMoveDone | kPower, kServoOn, 1);
+    EXPECT_EQ(module.permit(loadPwm(0, 60)), Permission::InMotion);
+    module.executed(toServo(0, waiting));
+    EXPECT_EQ(module.permit(start(0)), Permission::InMotion);
+    module.executed(motorOff(0));
+    EXPECT_EQ(module.permit(loadPwm(0, 60)), Permission::Allowed) << "however the motor coasts";
+    module.executed(toServo(0, waiting));
+    EXPECT_EQ(module.permit(start(0)), Permission::Allowed);
+}
+
 TEST(Gate, KnowsThatHomingStopsByItself) {
     constexpr std::uint8_t kHoming = 0x80;
     servo::SetHoming homing;

@@ -211,6 +211,20 @@ TEST_P(PicServo, WhileMoving2_LoadTrajectoryIsAllowedWithoutStartOrInVelocityMod
     expectNoViolation();
     load(kServo | kLoadPosition | kStart, position(500));
     expectViolation("trapezoid_in_motion");
+    for (const bool profile : {false, true}) {
+        start("servo", 1);
+        servoOn();
+        if (profile)
+            velocity(kOne, kOne);
+        else
+            trapezoid(10'000, kOne, kOne);
+        load(kLoadPwm, {40});
+        expectNoViolation();
+        pwm(40);
+        expectViolation("trapezoid_in_motion");
+        pwm(30);
+        expectViolation("trapezoid_in_motion");  // no further one: the servo is off
+    }
 }
 
 TEST_P(PicServo, WhileMoving3_StartMotionIsAllowedInVelocityModeOnly) {
@@ -222,6 +236,9 @@ TEST_P(PicServo, WhileMoving3_StartMotionIsAllowedInVelocityModeOnly) {
     load(kServo | kLoadPosition, position(500));
     command(0x05);
     expectViolation("trapezoid_in_motion");
+    load(kLoadPwm, {40});
+    command(0x05);
+    EXPECT_EQ(rig->violations(), (std::vector<std::string>{"trapezoid_in_motion", "trapezoid_in_motion"}));
 }
 
 TEST_P(PicServo, WhileMoving4_EveryOtherCommandIsAllowed) {

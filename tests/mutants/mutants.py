@@ -102,7 +102,7 @@ COMMANDS = (
     )),
     Mutant("load-and-start-in-one", "link.md 1: a trapezoidal move is never started by the command that loads it", (
         Edit("core/module/commandfacts.cpp",
-             "load.isTrapezoidal() ? Never : OffThePath", "OffThePath"),
+             "load.isTrapezoidal() ? Never : load.servo", "load.servo"),
     )),
     Mutant("blind-retry-of-start", "link.md 2.3: a start without an answer is never repeated unverified", (
         Edit("core/module/commandfacts.cpp",
