@@ -6619,8 +6619,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die serielle Schnittstelle, an der die Module hängen, oder der Simulator.</translation>
     </message>
     <message>
-        <source>The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it.</source>
-        <translation>Die Baudrate für die Arbeit. Der Verbindungsaufbau beginnt mit 19 200 Bd und wechselt dann zu ihr.</translation>
+        <source>The baud rate for a chain without addresses; one that has them keeps its own.</source>
+        <translation>Die Baudrate für eine Kette ohne Adressen; eine, die schon welche hat, behält ihre eigene.</translation>
     </message>
     <message>
         <source>Por&amp;t</source>

@@ -6619,8 +6619,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>El puerto serie de los módulos, o el simulador.</translation>
     </message>
     <message>
-        <source>The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it.</source>
-        <translation>La velocidad en baudios de trabajo. La conexión empieza a 19 200 Bd y después cambia a ella.</translation>
+        <source>The baud rate for a chain without addresses; one that has them keeps its own.</source>
+        <translation>La velocidad en baudios para una cadena sin direcciones; una que ya las tiene conserva la suya.</translation>
     </message>
     <message>
         <source>Por&amp;t</source>

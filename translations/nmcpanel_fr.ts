@@ -6619,8 +6619,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Port série des modules, ou simulateur.</translation>
     </message>
     <message>
-        <source>The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it.</source>
-        <translation>Débit de travail. La connexion commence à 19&#x202f;200&#xa0;Bd, puis passe à ce débit.</translation>
+        <source>The baud rate for a chain without addresses; one that has them keeps its own.</source>
+        <translation>Débit pour une chaîne sans adresses&#x202f;; une chaîne qui en a garde le sien.</translation>
     </message>
     <message>
         <source>Por&amp;t</source>

@@ -6602,8 +6602,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モジュールのシリアルポート、またはシミュレーターです。</translation>
     </message>
     <message>
-        <source>The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it.</source>
-        <translation>使用するボーレートです。接続は19 200 Bdで始まり、その後このボーレートに切り替わります。</translation>
+        <source>The baud rate for a chain without addresses; one that has them keeps its own.</source>
+        <translation>アドレスのないチェーンに使うボーレートです。アドレスのあるチェーンは、元のボーレートのままです。</translation>
     </message>
     <message>
         <source>Por&amp;t</source>

@@ -217,7 +217,7 @@ void ConnectionBar::showLink(const LinkState& state) {
     look::setPossible(m_disconnect, open ? QString() : tr("No port is open."), tr("Closes the port."));
     look::setPossible(m_port, whyNot, tr("The serial port of the modules, or the simulator."));
     look::setPossible(m_baud, whyNot,
-                      tr("The baud rate to work at. Connecting starts at 19 200 Bd, then switches to it."));
+                      tr("The baud rate for a chain without addresses; one that has them keeps its own."));
     m_stop->setEnabled(state.hasChain());
     const auto modules = static_cast<int>(state.modules.size());
     const auto reachable = static_cast<int>(std::ranges::count_if(
