@@ -6304,8 +6304,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
 <context>
     <name>nmc::Bell</name>
     <message>
-        <source>Plays a sound on each fault, and when a sequence, homing or a series of steps ends.</source>
-        <translation>Spielt einen Ton bei jeder Störung und am Ende eines Ablaufs, einer Referenzfahrt oder einer Schrittfolge.</translation>
+        <source>Plays a sound on each fault, and when a search for home, a test, a series of steps or a sequence ends.</source>
+        <translation>Spielt einen Ton bei jeder Störung und am Ende einer Referenzfahrt, eines Tests, einer Schrittfolge oder eines Ablaufs.</translation>
     </message>
     <message>
         <source>So&amp;unds</source>

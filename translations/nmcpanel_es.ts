@@ -6304,8 +6304,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
 <context>
     <name>nmc::Bell</name>
     <message>
-        <source>Plays a sound on each fault, and when a sequence, homing or a series of steps ends.</source>
-        <translation>Emite un sonido con cada fallo y al terminar una secuencia, un referenciado o una serie de pasos.</translation>
+        <source>Plays a sound on each fault, and when a search for home, a test, a series of steps or a sequence ends.</source>
+        <translation>Emite un sonido con cada fallo y al terminar un referenciado, una prueba, una serie de pasos o una secuencia.</translation>
     </message>
     <message>
         <source>So&amp;unds</source>

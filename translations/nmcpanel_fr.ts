@@ -6304,8 +6304,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
 <context>
     <name>nmc::Bell</name>
     <message>
-        <source>Plays a sound on each fault, and when a sequence, homing or a series of steps ends.</source>
-        <translation>Émet un son à chaque défaut, et à la fin d’une séquence, d’une prise d’origine ou d’une série de pas.</translation>
+        <source>Plays a sound on each fault, and when a search for home, a test, a series of steps or a sequence ends.</source>
+        <translation>Émet un son à chaque défaut, et à la fin d’une prise d’origine, d’un essai, d’une série de pas ou d’une séquence.</translation>
     </message>
     <message>
         <source>So&amp;unds</source>

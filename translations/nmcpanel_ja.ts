@@ -6287,8 +6287,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
 <context>
     <name>nmc::Bell</name>
     <message>
-        <source>Plays a sound on each fault, and when a sequence, homing or a series of steps ends.</source>
-        <translation>異常が起きたとき、およびシーケンス、原点復帰、連続ステップが終わったときに音を鳴らします。</translation>
+        <source>Plays a sound on each fault, and when a search for home, a test, a series of steps or a sequence ends.</source>
+        <translation>異常が起きたとき、および原点復帰、テスト、連続ステップ、シーケンスが終わったときに音を鳴らします。</translation>
     </message>
     <message>
         <source>So&amp;unds</source>

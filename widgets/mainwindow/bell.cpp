@@ -20,7 +20,7 @@ Bell::Bell(QSettings& settings, QObject* parent)
     : QObject(parent),
       m_action(look::newAction(
           this, u"soundsAction"_s, tr("So&unds"),
-          tr("Plays a sound on each fault, and when a sequence, homing or a series of steps ends."))) {
+          tr("Plays a sound on each fault, and when a search for home, a test, a series of steps or a sequence ends."))) {
     m_action->setCheckable(true);
     m_action->setChecked(settings.value(settingskeys::kSounds, true).toBool());
     connect(m_action, &QAction::toggled, this,
