@@ -18,7 +18,7 @@ using Refusal = tl::unexpected<std::string>;
 
 enum Target : std::uint8_t { Bus = 1, Module = 2, Servo = 4, Several = 8 };
 enum Side : std::uint8_t { None = 0, Command = 1, Status = 2, Either = 3 };
-enum Option : std::uint8_t { On = 1, P = 2, N = 4, T = 8, For = 16, Bit = 32, NeedsT = 64, NeedsOn = 128 };
+enum Option : std::uint8_t { On = 1, P = 2, N = 4, T = 8, For = 16, Bit = 32, NeedsT = 64 };
 
 /// The fields of a `fault` line that a kind may have.
 struct Row {

@@ -355,11 +355,6 @@ void ServoLoop::endPath() {
     m_profile.endPath();
 }
 
-void ServoLoop::holdPosition() {
-    turnServoOn();
-    m_profile.hold(m_encoder.position());
-}
-
 // ---- Limit protection of an SC ----
 
 bool ServoLoop::protectsLimits() const {

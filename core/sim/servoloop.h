@@ -87,8 +87,6 @@ public:
     bool addPathPoint(std::uint16_t word) { return m_path.add(word); }
     void startPath();
     void endPath();
-    /// Turns the servo on to hold the motor at its present position.
-    void holdPosition();
 
     // Status items (DS-V 5.2 Define Status, 5.3).
     /// The status byte without the checksum error bit, which belongs to the receiver.

@@ -142,7 +142,7 @@ void ServoModule::switchOnAsSaved() {
     if (m_saved->has(Saved::kAmplifier))
         m_loop.setAmplifier(true);
     if (m_saved->has(Saved::kServo))
-        m_loop.holdPosition();
+        m_loop.stopAbruptly();  // "the motor will simply start servoing to its current position" (DS-V 5.2)
 }
 
 void ServoModule::loadTrajectory(const Packet& packet) {
