@@ -416,6 +416,8 @@ void ApiController::request(Client client, const api::Call& call, const Json& id
     if (operation) {
         m_pending[call.module] = *operation;
         session.requests.setOperation(call.module, *operation);
+    } else if (m_commander.procedures().running(call.module)) {
+        session.requests.setProcedure(call.module);
     }
     answer(client, id, {{"accepted", true}});
 }
@@ -442,7 +444,7 @@ void ApiController::jog(Client client, bus::HoldToMove hold, const Json& id) {
     session.held = hold;
     session.heldAt = monotonicNow();
     session.stopped = false;
-    session.requests.noteJog(hold.module);
+    session.requests.forget(hold.module);
     setMoved(client, hold.module);
     answer(client, id, {{"accepted", true}});
 }
@@ -462,13 +464,13 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
     m_notBegun.reset();
     ProgramRequests& own = session(client).requests;
     own.beginSequence();
-    m_commander.sequences().begin(sequence ? SequenceRun(machine, name, 0)
-                                           : SequenceRun::toPoint(machine, name));
+    SequenceRun run = sequence ? SequenceRun(machine, name, 0) : SequenceRun::toPoint(machine, name);
+    const std::set<ModuleIndex> parts = run.parts();
+    m_commander.sequences().begin(std::move(run));
     if (m_notBegun) {
         own.sequenceRefused();
         return fail(client, id, kRefused, *m_notBegun, "SequenceRefused");
     }
-    const std::set<ModuleIndex> parts = m_commander.sequences().parts();
     for (auto& [other, session] : m_sessions) {
         if (other == client)
             continue;
@@ -479,8 +481,8 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
                 session.requests.clearMoved(module);
     }
     own.sequenceBegun();
-    for (const ModuleState& module : m_store.link().modules)  // it may move any of them
-        own.forget(module.info.index);
+    for (const ModuleIndex module : parts)
+        own.forget(module);
     answer(client, id, {{"accepted", true}});
 }
 
@@ -538,14 +540,17 @@ void ApiController::noteFinished(const bus::OperationFinished& finished) {
 }
 
 void ApiController::noteEnded(const ProcedureReport& report) {
-    const ModuleState* module = m_store.module(report.module);
-    if (!report.over() || report.stage == ProcedureStage::Done || module == nullptr)
+    if (!report.over())
         return;
-    const auto message =
-        texts::procedureEnded(report, scaleOf(*module, m_store.machine().axis(report.module)));
+    std::optional<QString> failure;
+    if (const ModuleState* module = m_store.module(report.module);
+        module != nullptr && report.stage != ProcedureStage::Done) {
+        const auto message =
+            texts::procedureEnded(report, scaleOf(*module, m_store.machine().axis(report.module)));
+        failure = message ? message->headline : texts::wasCancelled();
+    }
     for (auto& [client, session] : m_sessions)
-        session.requests.onProcedureFailed(report.module,
-                                           message ? message->headline : texts::wasCancelled());
+        session.requests.onProcedureOver(report.module, failure);
 }
 
 void ApiController::noteSequence(const SequenceReport& report) {

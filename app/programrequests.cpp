@@ -24,24 +24,11 @@ void ProgramRequests::begin(ModuleIndex module, const Intent& intent) {
         m_goals[module];
 }
 
-void ProgramRequests::setOperation(ModuleIndex module, bus::OperationId operation) {
-    m_operations[module] = operation;
-    if (!m_goals.contains(module))
-        return;
-    m_replaced.insert(module);
-    m_failures.erase(module);
-}
-
-void ProgramRequests::noteJog(ModuleIndex module) {
-    forget(module);
-    m_replaced.insert(module);
-}
-
 void ProgramRequests::forget(ModuleIndex module) {
     m_operations.erase(module);
     m_failures.erase(module);
     m_goals.erase(module);
-    m_replaced.erase(module);
+    m_procedures.erase(module);
 }
 
 void ProgramRequests::sequenceBegun() {
@@ -60,9 +47,9 @@ void ProgramRequests::onFinished(const bus::OperationFinished& finished, const M
         goal->second = module->goal();
 }
 
-void ProgramRequests::onProcedureFailed(ModuleIndex module, const QString& why) {
-    if (m_moved.contains(module) && !m_replaced.contains(module))
-        m_failures[module] = why;
+void ProgramRequests::onProcedureOver(ModuleIndex module, const std::optional<QString>& failure) {
+    if (m_procedures.erase(module) != 0 && failure)
+        m_failures[module] = *failure;
 }
 
 void ProgramRequests::onSequenceOver(const std::optional<QString>& failure) {

@@ -21,8 +21,9 @@ public:
     /// It is about to request this.
     void begin(ModuleIndex module, const Intent& intent);
     /// The request is carried out by this operation.
-    void setOperation(ModuleIndex module, bus::OperationId operation);
-    void noteJog(ModuleIndex module);
+    void setOperation(ModuleIndex module, bus::OperationId operation) { m_operations[module] = operation; }
+    /// It is carried out by the procedure that runs with the module.
+    void setProcedure(ModuleIndex module) { m_procedures.insert(module); }
     /// It has requested something else of this module, or knows that its last request is done: what becomes
     /// of that is of no interest.
     void forget(ModuleIndex module);
@@ -49,8 +50,8 @@ public:
 
     /// `module`: its state, null if it is gone.
     void onFinished(const bus::OperationFinished& finished, const ModuleState* module);
-    /// A procedure of this motor has ended, and was not done for this reason.
-    void onProcedureFailed(ModuleIndex module, const QString& why);
+    /// A procedure of this motor has ended. `failure`: why it was not done, if it was not.
+    void onProcedureOver(ModuleIndex module, const std::optional<QString>& failure);
     /// `failure`: why it was not done, if it was not.
     void onSequenceOver(const std::optional<QString>& failure);
 
@@ -66,9 +67,8 @@ private:
     std::map<ModuleIndex, QString> m_failures;
     /// Where its last request to a module leads, once that is known.
     std::map<ModuleIndex, std::optional<std::int32_t>> m_goals;
-    /// Its last request to these is a motion that is no procedure: a procedure that ends was requested
-    /// before, and is ended by it.
-    std::set<ModuleIndex> m_replaced;
+    /// Its last request to these is carried out by a procedure, which has not ended.
+    std::set<ModuleIndex> m_procedures;
     bool m_runs = false;       ///< see runsSequence()
     bool m_awaitsEnd = false;  ///< it has started the sequence that runs
     std::optional<QString> m_sequenceFailure;

@@ -44,10 +44,16 @@ protected:
     void ready(OtherProgram& client) {
         client.hello();
         ASSERT_NO_FATAL_FAILURE(control(client));
-        ASSERT_EQ(client.call("set_gains", kGains)["result"]["accepted"], true);
-        ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
-        ASSERT_EQ(client.call("enable", {{"axis", 1}})["result"]["accepted"], true);
-        ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+        ASSERT_NO_FATAL_FAILURE(enable(client, 1));
+    }
+    /// This motor holds, too.
+    void enable(OtherProgram& client, int axis) {
+        Json gains = kGains;
+        gains["axis"] = axis;
+        ASSERT_EQ(client.call("set_gains", gains)["result"]["accepted"], true);
+        ASSERT_TRUE(client.call("wait", {{"axis", axis}}).contains("result"));
+        ASSERT_EQ(client.call("enable", {{"axis", axis}})["result"]["accepted"], true);
+        ASSERT_TRUE(client.call("wait", {{"axis", axis}}).contains("result"));
     }
     /// Motor 1 is on its way to a distant place.
     void setGoing(OtherProgram& client) {

@@ -207,6 +207,38 @@ TEST_F(OtherPrograms, LearnFromWaitThatTheUserInterruptedTheirMove) {
     }
 }
 
+TEST_F(OtherPrograms, LearnFromWaitThatTheUserEndedTheirRepeatedMoves) {
+    for (const Intent& ends : {Intent(intent::StopSmoothly{}), Intent(intent::CancelProcedure{})}) {
+        OtherProgram client(panel, path());
+        ASSERT_NO_FATAL_FAILURE(ready(client));
+        EXPECT_EQ(client.call("move_by", {{"axis", 1}, {"by", 100'000}})["result"]["accepted"], true);
+        const int waits = client.request("wait", {{"axis", 1}});
+        ASSERT_TRUE(panel.waitFor([&] { return moves(sim) && panel.module().moving(); }));
+        panel.ask(ends);
+        EXPECT_EQ(client.answer(waits)["error"]["data"]["reason"], "NotCarriedOut") << ends.index();
+    }
+}
+
+/// At 1 count per tick of 0.512 ms, the search gives up after 1.5 s: the switch never closes.
+TEST_F(OtherPrograms, LearnFromWaitThatTheirSearchFailedWhileTheUserMovedAnotherMotor) {
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    ASSERT_NO_FATAL_FAILURE(enable(client, 2));
+    AxisSettings axis = panel.composition().machine().axes.at(0);
+    axis.homing = HomingRecipe{
+        .onLimit1 = true, .velocity = 1, .acceleration = 0.02, .travelLimit = 3'000, .timeLimit = 100};
+    emit panel.window().requests().axisEdited(ModuleIndex(0), axis);
+    Program program;
+    program.points.push_back({"b", {{ModuleIndex(1), 1'000, false}}});
+    emit panel.window().requests().programEdited(program);
+    EXPECT_EQ(client.call("home", {{"axis", 1}})["result"]["accepted"], true);
+    const int waits = client.request("wait", {{"axis", 1}});
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim) && panel.module().moving(); }));
+    emit panel.window().requests().goToPoint("b");
+    EXPECT_FALSE(client.notification("control_lost").is_null());
+    EXPECT_EQ(client.answer(waits)["error"]["data"]["reason"], "NotCarriedOut");
+}
+
 TEST_F(OtherPrograms, WaitForAllAxesAndTheSequence) {
     OtherProgram client(panel, path());
     ASSERT_NO_FATAL_FAILURE(ready(client));
@@ -647,12 +679,7 @@ TEST_F(OtherPrograms, WaitForTheEndOfAJogThatHasNotBegun) {
 TEST_F(OtherPrograms, DoNotKeepTheUserFromASearchByAJogThatGoesOn) {
     OtherProgram client(panel, path());
     ASSERT_NO_FATAL_FAILURE(ready(client));
-    Json gains = kGains;
-    gains["axis"] = 2;
-    ASSERT_EQ(client.call("set_gains", gains)["result"]["accepted"], true);
-    ASSERT_TRUE(client.call("wait", {{"axis", 2}}).contains("result"));
-    ASSERT_EQ(client.call("enable", {{"axis", 2}})["result"]["accepted"], true);
-    ASSERT_TRUE(client.call("wait", {{"axis", 2}}).contains("result"));
+    ASSERT_NO_FATAL_FAILURE(enable(client, 2));
     ASSERT_EQ(client.call("move_by", {{"axis", 2}, {"by", 100'000}})["result"]["accepted"], true);
     const Json jog{{"axis", 1}, {"velocity", 0.5}};
     ASSERT_EQ(client.call("jog", jog)["result"]["accepted"], true);
