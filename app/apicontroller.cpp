@@ -282,14 +282,17 @@ void ApiController::endControl(texts::ControlLost why) {
     showPrograms();
 }
 
-void ApiController::noteCommand(std::optional<ModuleIndex> module) {
-    for (auto& [client, session] : m_sessions) {
-        if (module)
-            session.requests.clearMoved(*module);
-        else
-            session.requests.othersCommandAll();
-    }
+void ApiController::noteCommand(const std::set<ModuleIndex>& modules) {
+    for (auto& [client, session] : m_sessions)
+        for (const ModuleIndex module : modules)
+            session.requests.clearMoved(module);
     endControl(texts::ControlLost::Commanded);
+}
+
+void ApiController::noteSequenceCommand() {
+    for (auto& [client, session] : m_sessions)
+        session.requests.sequenceTaken();
+    noteCommand(m_commander.sequences().parts());
 }
 
 // ---- motors ----

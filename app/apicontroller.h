@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "app/apifeed.h"
@@ -34,8 +35,10 @@ public:
     [[nodiscard]] QString socket() const { return m_server.isOpen() ? m_server.path() : QString(); }
     /// From now on, programs get the right to move motors without the user being asked.
     void grantUnasked() { m_grantsUnasked = true; }
-    /// The user has commanded this motor, or any number of them.
-    void noteCommand(std::optional<ModuleIndex> module);
+    /// The user has commanded these motors.
+    void noteCommand(const std::set<ModuleIndex>& modules);
+    /// The user has started, continued or ended a sequence; call after that.
+    void noteSequenceCommand();
     /// Takes the right to move motors back.
     void endControl(texts::ControlLost why);
     /// The user is being asked whether this client may move motors.

@@ -138,7 +138,7 @@ void Composition::wireWindow() {
     const Requests* requests = &m_window.requests();
     connect(requests, &Requests::intent, this, &Composition::carryOut);
     connect(requests, &Requests::hold, this, [this](const bus::HoldToMove& hold) {
-        noteCommand(hold.module);
+        noteCommand({hold.module});
         if (!m_commander.hold(hold))
             m_window.endHold();  // the button shows why
     });
@@ -148,8 +148,15 @@ void Composition::wireWindow() {
     connect(requests, &Requests::copyAxis, &m_machine, &MachineController::copy);
     connect(requests, &Requests::connectFully, &m_connection, &Connection::reopenFully);
     connect(requests, &Requests::scan, &m_connection, &Connection::searchAgain);
-    const auto several = [this] { noteCommand({}); };
-    connect(requests, &Requests::groupCommand, this, several);
+    connect(requests, &Requests::groupCommand, this, [this](const bus::GroupCommand& command) {
+        const std::vector<ModuleIndex> members = m_commander.membersOf(command.group);
+        noteCommand({members.begin(), members.end()});
+    });
+    // ProgramController has carried these out by now.
+    const auto several = [this] {
+        m_api.noteSequenceCommand();
+        m_connection.dropSearch();
+    };
     connect(requests, &Requests::homeAll, this, several);
     connect(requests, &Requests::goToPoint, this, several);
     connect(requests, &Requests::goToPlace, this, several);
@@ -157,7 +164,7 @@ void Composition::wireWindow() {
     connect(requests, &Requests::resumeSequence, this, several);
     connect(requests, &Requests::stepSequence, this, several);
     // A search may be waiting for just that.
-    connect(requests, &Requests::stopSequence, &m_api, [this] { m_api.noteCommand({}); });
+    connect(requests, &Requests::stopSequence, &m_api, &ApiController::noteSequenceCommand);
     connect(requests, &Requests::lend, &m_connection, &Connection::lend);
     connect(requests, &Requests::letProgramThrough, &m_worker, &BusWorker::letThrough);
     connect(requests, &Requests::endLending, &m_worker, &BusWorker::endLending);
@@ -222,15 +229,15 @@ void Composition::wireMachine() {
     connect(&m_machine, &MachineController::hasFile, &m_runs, &RunKeeper::follow);
 }
 
-/// The user has commanded this motor, or any number of them: a program loses control, and a search that waits
-/// for motors to stop is dropped.
-void Composition::noteCommand(std::optional<ModuleIndex> module) {
-    m_api.noteCommand(module);
+/// The user has commanded these motors: a program loses control, and a search that waits for motors to stop
+/// is dropped.
+void Composition::noteCommand(const std::set<ModuleIndex>& modules) {
+    m_api.noteCommand(modules);
     m_connection.dropSearch();
 }
 
 void Composition::carryOut(ModuleIndex module, const Intent& intent) {
-    noteCommand(module);
+    noteCommand({module});
     m_commander.carryOut(module, intent);
 }
 

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QSettings>
+#include <set>
 
 #include "app/apicontroller.h"
 #include "app/commandline.h"
@@ -57,7 +58,7 @@ private:
     void wireWindow();
     void wireConnection();
     void wireMachine();
-    void noteCommand(std::optional<ModuleIndex> module);
+    void noteCommand(const std::set<ModuleIndex>& modules);
     void carryOut(ModuleIndex module, const Intent& intent);
     void change(const bus::GroupChange& change);
     void open(const ConnectTarget& target, bool simulated);

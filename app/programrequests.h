@@ -31,8 +31,6 @@ public:
     /// It moves this motor, and nobody else has commanded it since.
     void setMoved(ModuleIndex module) { m_moved.insert(module); }
     void clearMoved(ModuleIndex module) { m_moved.erase(module); }
-    /// The user or another program has commanded all motors, and ended the sequence.
-    void othersCommandAll() { m_moved.clear(), sequenceTaken(); }
     [[nodiscard]] const std::set<ModuleIndex>& moved() const { return m_moved; }
 
     // ---- sequences ----

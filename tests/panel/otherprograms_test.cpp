@@ -608,6 +608,21 @@ TEST_F(OtherPrograms, DoNotStopWhatTheUserMovesWhenTheyVanish) {
     EXPECT_TRUE(panel.module().moving());
 }
 
+TEST_F(OtherPrograms, LeaveNoMotorMovingAlthoughTheUserMovesAnotherOne) {
+    Program program;
+    program.points.push_back({"b", {{ModuleIndex(1), 1'000, false}}});
+    emit panel.window().requests().programEdited(program);
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(setGoing(client));
+    ASSERT_NO_FATAL_FAILURE(enable(client, 2));
+    emit panel.window().requests().goToPoint("b");
+    EXPECT_FALSE(client.notification("control_lost").is_null());
+    EXPECT_TRUE(moves(sim));
+    client.vanish();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim) && !panel.module().moving(); }));
+    EXPECT_LT(*panel.module().latest->position, 900'000);
+}
+
 TEST_F(OtherPrograms, DoNotStopTheSequenceOfAnotherOneWhenTheyVanish) {
     OtherProgram first(panel, path()), second(panel, path());
     second.hello("second");

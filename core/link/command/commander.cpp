@@ -151,7 +151,6 @@ void Commander::change(const bus::GroupChange& change) {
     m_worker.ask(bus::GroupOperation{nextId(), change});
 }
 
-/// Members known to be in the group, and modules whose group is unknown.
 std::vector<ModuleIndex> Commander::membersOf(std::uint8_t group) const {
     std::vector<ModuleIndex> members;
     for (const ModuleState& module : m_store.link().modules)

@@ -41,6 +41,8 @@ public:
     [[nodiscard]] bool hold(const bus::HoldToMove& wanted);
     void command(const bus::GroupCommand& command);
     void change(const bus::GroupChange& change);
+    /// Modules known to be in the group, and those whose group is unknown.
+    [[nodiscard]] std::vector<ModuleIndex> membersOf(std::uint8_t group) const;
     /// Ends procedures and sequences, which stop their motors.
     void stopRuns();
     /// Ends procedures and sequences before a stop of all motors, or before closing a connection, which stops
@@ -70,7 +72,6 @@ private:
     void sendTravelLimits();
     void sendStopOutputs();
     void keepArmed(const ModuleState& module);
-    [[nodiscard]] std::vector<ModuleIndex> membersOf(std::uint8_t group) const;
     void noteTest(const ProcedureReport& report);
     void shareBus();
 
