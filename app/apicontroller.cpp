@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/news.h"
 #include "base/enumname.h"
 #include "base/overloaded.h"
 #include "link/clock.h"
@@ -77,6 +78,7 @@ ApiController::ApiController(const BusStore& store, BusWorker& worker, Connectio
                 m_notBegun = texts::sequenceProblem(problems.front());
             });
     connect(&m_store, &BusStore::happened, this, [this](const StoreEvent& event) {
+        endJogs(event);
         if (const auto* finished = std::get_if<bus::OperationFinished>(&event))
             noteFinished(*finished);
         // Nor may it go on if the panel itself has stopped the motors.
@@ -487,6 +489,25 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
     for (const ModuleIndex module : parts)
         own.forget(module);
     answer(client, id, {{"accepted", true}});
+}
+
+/// What the bus has ended goes on with another press only. Whatever just expires is no longer held here
+/// either.
+void ApiController::endJogs(const StoreEvent& event) {
+    const auto* expired = std::get_if<bus::HoldExpired>(&event);
+    if (!endsHold(event) || (expired != nullptr && expired->reason == bus::HoldExpired::Reason::Expired))
+        return;
+    const auto only =
+        std::visit(Overloaded{
+                       [](const AnyOf<bus::HoldExpired, bus::MotionSuspect, bus::HealthChanged> auto& news) {
+                           return std::optional<ModuleIndex>(news.module);
+                       },
+                       [](const auto&) { return std::optional<ModuleIndex>(); },
+                   },
+                   event);
+    for (auto& [client, session] : m_sessions)
+        if (isHeld(session) && (!only || session.held.module == *only))
+            session.stopped = true;
 }
 
 bool ApiController::isHeld(const Session& session) {

@@ -76,7 +76,7 @@ private:
         std::vector<Pending> waits{};
         bus::HoldToMove held{};  ///< the last jog
         std::optional<TimePoint> heldAt{};
-        bool stopped = false;  ///< another program has stopped the motor that this one jogs
+        bool stopped = false;  ///< something else has ended this jog
     };
     /// A call of the client that has control, until what it is planned from shows what was done before.
     struct HeldBack {
@@ -112,6 +112,7 @@ private:
     void request(Client client, const api::Call& call, const Json& id);
     void jog(Client client, bus::HoldToMove hold, const Json& id);
     void run(Client client, const api::Method& method, const Json& parameters, const Json& id);
+    void endJogs(const StoreEvent& event);
     void setMoved(Client client, ModuleIndex module);
     [[nodiscard]] static bool isHeld(const Session& session);
     [[nodiscard]] bool rests(ModuleIndex module) const;

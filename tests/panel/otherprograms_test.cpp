@@ -743,6 +743,29 @@ TEST_F(OtherPrograms, AreToldThatAnotherOneHasStoppedTheirJog) {
     EXPECT_TRUE(panel.waitFor([&] { return moves(sim); }));
 }
 
+/// The motor is on its way to the limit that applied at first.
+TEST_F(OtherPrograms, AreToldThatAnotherTravelLimitHasEndedTheirJog) {
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    EXPECT_EQ(client.call("set_home", {{"axis", 1}})["result"]["accepted"], true);
+    ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+    AxisSettings axis = panel.composition().machine().axes.at(0);
+    axis.travel.highest = 50'000;
+    emit panel.window().requests().axisEdited(ModuleIndex(0), axis);
+    const Json jog{{"axis", 1}, {"velocity", 0.5}};
+    EXPECT_EQ(client.call("jog", jog)["result"]["accepted"], true);
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    Json answer = client.call("jog", jog);
+    axis.travel.highest = 40'000;
+    emit panel.window().requests().axisEdited(ModuleIndex(0), axis);
+    for (int i = 0; i < 10 && answer.contains("result"); ++i) {
+        ASSERT_TRUE(panel.answersFor(0.05));
+        answer = client.call("jog", jog);
+    }
+    EXPECT_EQ(answer["error"]["data"]["reason"], "NotCarriedOut") << answer.dump();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+}
+
 TEST_F(OtherPrograms, AreToldWhichLimitKeepsThemFromJogging) {
     OtherProgram client(panel, path());
     client.hello();
