@@ -124,12 +124,16 @@ void ApiController::follow() {
     m_stateText.clear();
     listen();
     goOn();  // without a chain, what is held back is refused as it would be now
-    if (whyNoChain(m_store.link())) {
+    const LinkState& link = m_store.link();
+    if (whyNoChain(link)) {
         m_stopping = false;
         m_pending.clear();
         m_doneAt.clear();
         endControl(texts::ControlLost::Disconnected);
     }
+    if (link.lent || !link.hasChain())
+        for (auto& [client, session] : m_sessions)
+            session.requests.clearMoved();
     answerWaits();
 }
 

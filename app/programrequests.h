@@ -31,6 +31,8 @@ public:
     /// It moves this motor, and nobody else has commanded it since.
     void setMoved(ModuleIndex module) { m_moved.insert(module); }
     void clearMoved(ModuleIndex module) { m_moved.erase(module); }
+    /// Another host may have commanded all motors.
+    void clearMoved() { m_moved.clear(); }
     [[nodiscard]] const std::set<ModuleIndex>& moved() const { return m_moved; }
 
     // ---- sequences ----

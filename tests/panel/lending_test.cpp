@@ -168,6 +168,33 @@ TEST_F(Lending, TheProgramEndsItAndThePanelGoesOn) {
     ASSERT_NO_FATAL_FAILURE(panel.makeReady());
 }
 
+TEST_F(Lending, WhatTheProgramMovesIsNotStoppedBecauseOfAnotherOneThatMovedItBefore) {
+    const RuntimeFolder runtime;
+    auto* letIn = panel.window().findChild<QAction*>(u"letProgramsInAction"_s);
+    letIn->trigger();
+    ASSERT_NO_FATAL_FAILURE(panel.enable());
+    OtherProgram client(panel, ApiServer::pathFor(sim.terminal()));
+    client.hello();
+    const int asked = client.request("request_control");
+    const auto grant = u"grantControlButton"_s;
+    ASSERT_TRUE(panel.waitFor([&] { return panel.window().findChild<QAbstractButton*>(grant) != nullptr; }));
+    QTest::mouseClick(panel.window().findChild<QAbstractButton*>(grant), Qt::LeftButton);
+    ASSERT_EQ(client.answer(asked)["result"]["granted"], true);
+    ASSERT_EQ(client.call("move", {{"axis", 1}, {"to", 500}})["result"]["accepted"], true);
+    ASSERT_TRUE(client.call("wait", {{"axis", 1}}).contains("result"));
+    ASSERT_NO_FATAL_FAILURE(lend());
+    {
+        Port port(path.toStdString());
+        ASSERT_NO_FATAL_FAILURE(run(port));
+    }
+    ASSERT_TRUE(panel.waitFor([&] { return !lent() && panel.chainsFound() == 2 && panel.connected(); }));
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().moving(); }));
+    client.vanish();
+    EXPECT_TRUE(panel.answersFor(1));
+    EXPECT_TRUE(moves(sim));
+    letIn->trigger();
+}
+
 TEST_F(Lending, AMachineThatIsNumberedAnewIsShownAsItReportsItself) {
     const RuntimeFolder runtime;
     ASSERT_NO_FATAL_FAILURE(lend());
