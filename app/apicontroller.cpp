@@ -635,9 +635,10 @@ void ApiController::answerWaits() {
 }
 
 ApiController::Json ApiController::stateOf(std::optional<ModuleIndex> module) const {
+    const LinkState link = asShown(m_store.link());
     if (module)
-        return api::stateOf(*m_store.module(*module), m_store.machine().axis(*module));
-    Json state = api::stateOf(m_store.link(), m_store.machine());
+        return api::stateOf(link.modules[module->value()], m_store.machine().axis(*module));
+    Json state = api::stateOf(link, m_store.machine());
     state["control"] = m_control ? Json(m_sessions.at(*m_control).program.toStdString()) : Json();
     return state;
 }

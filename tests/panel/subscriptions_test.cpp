@@ -40,6 +40,23 @@ TEST_F(SubscribedPrograms, AreToldWhatTheySubscribeTo) {
                 std::string::npos);
 }
 
+/// The modules are shown as they were, and nobody asks them how they are.
+TEST_F(SubscribedPrograms, AreToldThatNothingAnswersWhileTheNetworkIsRestarted) {
+    OtherProgram client(panel, path());
+    client.hello();
+    EXPECT_EQ(client.call("state", {{"axis", 1}})["result"]["answers"], true);
+    const LinkState& link = panel.composition().store().link();
+    emit panel.window().restartNetworkRequested();
+    ASSERT_TRUE(panel.waitFor([&] { return link.phase == LinkPhase::Connecting; }));
+    const int ofOne = client.request("state", {{"axis", 1}});
+    const int ofAll = client.request("state");
+    const Json one = client.answer(ofOne)["result"];
+    const Json all = client.answer(ofAll)["result"];
+    ASSERT_EQ(all["phase"], "connecting");
+    EXPECT_EQ(one["answers"], false);
+    EXPECT_EQ(all["modules"][0], one);
+}
+
 TEST_F(SubscribedPrograms, AreSentNoSamplesFromBeforeTheySubscribed) {
     auto* letIn = panel.window().findChild<QAction*>(u"letProgramsInAction"_s);
     letIn->trigger();
