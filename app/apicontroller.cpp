@@ -315,6 +315,7 @@ void ApiController::stop(Client client, const api::Method& method, const Json& p
         m_stopping = !whyNoChain(m_store.link());
         m_worker.stopAll();
         m_commander.endRuns();
+        noteCall(client, method, parameters);
         endControl(texts::ControlLost::Stopped);
         if (!m_worker.isOpen())
             return refuse(client, id, api::refused(Refusal::NotConnected));
@@ -378,11 +379,7 @@ void ApiController::carryOut(Client client, const api::Method& method, const Jso
     if (const auto refusal = stops ? whyNoStop(m_store.link()) : whyNoChain(m_store.link()))
         return refuse(client, id, api::refused(*refusal));
     if (method.name != "jog" || !isHeld(session(client)))
-        emit reported(texts::programCalled(
-            session(client).program.isEmpty() ? QStringLiteral("?") : session(client).program,
-            QString::fromStdString(method.name + ' ' +
-                                   parameters.dump(-1, ' ', false, Json::error_handler_t::replace))
-                .left(kLongestCall)));
+        noteCall(client, method, parameters);
     if (method.make == nullptr)
         return run(client, method, parameters, id);
     const auto call = api::callOf(method, parameters, m_store.link(), m_store.machine());
@@ -391,6 +388,16 @@ void ApiController::carryOut(Client client, const api::Method& method, const Jso
     if (const auto* hold = std::get_if<bus::HoldToMove>(&call->what))
         return jog(client, *hold, id);
     request(client, *call, id);
+}
+
+/// Says who has requested what of motors.
+void ApiController::noteCall(Client client, const api::Method& method, const Json& parameters) {
+    const QString& program = session(client).program;
+    emit reported(texts::programCalled(
+        program.isEmpty() ? QStringLiteral("?") : program,
+        QString::fromStdString(method.name + ' ' +
+                               parameters.dump(-1, ' ', false, Json::error_handler_t::replace))
+            .left(kLongestCall)));
 }
 
 void ApiController::request(Client client, const api::Call& call, const Json& id) {

@@ -109,6 +109,7 @@ private:
     /// What is held back for this module, or for any of them.
     void cancelHeldBack(std::optional<ModuleIndex> module);
     void carryOut(Client client, const api::Method& method, const Json& parameters, const Json& id);
+    void noteCall(Client client, const api::Method& method, const Json& parameters);
     void request(Client client, const api::Call& call, const Json& id);
     void jog(Client client, bus::HoldToMove hold, const Json& id);
     void run(Client client, const api::Method& method, const Json& parameters, const Json& id);

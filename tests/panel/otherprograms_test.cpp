@@ -547,6 +547,7 @@ TEST_F(OtherPrograms, StopWithoutHelloAndWithoutControl) {
     EXPECT_EQ(other.call("stop")["result"]["sent"], true);
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     EXPECT_FALSE(client.notification("control_lost").is_null());
+    EXPECT_EQ(panel.count(u"Program \"?\": stop {}"_s), 1);
 }
 
 TEST_F(OtherPrograms, AreNotToldThatAStopWasSentWhichIsOnlySentLater) {
