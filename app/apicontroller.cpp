@@ -97,10 +97,12 @@ ApiController::ApiController(const BusStore& store, BusWorker& worker, Connectio
 void ApiController::letIn(bool on) {
     m_on = on;
     m_tried.clear();
-    if (on)
+    if (on) {
         listen();
-    else
+    } else {
         m_server.close();
+        emit ended(QStringLiteral("api"));
+    }
     showPrograms();
 }
 
@@ -139,7 +141,7 @@ void ApiController::follow() {
 
 void ApiController::showPrograms() {
     m_stateText.clear();  // it names the program in control
-    ProgramsShown shown{.on = m_on, .path = socket()};
+    ProgramsShown shown{.on = m_on, .path = socket(), .failed = !m_tried.isEmpty() && !m_server.isOpen()};
     for (const auto& [client, session] : m_sessions)
         shown.connected += session.program.isEmpty() ? 0 : 1;
     if (m_control)

@@ -11554,6 +11554,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>PROGRAMM — „%1“ darf Motoren bewegen. Esc oder ein eigener Befehl beendet das.</translation>
     </message>
     <message>
+        <source>PROGRAMS — none can connect now.</source>
+        <translation>PROGRAMME — derzeit kann sich keines verbinden.</translation>
+    </message>
+    <message>
         <source>PROGRAMS — may connect once a port is open.</source>
         <translation>PROGRAMME — dürfen sich verbinden, sobald ein Port offen ist.</translation>
     </message>

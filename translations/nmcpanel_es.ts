@@ -11554,6 +11554,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>PROGRAMA — «%1» puede mover motores. Esc o cualquier comando suyo lo termina.</translation>
     </message>
     <message>
+        <source>PROGRAMS — none can connect now.</source>
+        <translation>PROGRAMAS — ninguno puede conectarse ahora.</translation>
+    </message>
+    <message>
         <source>PROGRAMS — may connect once a port is open.</source>
         <translation>PROGRAMAS — podrán conectarse cuando haya un puerto abierto.</translation>
     </message>

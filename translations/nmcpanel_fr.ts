@@ -11554,6 +11554,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>PROGRAMME — «&#xa0;%1&#xa0;» peut déplacer les moteurs. Échap ou toute commande de votre part y met fin.</translation>
     </message>
     <message>
+        <source>PROGRAMS — none can connect now.</source>
+        <translation>PROGRAMMES — aucun ne peut se connecter pour l’instant.</translation>
+    </message>
+    <message>
         <source>PROGRAMS — may connect once a port is open.</source>
         <translation>PROGRAMMES — connexion possible dès qu’un port est ouvert.</translation>
     </message>

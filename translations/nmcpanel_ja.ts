@@ -11535,6 +11535,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>プログラム — 「%1」はモーターを動かせます。Escまたは操作者のコマンドで終了します。</translation>
     </message>
     <message>
+        <source>PROGRAMS — none can connect now.</source>
+        <translation>プログラム — 現在は接続できません。</translation>
+    </message>
+    <message>
         <source>PROGRAMS — may connect once a port is open.</source>
         <translation>プログラム — ポートを開くと接続できます。</translation>
     </message>

@@ -897,5 +897,21 @@ TEST_F(OtherPrograms, AreKeptOutOnceWhereAnotherPanelLetsThemIn) {
     EXPECT_EQ(entry->count, 1);
 }
 
+/// A folder that others may enter.
+TEST_F(OtherPrograms, AreNoLongerSaidToBeKeptOutOnceTheUserKeepsThemOut) {
+    QAction* action = panel.window().findChild<QAction*>(u"letProgramsInAction"_s);
+    const QString headline = u"Other programs cannot connect."_s;
+    const QString folder = QFileInfo(path()).path();
+    action->trigger();
+    using enum QFileDevice::Permission;
+    ASSERT_TRUE(QFile::setPermissions(
+        folder, ReadOwner | WriteOwner | ExeOwner | ReadGroup | ExeGroup | ReadOther | ExeOther));
+    action->trigger();
+    EXPECT_TRUE(panel.waitFor([&] { return panel.standing(headline) != nullptr; }));
+    EXPECT_EQ(ribbon(), u"PROGRAMS — none can connect now."_s);
+    action->trigger();
+    EXPECT_TRUE(panel.waitFor([&] { return panel.standing(headline) == nullptr; }));
+}
+
 }  // namespace
 }  // namespace nmc

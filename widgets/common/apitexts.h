@@ -13,8 +13,9 @@ namespace nmc {
 
 /// What the window shows of other programs that use the chain.
 struct ProgramsShown {
-    bool on = false;  ///< they may connect
-    QString path{};   ///< the socket; empty while no port is open
+    bool on = false;      ///< they may connect
+    QString path{};       ///< the socket; empty while there is none
+    bool failed = false;  ///< there is none although a port is open
     int connected = 0;
     QString inControl{};  ///< the one that may move motors; empty: none
 };

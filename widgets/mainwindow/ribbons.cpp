@@ -81,6 +81,7 @@ void Ribbons::showPrograms(const ProgramsShown& programs) {
     m_programs->setText(!programs.inControl.isEmpty()
                             ? tr("PROGRAM — \"%1\" may move motors. Esc or any command of yours ends that.")
                                   .arg(programs.inControl)
+                        : programs.failed ? tr("PROGRAMS — none can connect now.")
                         : programs.path.isEmpty()
                             ? tr("PROGRAMS — may connect once a port is open.")
                             : tr("PROGRAMS — may connect at %1. Connected: %2.")
