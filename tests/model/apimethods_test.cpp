@@ -131,6 +131,10 @@ TEST(ApiMethods, FindAnAxisByNameOrNumber) {
             << axis;
 }
 
+TEST(ApiMethods, SayThatThereIsNoChainRatherThanNoAxis) {
+    EXPECT_EQ(api::axisOf({{"axis", 1}}, LinkState{}, Machine{}).error().refusal, Refusal::NotConnected);
+}
+
 TEST(ApiMethods, MoveNeitherOfTwoAxesWithOneName) {
     Chain chain;
     chain.machine.axes[1].name = "X";

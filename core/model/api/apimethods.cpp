@@ -453,6 +453,8 @@ tl::expected<Request, BadRequest> readRequest(std::string_view line) {
 }
 
 Or<ModuleIndex> axisOf(const Json& parameters, const LinkState& link, const Machine& machine) {
+    if (link.modules.empty())
+        return tl::unexpected(refused(Refusal::NotConnected));
     const Json& axis = parameters.at("axis");
     const std::string name = axis.is_string() ? axis.get<std::string>() : std::string();
     std::optional<ModuleIndex> found;

@@ -106,7 +106,8 @@ struct BadRequest {
 /// Reads a line, whatever it holds.
 [[nodiscard]] tl::expected<Request, BadRequest> readRequest(std::string_view line);
 
-/// The module that the parameter "axis" means, by its number from 1 or by its name.
+/// The module that the parameter "axis" means, by its number from 1 or by its name. Without a chain, none can
+/// be meant.
 [[nodiscard]] tl::expected<ModuleIndex, Problem> axisOf(const Json& parameters, const LinkState& link,
                                                         const Machine& machine);
 
