@@ -311,7 +311,7 @@ std::vector<Method> makeMethods() {
          &AxisCall::moveBy},
         {"jog",
          Access::Control,
-         "Moves until 250 ms after the last call with the same axis and direction; call it every 100 ms or sooner.",
+         "Moves until 250 ms after the last call with the same axis and direction, or until another axis is jogged; call it every 100 ms or sooner.",
          {axis, {"velocity", Kind::Velocity, true, "signed; not above the max jog speed of the axis"}},
          &AxisCall::jog},
         {"go_home", Access::Control, "Moves to home.", {axis, velocity, acceleration}, &AxisCall::goHome},
