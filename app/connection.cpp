@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/connection.h"
 
+#include <QDir>
 #include <utility>
 
 #include "app/knownchain.h"
@@ -160,10 +161,12 @@ void Connection::searchIfIdle() {
 }
 
 void Connection::lend(const QString& path) {
+    const QString below = path.startsWith(QStringLiteral("~/")) ? path.mid(2) : path;
+    const std::string terminal = QDir::home().absoluteFilePath(below).toStdString();
     if (m_commander.anyRunning())
-        emit reported(texts::notLent({LendingProblem::Kind::NotNow, path.toStdString(), {}}));
+        emit reported(texts::notLent({LendingProblem::Kind::NotNow, terminal, {}}));
     else
-        m_worker.lend(path.toStdString());
+        m_worker.lend(terminal);
 }
 
 void Connection::acceptChain() {

@@ -50,7 +50,8 @@ public:
     void searchAgain();
     /// The user or a program has requested something else than the search that waits, which would stop it.
     void dropSearch() { m_searchWhenIdle = false; }
-    /// Lends the line to the program that opens this path, if no procedure and no sequence is running.
+    /// Lends the line to the program that opens this path, if no procedure and no sequence is running. A path
+    /// that begins with ~/, or with no /, is below the home folder.
     void lend(const QString& path);
     /// Makes the modules that are present the expected ones. Those that are missing are forgotten, as are the
     /// places of the machine beyond the chain, and the modules after them move up, unless a sequence uses

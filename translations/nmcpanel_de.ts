@@ -8768,6 +8768,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Ein Motor bewegt sich. Stoppen Sie ihn zuerst.</translation>
     </message>
     <message>
+        <source>Enter a path.</source>
+        <translation>Einen Pfad eingeben.</translation>
+    </message>
+    <message>
         <source>Creates the terminal. Nothing moves.</source>
         <translation>Legt das Terminal an. Nichts bewegt sich.</translation>
     </message>

@@ -8768,6 +8768,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Un motor se está moviendo. Párelo primero.</translation>
     </message>
     <message>
+        <source>Enter a path.</source>
+        <translation>Introduzca una ruta.</translation>
+    </message>
+    <message>
         <source>Creates the terminal. Nothing moves.</source>
         <translation>Crea el terminal. Nada se mueve.</translation>
     </message>

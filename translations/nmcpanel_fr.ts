@@ -8768,6 +8768,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Un moteur est en mouvement. Arrêtez-le d’abord.</translation>
     </message>
     <message>
+        <source>Enter a path.</source>
+        <translation>Saisissez un chemin.</translation>
+    </message>
+    <message>
         <source>Creates the terminal. Nothing moves.</source>
         <translation>Crée le terminal. Rien ne bouge.</translation>
     </message>

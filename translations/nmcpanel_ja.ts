@@ -8751,6 +8751,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モーターが動いています。先に停止してください。</translation>
     </message>
     <message>
+        <source>Enter a path.</source>
+        <translation>パスを入力してください。</translation>
+    </message>
+    <message>
         <source>Creates the terminal. Nothing moves.</source>
         <translation>端末を作ります。何も動きません。</translation>
     </message>

@@ -226,6 +226,34 @@ TEST_F(Lending, AMachineThatIsNumberedAnewIsShownAsItReportsItself) {
     EXPECT_EQ(panel.composition().store().link().baud, 19'200U);
 }
 
+TEST_F(Lending, APathIsNeeded) {
+    panel.window().findChild<QAction*>(u"lendLineAction"_s)->trigger();
+    panel.window().findChild<QLineEdit*>(u"lendPathField"_s)->clear();
+    auto* button = panel.window().findChild<QAbstractButton*>(u"lendButton"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return button->toolTip() == u"Enter a path."_s; }));
+    EXPECT_FALSE(button->isEnabled());
+    panel.window().findChild<QLineEdit*>(u"lendPathField"_s)->setText(path);
+    EXPECT_TRUE(button->isEnabled());
+}
+
+class LendingBelowHome : public Lending, public testing::WithParamInterface<const char*> {
+protected:
+    LendingBelowHome() { qputenv("HOME", folder.path().toUtf8()); }
+    ~LendingBelowHome() override { qputenv("HOME", m_before); }
+
+private:
+    const QByteArray m_before = qgetenv("HOME");
+};
+
+/// As in the manual, and wherever the panel was started.
+TEST_P(LendingBelowHome, IsWhereTheUserFindsIt) {
+    emit panel.window().requests().lend(QLatin1String(GetParam()));
+    ASSERT_TRUE(panel.waitFor([&] { return lent().has_value(); }));
+    EXPECT_EQ(lent()->path, path.toStdString());
+    EXPECT_TRUE(QFileInfo(path).isSymLink());
+}
+INSTANTIATE_TEST_SUITE_P(Paths, LendingBelowHome, testing::Values("~/line", "line"));
+
 TEST_F(Lending, APathThatIsTakenIsNotTouched) {
     QFile mine(path);
     ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("mine") == 4);

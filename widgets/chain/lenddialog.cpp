@@ -35,8 +35,9 @@ LendDialog::LendDialog(Requests& requests, QWidget* window)
                2);
     m_lend->setDefault(true);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_path, &QLineEdit::textChanged, this, &LendDialog::showProblem);
     connect(m_lend, &QPushButton::clicked, this, [this, &requests] {
-        emit requests.lend(m_path->text());
+        emit requests.lend(m_path->text().trimmed());
         accept();
     });
 }
@@ -45,10 +46,15 @@ void LendDialog::showLink(const LinkState& link) {
     auto refusal = whyNoChain(link);
     if (!refusal)
         refusal = whyInaccessible(link);
-    look::setPossible(m_lend,
-                      refusal                        ? texts::refusal(*refusal)
-                      : !movingModules(link).empty() ? tr("A motor is moving. Stop it first.")
-                                                     : QString(),
+    m_problem = refusal                        ? texts::refusal(*refusal)
+                : !movingModules(link).empty() ? tr("A motor is moving. Stop it first.")
+                                               : QString();
+    showProblem();
+}
+
+void LendDialog::showProblem() {
+    const bool lacksPath = m_problem.isEmpty() && m_path->text().trimmed().isEmpty();
+    look::setPossible(m_lend, lacksPath ? tr("Enter a path.") : m_problem,
                       tr("Creates the terminal. Nothing moves."));
 }
 

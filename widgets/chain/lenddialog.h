@@ -22,8 +22,11 @@ public:
     void showLink(const LinkState& link);
 
 private:
+    void showProblem();
+
     QLineEdit* m_path;
     QPushButton* m_lend;
+    QString m_problem;  ///< why the line cannot be lent, whatever the path
 };
 
 }  // namespace nmc
