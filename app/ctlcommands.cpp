@@ -488,8 +488,10 @@ CtlCommands::Exit CtlCommands::request(const api::Method& method, const Json& pa
     const bool one = parameters.contains("axis");
     if (method.name == "stop" && !one)
         m_control = false;  // as for every program
+    if (!one && isOneOf(method.name, std::array{"stop", "wait"}))
+        m_leavesRunning = false;
     if (!(waits || m_alwaysWaits) || method.access == api::Access::Read) {
-        m_leavesRunning = true;
+        m_leavesRunning |= method.access == api::Access::Control;
         return Done;
     }
     const auto rest = m_client.call("wait", one ? Json{{"axis", parameters["axis"]}} : Json::object());
@@ -557,8 +559,12 @@ std::optional<CtlCommands::Exit> CtlCommands::takeControl() {
 }
 
 CtlCommands::Exit CtlCommands::leaveRunning() {
-    if (!m_leavesRunning || !mayMove())  // or the user would be asked again
+    if (!m_leavesRunning)
         return Done;
+    if (!mayMove()) {  // the user would be asked again
+        m_problems << "Control is lost: what was not waited for may have been stopped." << Qt::endl;
+        return NotCarriedOut;
+    }
     const auto left = m_client.call("request_control", {{"on_disconnect", "finish"}});
     return left ? Done : report(left.error());
 }

@@ -407,11 +407,20 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
 
     def test_asks_nobody_to_let_a_motor_move_on_that_was_stopped(self):
         lost = ("control_lost", {"reason": "Somebody has stopped the motors."})
-        for script, news in (("enable 1\nstop\n", {}), ("enable 1\nstate 1\n", {"state": (lost,)})):
+        for script, news, expected in (("enable 1\nstop\n", {}, DONE),
+                                       ("enable 1\nstate 1\n", {"state": (lost,)}, NOT_CARRIED_OUT)):
             with self.subTest(script):
                 panel = PanelAsWritten(self, news=news)
-                self.assertEqual(panel.ctl("-", text=script)[0], DONE)
+                self.assertEqual(panel.ctl("-", text=script)[0], expected)
                 self.assertEqual(panel.parameters_of("request_control"), [{}])
+
+    def test_says_that_what_it_left_running_is_stopped_because_control_is_lost(self):
+        lost = ("control_lost", {"reason": "The user has commanded a motor."})
+        for script, expected in (("move 1 500\nmove 2 5 --wait\n", NOT_CARRIED_OUT), ("move 1 500\nwait\n", DONE)):
+            with self.subTest(script):
+                code, _, problems = PanelAsWritten(self, news={"wait": (lost,)}).ctl("-", text=script)
+                self.assertEqual(code, expected)
+                self.assertEqual("Control is lost" in problems, expected != DONE, problems)
 
     def test_says_so_if_it_is_interrupted_before_it_lets_a_motor_move_on(self):
         self.assertEqual(PanelThatInterrupts(self, "request_control", "on_disconnect").ctl("move", "1", "500"),
