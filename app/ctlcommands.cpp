@@ -67,16 +67,20 @@ constexpr std::array kNotAsTheyAre{"hello", "describe",        "state",         
     return shown(position) + (position.is_null() ? QString() : QLatin1Char(' ') + shown(axis.at("unit")));
 }
 
+[[nodiscard]] Or<QDeadlineTimer> endAfter(const QString& given) {
+    bool isNumber = false;
+    const double seconds = given.toDouble(&isNumber);
+    if (!isNumber || !(seconds >= 0 && seconds <= kMostSeconds))
+        return tl::unexpected(QStringLiteral("\"%1\" is not a number of seconds.").arg(given));
+    return QDeadlineTimer(std::chrono::milliseconds(std::llround(1e3 * seconds)), Qt::PreciseTimer);
+}
+
 /// The end of a command that goes on until it is interrupted, or for --seconds.
 [[nodiscard]] Or<QDeadlineTimer> endOf(const QMap<QString, QString>& options) {
     const auto given = options.find(QStringLiteral("seconds"));
     if (given == options.end())
         return QDeadlineTimer(QDeadlineTimer::Forever);
-    bool isNumber = false;
-    const double seconds = given->toDouble(&isNumber);
-    if (!isNumber || !(seconds >= 0 && seconds <= kMostSeconds))
-        return tl::unexpected(QStringLiteral("\"%1\" is not a number of seconds.").arg(*given));
-    return QDeadlineTimer(std::chrono::milliseconds(std::llround(1e3 * seconds)), Qt::PreciseTimer);
+    return endAfter(*given);
 }
 
 [[nodiscard]] bool isOneOf(const std::string& name, const auto& names) {
@@ -512,13 +516,12 @@ CtlCommands::Exit CtlCommands::request(const api::Method& method, const Json& pa
 CtlCommands::Exit CtlCommands::jog(const Command& command, const Words& words) {
     const Json axis = axisState(words.values[0]).value_or(Json());
     const auto velocity = valueOf({"velocity", Kind::Velocity, true, {}}, words.values[1], axis);
-    const QMap<QString, QString> seconds{{QStringLiteral("seconds"), words.values[2]}};
-    auto until = endOf(seconds);
+    auto until = endAfter(words.values[2]);
     if (!velocity || !until)
         return usage(command, velocity ? until.error() : velocity.error());
     if (const auto problem = takeControl())
         return *problem;
-    until = endOf(seconds);  // from now on: the user may have taken a while to answer
+    until = endAfter(words.values[2]);  // from now on: the user may have taken a while to answer
     const Json parameters{{"axis", axisOf(words.values[0])}, {"velocity", *velocity}};
     for (bool begun = false; !until->hasExpired(); begun = true) {
         if (const auto held = m_client.call("jog", parameters); !held)

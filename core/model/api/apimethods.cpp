@@ -73,8 +73,8 @@ bool fits(const Field& field, const Json& value) {
         case Kind::Acceleration:
             return value.is_number() && std::abs(value.get<double>()) <= kMostValue;
         case Kind::Whole:
-            return value.is_number_integer() && std::abs(value.get<double>()) <= kMostValue &&
-                   field.range->contains(value.get<std::int64_t>());
+            // What is too large for that becomes negative, and no range begins below 0.
+            return value.is_number_integer() && field.range->contains(value.get<std::int64_t>());
         case Kind::Flag:
             return value.is_boolean();
         case Kind::Text:
