@@ -188,6 +188,21 @@ TEST(FrequencyFigures, TellWhatTwoStandardDeviationsLeaveOpen) {
     EXPECT_EQ(nothing.degrees, 180.0);
 }
 
+/// With all gains 0, the loop does not respond at all.
+TEST(FrequencyFigures, AreFiniteWithoutAnyResponse) {
+    EXPECT_EQ(decibels(0.0), kFaintest);
+    EXPECT_EQ(decibels(1e-7), kFaintest);  // -140 dB
+    const FrequencySpread spread = spreadOf({1.0, 0.0, 0.0});
+    EXPECT_EQ(spread.lowest, kFaintest);
+    EXPECT_EQ(spread.highest, kFaintest);
+    servo::SetGain zero = kGains;
+    zero.kp = 0;
+    const auto told = withOtherGains(std::vector<FrequencyPoint>{{1.0, {0.5, 0.0}, 0.01}}, kGains, zero);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(decibels(told[0].closed), kFaintest);
+    EXPECT_EQ(decibels(told[0].open()), kFaintest);
+}
+
 TEST(FrequencyFigures, PhasesGoOnBeyondHalfATurn) {
     std::vector<Complex> turning;
     for (int i = 0; i < 8; ++i)

@@ -158,6 +158,8 @@ TEST_F(LoopTestsInTheWindow, EditedGainsShowWhatTheLoopWouldDo) {
     EXPECT_TRUE(would.contains(u"Bandwidth (-3 dB) 9.9"_s) || would.contains(u"Bandwidth (-3 dB) 10"_s))
         << would.toStdString();
     EXPECT_NE(find(u"bodePlot"_s)->grab().toImage(), one);
+    type(u"kpField"_s, u"0"_s);  // nothing responds, and the plot ends at kFaintest
+    EXPECT_NE(find(u"bodePlot"_s)->grab().toImage(), one);
     type(u"srField"_s, u"7"_s);
     EXPECT_TRUE(label(u"frequencyWouldDo"_s).contains(u"SR"_s));
     EXPECT_EQ(find(u"bodePlot"_s)->grab().toImage(), one);

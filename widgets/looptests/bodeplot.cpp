@@ -127,14 +127,19 @@ void BodePlot::addLines(const Curve& curve, std::vector<Line>& loud, std::vector
     for (const bool open : {false, true}) {
         if (!open && !curve.closes)
             continue;
+        std::vector<FrequencyPoint> points;
         std::vector<std::complex<double>> values;
         for (const FrequencyPoint& point : curve.points)
-            values.push_back(open ? point.open() : point.closed);
+            // L has no value where T is exactly 1.
+            if (const auto value = open ? point.open() : point.closed; std::isfinite(std::norm(value))) {
+                points.push_back(point);
+                values.push_back(value);
+            }
         const std::vector<double> turned = phases(values);
         Line magnitude{penOf(look::traceColour(curve.colour, palette()), open), curve.measured && !open};
         Line phase = magnitude;
         for (std::size_t i = 0; i < values.size(); ++i) {
-            const FrequencyPoint& point = curve.points[i];
+            const FrequencyPoint& point = points[i];
             magnitude.points << QPointF(point.hertz, decibels(values[i]));
             phase.points << QPointF(point.hertz, turned[i]);
             if (open)

@@ -141,7 +141,7 @@ double commandsPerSecond(std::span<const bus::SinePoint> commands) {
 }
 
 double decibels(Complex value) {
-    return 20 * std::log10(std::abs(value));
+    return std::max(kFaintest, 20 * std::log10(std::abs(value)));
 }
 
 FrequencySpread spreadOf(const FrequencyPoint& point) {
@@ -149,7 +149,7 @@ FrequencySpread spreadOf(const FrequencyPoint& point) {
     const double wide = 2 * point.doubt;
     FrequencySpread spread{kFaintest, decibels(size + wide), 180.0};
     if (wide < size) {
-        spread.lowest = std::max(decibels(size - wide), kFaintest);
+        spread.lowest = decibels(size - wide);
         spread.degrees = std::asin(wide / size) * kDegrees;
     }
     return spread;

@@ -44,6 +44,8 @@ struct FrequencyFigures {
 /// True if a margin that was found is negative. A loop that is not is stable as far as its points reach.
 [[nodiscard]] bool isUnstable(const FrequencyFigures& figures);
 
+inline constexpr double kFaintest = -120.0;  ///< dB
+/// Not below kFaintest, so that 0 can be drawn as well.
 [[nodiscard]] double decibels(std::complex<double> value);
 /// The range of T within two standard deviations of a point. Where the range includes 0, the phase is unknown
 /// and the magnitude ends at kFaintest.
@@ -52,7 +54,6 @@ struct FrequencySpread {
     double degrees = 0.0;                ///< to either side of the phase
 };
 [[nodiscard]] FrequencySpread spreadOf(const FrequencyPoint& point);
-inline constexpr double kFaintest = -120.0;  ///< dB
 /// Phases in degrees, each within half a turn of the previous one, so that a phase continues beyond -180. The
 /// first is from -270 to 90, as a loop lags: with an integral, L may begin just beyond -180.
 [[nodiscard]] std::vector<double> phases(std::span<const std::complex<double>> values);
