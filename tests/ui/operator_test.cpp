@@ -108,6 +108,20 @@ TEST_F(OperatorMode, LeavesJogAndStopsAndTakesTheRest) {
     EXPECT_FALSE(field(u"kpField"_s)->isEnabled());
 }
 
+/// Keeping gains on trial is applying them.
+TEST_F(OperatorMode, KeepsNoGainsOnTrial) {
+    ProcedureReport report;
+    report.kind = ProcedureKind::TryGains;
+    window->showProcedure(report);
+    EXPECT_FALSE(enabled("keepGainsButton")) << "they have not been sent yet";
+    report.stage = ProcedureStage::Trying;
+    window->showProcedure(report);
+    EXPECT_TRUE(enabled("keepGainsButton"));
+    begin();
+    EXPECT_FALSE(enabled("keepGainsButton"));
+    EXPECT_TRUE(button(u"keepGainsButton"_s)->toolTip().contains(u"operator mode"_s));
+}
+
 TEST_F(OperatorMode, IsLeftWithThePinOnly) {
     begin();
     click(u"leaveOperatorButton"_s);

@@ -322,7 +322,9 @@ void GainsBox::refreshTry(const QString& problem) {
         reason,
         tr("Sends these gains and restores the previous ones after %1 s unless you keep them, or at once if the motor starts to oscillate.")
             .arg(kTrySeconds));
-    m_keep->setPossible(tries() ? QString() : tr("No gains are being tried."),
+    const auto running = context().runningProcedure();
+    const bool sent = running && running->stage == ProcedureStage::Trying;
+    m_keep->setPossible(sent ? context().reasonFor(intent::KeepGains{}) : tr("No gains are being tried."),
                         tr("Keeps the gains that are being tried."));
 }
 

@@ -47,6 +47,10 @@ std::optional<bus::OperationId> Commander::carryOut(ModuleIndex index, const Int
     if (module == nullptr)
         return std::nullopt;
     if (std::holds_alternative<intent::KeepGains>(intent)) {
+        if (const Plan allowed = plan(intent, *module); !allowed) {
+            emit refused(index, allowed.error(), intent);
+            return std::nullopt;
+        }
         m_procedures.keep(index);
         m_worker.keepTrial(index);
         return std::nullopt;

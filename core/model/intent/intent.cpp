@@ -151,7 +151,7 @@ struct ServoPlanner : MotorPlanner {
     }
     Plan operator()(const intent::CheckDirection&) const { return as(IntentKind::CheckDirection); }
     Plan operator()(In<ServoProcedure> auto wanted) const { return unless(whyNot(wanted, module)); }
-    Plan operator()(const intent::KeepGains&) const { return Orders{}; }
+    Plan operator()(const intent::KeepGains&) const { return as(IntentKind::ApplyGains); }
     Plan operator()(const intent::SaveConfiguration&) const { return as(IntentKind::ControlSc); }
 
     Plan operator()(const intent::ArmLimitStop& arm) const {

@@ -41,6 +41,13 @@ protected:
         commander.carryOut(kModule, intent::Enable{});
         ASSERT_TRUE(connection.waitUntil([this] { return connection.module(0).servoOn(); }));
     }
+    /// Begins a trial, and waits until other gains are in force.
+    void tryOther(double seconds) {
+        servo::SetGain other = kGains;
+        other.kp = 250;
+        commander.carryOut(kModule, intent::TryGains{other, seconds});
+        ASSERT_TRUE(connection.waitUntil([this] { return connection.module(0).gains->kp == 250; }));
+    }
     [[nodiscard]] int position() { return sim.state(1)[u"position"_s].toInt(); }
     [[nodiscard]] bool rests() { return !connection.module(0).moving(); }
     [[nodiscard]] static intent::MoveBy by(std::int32_t counts, unsigned rounds) {
@@ -140,6 +147,17 @@ TEST_F(CommanderTest, AHoldDoesNotBeginBeforeTheStopOfTheProcedureThatItTakesThe
     ASSERT_TRUE(connection.waitUntil([this] { return !commander.anyRunning() && rests(); }));
     EXPECT_GE(position(), 0) << "the hold would have gone the other way";
     EXPECT_LT(position(), 2'000);
+}
+
+/// The mode begins within a trial.
+TEST_F(CommanderTest, AnOperatorKeepsNoGainsOnTrial) {
+    ASSERT_NO_FATAL_FAILURE(enable());
+    ASSERT_NO_FATAL_FAILURE(tryOther(1.0));
+    connection.store().setRights(OperatorRights{});
+    commander.carryOut(kModule, intent::KeepGains{});
+    EXPECT_EQ(refusals, std::vector{Refusal::OperatorMode});
+    ASSERT_TRUE(connection.waitUntil([this] { return !commander.anyRunning(); }));
+    EXPECT_EQ(connection.module(0).gains, kGains);
 }
 
 TEST_F(CommanderTest, WhoeverHearsOfTheEndOfAProcedureMayBeginTheNext) {
