@@ -330,6 +330,26 @@ TEST_F(Sequences, HomesAnAxisByItsRecipe) {
     bench.expectRest();
 }
 
+/// The gains from before are sent again while the search has already been asked for.
+TEST_F(Sequences, TheEndOfATrialIsNotThatOfItsHomeSearch) {
+    HomingRecipe recipe;
+    recipe.onHomeSwitch = true;
+    recipe.reverse = false;
+    recipe.velocity = 490.0;
+    recipe.acceleration = 2'000.0;
+    recipe.travelLimit = 4'000.0;
+    recipe.timeLimit = 20.0;
+    bench.machine.axes[2].homing = recipe;
+    bench.bus.chain.set(kTable, sim::Input::HomeSwitchAt, 300.0, bench.bus.now);
+    bench.machine.program.sequences = {{"Main", {action::Home{kTable}, action::Wait{0.2}}}};
+    bench.start("Main");
+    while (!bench.procedure && bench.turn()) {
+    }
+    bench.run->onProcedure(
+        {.module = kTable, .kind = ProcedureKind::TryGains, .stage = ProcedureStage::Cancelled});
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+}
+
 /// The table is taught at 200 steps by the counter. The search finds its home, so the second pass may not go
 /// there. X, which comes first in the point, does not move again either.
 TEST_F(Sequences, APointTaughtWithoutHomeIsNotUsedOnceHomeIsFound) {

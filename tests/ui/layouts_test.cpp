@@ -325,6 +325,25 @@ TEST_F(UnsentGains, AndTheQuestionIsWithdrawnWhenTheStepIsAnotherOne) {
     EXPECT_TRUE(intents.isEmpty()) << "it was asked about 100 counts";
 }
 
+/// The step is made with them: it ends the trial, which has lowered the output limit.
+TEST_F(UnsentGains, WithinATrialAreThoseThatDifferFromTheOnesFromBefore) {
+    click(u"cancelStepButton"_s);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    ProcedureReport report;
+    report.kind = ProcedureKind::TryGains;
+    report.stage = ProcedureStage::Trying;
+    report.gains = someGains();
+    window->showProcedure(report);
+    ModuleState module = Servo{.held = true}.state();
+    module.gains->kp = someGains().kp + 1;
+    module.gains->ol = 63;
+    window->showLink(connectedTo({module}));
+    settle();
+    strike(Qt::Key_F9, Qt::ShiftModifier);
+    EXPECT_TRUE(text(u"closeText"_s).contains(u"Kp"_s));
+    EXPECT_FALSE(text(u"closeText"_s).contains(u"OL"_s)) << text(u"closeText"_s).toStdString();
+}
+
 TEST_F(UnsentGains, OrNothingIsDone) {
     click(u"cancelStepButton"_s);
     EXPECT_TRUE(intents.isEmpty());

@@ -259,6 +259,7 @@ TEST_F(ModelPage, GainsThatAreTriedSuggestNoOthers) {
     ProcedureReport report;
     report.kind = ProcedureKind::TryGains;
     report.stage = ProcedureStage::Trying;
+    report.gains = someGains();
     window->showProcedure(report);
     Servo servo;
     servo.held = true;
@@ -277,6 +278,28 @@ TEST_F(ModelPage, GainsThatAreTriedSuggestNoOthers) {
     settle();
     EXPECT_EQ(tasks.count(), asked + 1);
     EXPECT_EQ(task().now.kp, 321);
+}
+
+/// Another module was looked at in the meantime.
+TEST_F(ModelPage, WhileOthersAreTriedItSuggestsFromTheGainsFromBefore) {
+    find();
+    ProcedureReport report;
+    report.kind = ProcedureKind::TryGains;
+    report.stage = ProcedureStage::Trying;
+    report.gains = someGains();
+    window->showProcedure(report);
+    std::vector<ModuleState> modules{Servo{.held = true}.state(), Servo{.index = 1}.state()};
+    modules.front().gains->ol = 63;
+    window->showLink(connectedTo(modules));
+    settle();
+    const auto asked = tasks.count();
+    auto* chain = find<QAbstractItemView>(u"chainList"_s);
+    for (const int module : {1, 0}) {
+        chain->setCurrentIndex(chain->model()->index(module, 0));
+        settle();
+    }
+    EXPECT_EQ(tasks.count(), asked + 1);
+    EXPECT_EQ(task().now.ol, someGains().ol);
 }
 
 TEST_F(ModelPage, AMotorOfTheLastConnectionThatComesLateIsNotShown) {

@@ -298,7 +298,7 @@ void GainsBox::refreshApply(const QString& problem) {
 
 bool GainsBox::tries() const {
     const auto running = context().runningProcedure();
-    return running && running->kind == ProcedureKind::TryGains;
+    return running && running->tries();
 }
 
 void GainsBox::tryThem() {

@@ -25,6 +25,11 @@ struct PanelView {
     std::optional<ModuleIndex> namesake{};  ///< another module of the chain with the same axis name
 
     [[nodiscard]] AxisScale scale() const { return scaleOf(module, settings); }
+    /// The gains of the module; while others are tried, those from before: the ones on trial are temporary,
+    /// and their output limit is lowered.
+    [[nodiscard]] const std::optional<servo::SetGain>& gains() const {
+        return procedure != nullptr && procedure->tries() ? procedure->gains : module.gains;
+    }
 };
 
 }  // namespace nmc

@@ -151,13 +151,9 @@ void ModelBox::forget() {
 
 void ModelBox::showModule(const PanelView& view) {
     const auto servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
-    const ProcedureReport* running = view.procedure;
-    const bool tries = running != nullptr && running->kind == ProcedureKind::TryGains && !running->over();
-    // Gains on trial are temporary, and their output limit is lowered.
-    const auto gains = tries && servo == m_servo ? m_gains : view.module.gains;
-    const bool news = servo != m_servo || gains != m_gains;
+    const bool news = servo != m_servo || view.gains() != m_gains;
     m_servo = servo;
-    m_gains = gains;
+    m_gains = view.gains();
     if (news)
         suggest();
     else

@@ -212,6 +212,7 @@ void ResponseForm::buildButton(FormGrid* grid) {
 
 void ResponseForm::showModule(const PanelView& view) {
     m_module = view.module;
+    m_module->gains = view.gains();
     m_connected = view.connected;
     m_report.reset();
     if (view.procedure != nullptr && makesSteps(view.procedure->kind))

@@ -14,6 +14,13 @@ namespace {
 
 constexpr int kProcedureIntervalMs = 50;
 
+/// True for a trial that has ended, but for the gains from before, which are on their way. Another trial
+/// would go back to the ones that it finds.
+[[nodiscard]] bool givesWay(const Procedure& trial, const Procedure& next) {
+    return trial.report().kind == ProcedureKind::TryGains && trial.ends() && !trial.stopsLater() &&
+           next.report().kind != ProcedureKind::TryGains;
+}
+
 }  // namespace
 
 ProcedureController::ProcedureController(BusStore& store, Submit submit, QObject* parent)
@@ -25,10 +32,14 @@ ProcedureController::ProcedureController(BusStore& store, Submit submit, QObject
 
 bool ProcedureController::begin(std::unique_ptr<Procedure> procedure) {
     const ModuleIndex module = procedure->report().module;
-    if (running(module))
-        return false;
+    if (const auto found = m_runs.find(module); found != m_runs.end()) {
+        if (!givesWay(*found->second.procedure, *procedure))
+            return false;
+        end(found->second);
+    }
     Run& run = m_runs[module];
-    run.procedure = std::move(procedure);
+    // It begins when the gains from before a trial are back.
+    run = Run{std::move(procedure), run.operation, std::nullopt, false};
     publish(run);
     m_timer.start();
     advance();
@@ -41,6 +52,12 @@ void ProcedureController::cancel(ModuleIndex module) {
         return;
     found->second.procedure->cancel();
     advance();
+}
+
+std::optional<servo::SetGain> ProcedureController::gainsBefore(ModuleIndex module) const {
+    const auto found = m_runs.find(module);
+    const bool tries = found != m_runs.end() && found->second.procedure->report().tries();
+    return tries ? found->second.procedure->report().gains : std::nullopt;
 }
 
 bool ProcedureController::stopsLater(ModuleIndex module) const {

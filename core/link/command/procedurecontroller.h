@@ -27,9 +27,12 @@ public:
 
     ProcedureController(BusStore& store, Submit submit, QObject* parent = nullptr);
 
-    /// Returns false while a procedure is already running with the module.
+    /// Returns false while a procedure is already running with the module, unless it is a trial of gains that
+    /// ends.
     [[nodiscard]] bool begin(std::unique_ptr<Procedure> procedure);
     [[nodiscard]] bool running(ModuleIndex module) const { return m_runs.count(module) != 0; }
+    /// The gains that a trial on the module goes back to; empty if there is none.
+    [[nodiscard]] std::optional<servo::SetGain> gainsBefore(ModuleIndex module) const;
     [[nodiscard]] bool anyRunning() const { return !m_runs.empty(); }
     /// The procedure running with the module ends once its operation in flight is over, and then stops the
     /// motor.

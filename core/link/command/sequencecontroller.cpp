@@ -47,7 +47,7 @@ void SequenceController::begin(SequenceRun run) {
                      .row = row,
                      .refusal = Refusal::NotConnected}};
     for (const ModuleIndex module : run.parts())
-        if (problems.empty() && m_procedures.running(module))
+        if (problems.empty() && m_procedures.running(module) && !m_procedures.gainsBefore(module))
             problems.push_back({.kind = SequenceProblem::Kind::Refused,
                                 .sequence = sequence,
                                 .row = row,
@@ -57,6 +57,8 @@ void SequenceController::begin(SequenceRun run) {
         emit refused(problems);
         return;
     }
+    for (const ModuleIndex module : run.parts())
+        m_procedures.cancel(module);  // a trial of gains
     m_operations.clear();
     m_stops.clear();
     m_run = std::move(run);

@@ -109,7 +109,8 @@ struct ProcedureReport {
     std::optional<ResponseTaken> step{};        ///< StepResponse and StepSeries: the last complete step;
                                                 ///< SquareWave: the last edge
     std::vector<FrequencyPoint> frequencies{};  ///< FrequencyResponse: the points measured so far
-    std::optional<servo::SetGain> gains{};      ///< FrequencyResponse: those with which it is measured
+    std::optional<servo::SetGain> gains{};      ///< FrequencyResponse: those with which it is measured;
+                                                ///< TryGains: those from before
     double speed = 0.0;                         ///< FrequencyResponse: counts/s, while it is measured
     std::optional<DirectionFound> direction{};  ///< DirectionCheck: present once it is known
     EdgeCaptures edges{};                       ///< Repeatability: those captured so far
@@ -120,6 +121,7 @@ struct ProcedureReport {
         return stage == ProcedureStage::Done || stage == ProcedureStage::Failed ||
                stage == ProcedureStage::Cancelled;
     }
+    [[nodiscard]] bool tries() const { return kind == ProcedureKind::TryGains && !over(); }
     bool operator==(const ProcedureReport&) const = default;
 };
 

@@ -31,7 +31,9 @@ TryGainsRun::TryGainsRun(const intent::TryGains& wanted, const ModuleState& modu
     : Procedure(module.info.index, ProcedureKind::TryGains),
       m_wanted(gainsFor(module, wanted.gains)),
       m_before(*module.gains),
-      m_seconds(wanted.seconds) {}
+      m_seconds(wanted.seconds) {
+    m_report.gains = m_before;
+}
 
 TryGainsRun::Next TryGainsRun::proceed(const ModuleState& module, TimePoint /*now*/) {
     if (m_report.kept && !tried())  // all of OL has been sent

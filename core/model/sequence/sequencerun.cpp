@@ -84,7 +84,9 @@ void SequenceRun::onFinished(ModuleIndex module, bus::Outcome outcome) {
 }
 
 void SequenceRun::onProcedure(const ProcedureReport& report) {
-    if (m_procedure == report.module && report.over())
+    // The end of a trial may come only when what the sequence asked for has begun.
+    const bool own = m_procedure == report.module && report.kind != ProcedureKind::TryGains;
+    if (own && report.over())
         m_procedureEnd = report;
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/link/connection/virtualconnection.h"
 #include "tests/support/gains.h"
 
@@ -156,6 +158,37 @@ TEST_F(CommanderTest, AnOperatorKeepsNoGainsOnTrial) {
     connection.store().setRights(OperatorRights{});
     commander.carryOut(kModule, intent::KeepGains{});
     EXPECT_EQ(refusals, std::vector{Refusal::OperatorMode});
+    ASSERT_TRUE(connection.waitUntil([this] { return !commander.anyRunning(); }));
+    EXPECT_EQ(connection.module(0).gains, kGains);
+}
+
+TEST_F(CommanderTest, AStepWithinATrialIsMadeWithTheGainsFromBefore) {
+    ASSERT_NO_FATAL_FAILURE(enable());
+    commander.carryOut(kModule, intent::StopHere{});  // so that the exact position that it holds is known
+    ASSERT_TRUE(connection.waitUntil([this] { return connection.module(0).goal().has_value(); }));
+    std::vector<ProcedureReport> reports;
+    QObject::connect(&commander.procedures(), &ProcedureController::reported, &commander,
+                     [&](const ProcedureReport& report) { reports.push_back(report); });
+    ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
+    EXPECT_EQ(reports.back().gains, kGains);
+    reports.clear();
+    commander.carryOut(kModule, intent::StepResponse{100, ResponseMethod::Profile, 0.3});
+    EXPECT_TRUE(refusals.empty());
+    ASSERT_TRUE(connection.waitUntil([this] { return !commander.anyRunning(); }));
+    const auto trial = std::ranges::find(reports, ProcedureStage::Cancelled, &ProcedureReport::stage);
+    ASSERT_NE(trial, reports.end());
+    EXPECT_EQ(trial->kind, ProcedureKind::TryGains);
+    EXPECT_EQ(reports.back().kind, ProcedureKind::StepResponse);
+    ASSERT_TRUE(reports.back().step);
+    EXPECT_EQ(reports.back().step->gains, kGains) << "all of OL is back";
+}
+
+/// It would go back to the gains of the first one.
+TEST_F(CommanderTest, ATrialWithinATrialIsRefused) {
+    ASSERT_NO_FATAL_FAILURE(enable());
+    ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
+    commander.carryOut(kModule, intent::TryGains{kGains, 10.0});
+    EXPECT_EQ(refusals, std::vector{Refusal::Moving});
     ASSERT_TRUE(connection.waitUntil([this] { return !commander.anyRunning(); }));
     EXPECT_EQ(connection.module(0).gains, kGains);
 }
