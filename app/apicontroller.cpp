@@ -384,7 +384,11 @@ void ApiController::carryOut(Client client, const api::Method& method, const Jso
         noteCall(client, method, parameters);
     if (method.make == nullptr)
         return run(client, method, parameters, id);
-    const auto call = api::callOf(method, parameters, m_store.link(), m_store.machine());
+    LinkState link = m_store.link();
+    for (ModuleState& module : link.modules)
+        if (const auto before = m_commander.procedures().gainsBefore(module.info.index))
+            module.gains = before;  // what set_gains leaves out is not taken from a trial
+    const auto call = api::callOf(method, parameters, link, m_store.machine());
     if (!call)
         return refuse(client, id, call.error());
     if (const auto* hold = std::get_if<bus::HoldToMove>(&call->what))

@@ -72,6 +72,20 @@ TEST_F(OtherPrograms, MoveWhereTheyWantOnceTheUserAgrees) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+/// The gains on trial are temporary, and their output limit is lowered.
+TEST_F(OtherPrograms, SetGainsWithinATrialOverThoseFromBefore) {
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    servo::SetGain gains = *panel.module().gains;
+    gains.kp = 250;
+    emit panel.window().requests().intent(ModuleIndex(0), intent::TryGains{gains, 10.0});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 250; }));
+    EXPECT_EQ(client.call("set_gains", {{"axis", 1}, {"kd", 1'800}})["result"]["accepted"], true);
+    gains.kp = 200;
+    gains.kd = 1'800;
+    EXPECT_TRUE(panel.waitFor([&] { return panel.module().gains == gains; }));
+}
+
 /// 100 counts from where it was called 0, not from 5000.
 TEST_F(OtherPrograms, MoveFromWhereTheirLastRequestHasLeftTheMotor) {
     OtherProgram client(panel, path());
