@@ -303,8 +303,12 @@ TEST_F(LoopTests, ARampThatDoesNotFitIsRefusedBeforeAnythingMoves) {
     module.travel.highest = 100'000;
     module.travel.fastest = 1.9;
     EXPECT_EQ(refusal(ramp), Refusal::TooFast);
-    module.travel = {};
     // 20 counts at 4 Hz move by up to 503 counts/s, which are 0.257 counts per tick.
+    module.travel.fastest = 2.2;
+    EXPECT_EQ(refusal(ramp), Refusal::TooFast);
+    module.travel.fastest = 2.3;
+    EXPECT_EQ(refusal(ramp), std::nullopt);
+    module.travel = {};
     EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 4.0, 0.26}), std::nullopt);
     EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 4.0, -0.25}), Refusal::TestTooSlow);
     EXPECT_EQ(refusal(intent::FrequencyResponse{20, 1.0, 4.0, 51.0}), Refusal::TestOutOfRange);

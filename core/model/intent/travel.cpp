@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/overloaded.h"
+#include "base/time.h"
 #include "bus/standstill.h"
 #include "model/intent/backlash.h"
 #include "model/intent/jog.h"
@@ -77,10 +79,12 @@ struct CourseOf {
     }
     /// The course extends to the farther side; whyNot() checks both.
     std::optional<Course> operator()(const intent::SquareWave& wave) const { return about(wave.counts / 2); }
+    /// On a ramp, the fastest sine adds its own velocity.
     std::optional<Course> operator()(const intent::FrequencyResponse& sines) const {
         auto course = about(sines.amplitude);
-        if (course)
-            course->velocity = std::abs(sines.speed);
+        if (course && sines.speed != 0.0 && module.gains)
+            course->velocity = std::abs(sines.speed) + 2 * std::numbers::pi * sines.to * sines.amplitude /
+                                                           ticksPerSecond(module.gains->sr);
         return course;
     }
     // StartLoaded, Direct, MoveBy, StepResponse, StepSeries and CheckDirection are handled in
