@@ -25,7 +25,7 @@ void LoopTestController::take(const ProcedureReport& report) {
         followSteps(report);
     if (report.kind == ProcedureKind::SquareWave)
         followSquareWave(report);
-    if (report.kind == ProcedureKind::FrequencyResponse && !report.frequencies.empty())
+    if (report.kind == ProcedureKind::FrequencyResponse)
         m_window.loopTests().frequency().showReport(report, QString::fromStdString(m_store.link().port),
                                                     m_store.link().simulated);
 }
@@ -46,7 +46,10 @@ void LoopTestController::followSquareWave(const ProcedureReport& report) {
     const ModuleState* module = m_store.module(report.module);
     const auto last = m_edges.find(report.module);
     const bool next = last == m_edges.end() || report.step != last->second;
-    if (last != m_edges.end() && module != nullptr && (next || report.stage == ProcedureStage::Stopping))
+    const bool ends = next || report.stage == ProcedureStage::Stopping;
+    // The record of an edge is cut off where the user ends the test.
+    if (last != m_edges.end() && module != nullptr && ends &&
+        monotonicNow() - last->second.at >= fromSeconds(last->second.record))
         if (auto edge = recordOf(*module, last->second))
             m_window.loopTests().squareWave().showEdge(std::move(*edge));
     if (report.over() || report.stage == ProcedureStage::Stopping) {

@@ -124,6 +124,20 @@ TEST_F(TestsOfTheLoop, EndItHoldsTheMotor) {
     EXPECT_FALSE(panel.module().moving());
 }
 
+/// The third edge is the first rising one that is recorded.
+TEST_F(TestsOfTheLoop, AnEdgeThatIsCutOffIsNotMeasured) {
+    panel.type("squareWavePeriodField", u"3"_s);
+    ASSERT_NO_FATAL_FAILURE(panel.click("squareWaveStartButton"));
+    const auto command = [this] { return sim.state(1)[u"command_position"_s].toInt(); };
+    ASSERT_TRUE(panel.waitFor([&] { return command() < -40; }));
+    ASSERT_TRUE(panel.waitFor([&] { return command() > 40; }));
+    ASSERT_TRUE(panel.answersFor(0.3));
+    ASSERT_NO_FATAL_FAILURE(panel.click("squareWaveEndButton"));
+    ASSERT_TRUE(ended("squareWave"));
+    EXPECT_TRUE(text("squareWaveResults").isEmpty()) << text("squareWaveResults").toStdString();
+    EXPECT_FALSE(panel.window().findChild<QAbstractButton*>(u"squareWaveKeepButton"_s)->isEnabled());
+}
+
 /// The stop that ends a sine replaces a command of the test's own, which nobody misses.
 TEST_F(TestsOfTheLoop, EndingASineIsNoNews) {
     panel.type("frequencyFromField", u"0.5"_s);
