@@ -300,6 +300,15 @@ TEST_F(LoopTestsInTheWindow, EdgesWithTheSameGainsAreLaidOverOneAnotherAndKept) 
     other.run.taken.gains.kp = 77;
     page.showEdge(other);
     EXPECT_TRUE(label(u"squareWaveResults"_s).startsWith(u"Edges with these gains: 1\n"_s));
+    KeptResponse back = ramp();
+    std::swap(back.run.taken.from, back.run.taken.goal);
+    back.run.taken.gains.kp = 55;
+    page.showEdge(back);
+    EXPECT_TRUE(label(u"squareWaveResults"_s).isEmpty()) << "no rising edge has these gains";
+    EXPECT_FALSE(button(u"squareWaveKeepButton"_s)->isEnabled());
+    other.run.taken.gains.kp = 55;
+    page.showEdge(other);
+    EXPECT_TRUE(label(u"squareWaveResults"_s).startsWith(u"Edges with these gains: 2\n"_s));
     click(u"squareWaveKeepButton"_s);
     window->findChild<QAction*>(u"responseDockAction"_s)->trigger();
     ASSERT_TRUE(eventually([this] { return find(u"responsePage"_s)->isVisible(); }));

@@ -135,13 +135,14 @@ void SquareWavePage::refresh() {
         return edge.taken.gains != edges.back().taken.gains;
     });
     const std::span<const ResponseRecord> before(edges.begin(), changed.base());
-    const auto forward = foldEdges(edges, true);
-    m_plot->showFold(drawn(edges, forward), drawn(before, foldEdges(before, true)), wave.labels.scale);
+    const std::span<const ResponseRecord> now(changed.base(), edges.end());
+    const auto forward = foldEdges(now, true);
+    m_plot->showFold(drawn(now, forward), drawn(before, foldEdges(before, true)), wave.labels.scale);
     m_folded = forward ? std::optional(forward->run) : std::nullopt;
     QStringList lines;
     if (m_folded) {
         const ResponseMetrics& metrics = m_folded->metrics;
-        lines << tr("Edges with these gains: %1").arg(std::distance(edges.rbegin(), changed))
+        lines << tr("Edges with these gains: %1").arg(now.size())
               << Common::tr("Rise %1").arg(texts::responseTime(metrics.rise))
               << Common::tr("Overshoot %1").arg(texts::responseOvershoot(metrics.overshoot))
               << tr("Settling %1").arg(texts::responseTime(metrics.settling))
