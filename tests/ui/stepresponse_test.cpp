@@ -624,6 +624,20 @@ TEST_F(Responses, MovesAreJudgedByWindowAndDwell) {
     EXPECT_EQ(result(1), u"225 ± 3 ms"_s) << "110 servo ticks of 2.048 ms, to one of them";
 }
 
+TEST_F(Responses, MovesOfTwoModulesAtTheSameTimeAreTwoSeries) {
+    openWith();
+    for (const unsigned round : {1U, 2U, 3U}) {
+        KeptResponse other = move(round);
+        other.run.module = ModuleIndex(1);
+        window->stepResponses().showRun(other);
+        window->stepResponses().showRun(move(round));
+    }
+    find<QComboBox>(u"responseMethodBox"_s)->setCurrentIndex(2);
+    type(u"responseDwellField"_s, u"0.01"_s);
+    type(u"responseWindowField"_s, u"1"_s);
+    EXPECT_TRUE(result(3).endsWith(u"ms (3)"_s)) << result(3).toStdString();
+}
+
 TEST_F(Responses, CursorsStandBesideThePlotWhileTheyAreWanted) {
     openWith();
     window->stepResponses().showRun(ramp(100));

@@ -102,13 +102,14 @@ QString responseSettling(const ResponseRecord& run) {
                   : responseTime(metrics.settling);
 }
 
-QString settlingSpread(std::span<const KeptResponse> moves) {
+QString settlingSpread(const std::vector<const KeptResponse*>& moves) {
     double least = 0, most = 0;
     std::size_t settled = 0;
-    for (const KeptResponse& move : moves) {
-        if (!move.run.move || !move.run.move->settling)
+    for (const KeptResponse* kept : moves) {
+        const auto& move = kept->run.move;
+        if (!move || !move->settling)
             continue;
-        const double seconds = move.run.move->settling->value;
+        const double seconds = move->settling->value;
         least = settled == 0 ? seconds : std::min(least, seconds);
         most = std::max(most, seconds);
         ++settled;

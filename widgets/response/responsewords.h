@@ -3,7 +3,7 @@
 
 #include <QString>
 #include <optional>
-#include <span>
+#include <vector>
 
 #include "model/response/responsefile.h"
 
@@ -23,7 +23,7 @@ namespace nmc::texts {
 /// Time to settle at the goal or, if it did not, at its rest position; of a profiled move, after its profile.
 [[nodiscard]] QString responseSettling(const ResponseRecord& run);
 /// The shortest and the longest settling time of moves that were made together.
-[[nodiscard]] QString settlingSpread(std::span<const KeptResponse> moves);
+[[nodiscard]] QString settlingSpread(const std::vector<const KeptResponse*>& moves);
 [[nodiscard]] QString responseOvershoot(const Figure& percent);
 [[nodiscard]] QString responseError(const Figure& counts, const AxisScale& scale);
 /// Of an error without its sign.

@@ -92,20 +92,24 @@ void appendRun(std::string& out, const KeptResponse& kept) {
 
 }  // namespace
 
-std::span<const KeptResponse> seriesOf(std::span<const KeptResponse> runs, const KeptResponse& run) {
+std::vector<const KeptResponse*> seriesOf(std::span<const KeptResponse> runs, const KeptResponse& run) {
     const auto follows = [](const KeptResponse& before, const KeptResponse& after) {
         const ResponseTaken& a = before.run.taken;
         const ResponseTaken& b = after.run.taken;
-        return a.isMove() && b.isMove() && before.run.module == after.run.module && b.round == a.round + 1 &&
-               b.from == a.goal && b.pace == a.pace;
+        return a.isMove() && b.isMove() && b.round == a.round + 1 && b.from == a.goal && b.pace == a.pace;
     };
-    auto first = static_cast<std::size_t>(&run - runs.data());
-    std::size_t last = first;
-    while (first > 0 && follows(runs[first - 1], runs[first]))
-        --first;
-    while (last + 1 < runs.size() && follows(runs[last], runs[last + 1]))
-        ++last;
-    return runs.subspan(first, last - first + 1);
+    std::vector<const KeptResponse*> series;
+    for (const KeptResponse& other : runs) {
+        if (other.run.module != run.run.module)
+            continue;  // two modules may move at the same time
+        if (!series.empty() && !follows(*series.back(), other)) {
+            if (series.back()->number >= run.number)
+                break;
+            series.clear();
+        }
+        series.push_back(&other);
+    }
+    return series;
 }
 
 std::string responsesCsv(std::string_view program, std::span<const KeptResponse> runs) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/response/responserecord.h"
 #include "model/settings/axisscale.h"
@@ -27,8 +28,8 @@ struct KeptResponse {
 
 /// The moves that were made together with this one, in order, as far as they are in the list; of a step,
 /// only itself. `run` is one of `runs`, which are in the order of their numbers.
-[[nodiscard]] std::span<const KeptResponse> seriesOf(std::span<const KeptResponse> runs,
-                                                     const KeptResponse& run);
+[[nodiscard]] std::vector<const KeptResponse*> seriesOf(std::span<const KeptResponse> runs,
+                                                        const KeptResponse& run);
 
 /// CSV for spreadsheets and people: comments that describe each run, then one row per sample. UTF-8, line
 /// feeds, the C locale regardless of the user's:
