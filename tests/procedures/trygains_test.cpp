@@ -15,6 +15,7 @@ using namespace std::chrono_literals;
 constexpr double kPush = 0.05;  ///< N·m: half of what stalls the motor
 constexpr servo::SetGain kGood{200, 2'000, 20, 200, 255, 0, 16'000, 1, std::uint8_t{0}};
 constexpr servo::SetGain kOther{250, 2'000, 20, 200, 255, 0, 16'000, 1, std::uint8_t{0}};
+constexpr servo::SetGain kApplied{300, 2'000, 20, 200, 255, 0, 16'000, 1, std::uint8_t{0}};
 
 class TriedGains : public testing::Test {
 protected:
@@ -119,6 +120,40 @@ TEST_F(TriedGains, StayWhenSomethingElseIsAskedForWhileAllOfOlIsSent) {
     bench.procedure->cancel();
     (void)bench.goOn();
     EXPECT_TRUE(hasGains(kOther));
+}
+
+/// They would be overwritten if they were sent while all of OL of the kept ones is still to come.
+TEST_F(TriedGains, GiveWayToThoseThatAreAppliedRightAfterTheyWereKept) {
+    ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
+    ASSERT_TRUE(bench.turn());
+    EXPECT_FALSE(bench.procedure->take(kApplied)) << "they are not kept yet";
+    EXPECT_EQ(bench.procedure->report().gains->kp, kGood.kp);
+    keep();
+    EXPECT_EQ(bench.procedure->report().gains->kp, kOther.kp);
+    EXPECT_TRUE(bench.procedure->take(kApplied));
+    const ProcedureReport report = bench.goOn();
+    EXPECT_EQ(report.stage, ProcedureStage::Done);
+    EXPECT_TRUE(report.kept);
+    EXPECT_TRUE(hasGains(kApplied));
+}
+
+TEST_F(TriedGains, GiveWayToThoseThatAreAppliedWhileAllOfOlIsSent) {
+    ASSERT_NO_FATAL_FAILURE(tryOther(10.0));
+    ASSERT_TRUE(bench.turn());
+    keep();
+    ASSERT_TRUE(bench.turn());  // the panel is informed of that, and sends
+    EXPECT_TRUE(bench.procedure->take(kApplied));
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Done);
+    EXPECT_TRUE(hasGains(kApplied));
+}
+
+TEST_F(TriedGains, GiveWayToThoseThatAreAppliedEvenIfItWasTooLateToKeepThem) {
+    ASSERT_NO_FATAL_FAILURE(tryOther(0.2));
+    bench.bus.runFor(300ms);
+    keep();
+    EXPECT_TRUE(bench.procedure->take(kApplied));
+    EXPECT_EQ(bench.goOn().stage, ProcedureStage::Done);
+    EXPECT_TRUE(hasGains(kApplied));
 }
 
 /// All of OL is sent into a line that is deaf for longer than a command is repeated, then once more.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "link/clock.h"
+#include "model/intent/gainsplan.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/rights.h"
 #include "model/intent/travel.h"
@@ -56,7 +57,8 @@ std::optional<bus::OperationId> Commander::carryOut(ModuleIndex index, const Int
         return std::nullopt;
     }
     if (const auto* gains = std::get_if<intent::ApplyGains>(&intent);
-        gains != nullptr && plan(intent, *module) && m_procedures.take(index, gains->gains)) {
+        gains != nullptr && plan(intent, *module) &&
+        m_procedures.take(index, gainsFor(*module, gains->gains))) {
         emit sent(index, intent);
         return std::nullopt;
     }

@@ -110,7 +110,7 @@ struct ProcedureReport {
                                                 ///< SquareWave: the last edge
     std::vector<FrequencyPoint> frequencies{};  ///< FrequencyResponse: the points measured so far
     std::optional<servo::SetGain> gains{};      ///< FrequencyResponse: those with which it is measured;
-                                                ///< TryGains: those from before
+                                                ///< TryGains: those from before, or kept
     double speed = 0.0;                         ///< FrequencyResponse: counts/s, while it is measured
     std::optional<DirectionFound> direction{};  ///< DirectionCheck: present once it is known
     EdgeCaptures edges{};                       ///< Repeatability: those captured so far
@@ -161,8 +161,8 @@ public:
     [[nodiscard]] bool ends() const { return m_end || m_report.over(); }
     /// The bus has been asked to keep the gains on trial (Engine::keepTrial); other kinds have none.
     virtual void keep() {}
-    /// Passes new gains, which apply from the next edge on. Returns false when the procedure has no use for
-    /// them.
+    /// Passes new gains, which the procedure sends when it is their turn. Returns false when it has no use
+    /// for them.
     [[nodiscard]] virtual bool take(const servo::SetGain& /*gains*/) { return false; }
     [[nodiscard]] const ProcedureReport& report() const { return m_report; }
 

@@ -35,9 +35,25 @@ TryGainsRun::TryGainsRun(const intent::TryGains& wanted, const ModuleState& modu
     m_report.gains = m_before;
 }
 
+void TryGainsRun::keep() {
+    if (m_report.stage != ProcedureStage::Trying)
+        return;
+    m_keeps = true;
+    m_report.gains = m_wanted;
+    awaitEnd();
+}
+
+bool TryGainsRun::take(const servo::SetGain& gains) {
+    if (!m_keeps || ends())
+        return false;
+    m_report.gains = m_wanted = gains;
+    m_report.kept = true;  // whatever the end of the trial
+    return true;
+}
+
 TryGainsRun::Next TryGainsRun::proceed(const ModuleState& module, TimePoint /*now*/) {
-    if (m_report.kept && !tried())  // all of OL has been sent
-        return finish();
+    if (m_sent)
+        return m_sent == m_wanted ? finish() : sendWanted();
     if (m_report.stage == ProcedureStage::Trying)
         return conclude(tried().value_or(bus::TrialEnd::TimeOver));
     if (module.silent)
@@ -61,10 +77,16 @@ void TryGainsRun::whileItLasts(const ModuleState& module) {
         std::ignore = fail(ProcedureFailure::ModuleUnresponsive);
 }
 
+TryGainsRun::Next TryGainsRun::sendWanted() {
+    m_sent = m_wanted;
+    return send({set(m_wanted)});
+}
+
 TryGainsRun::Next TryGainsRun::conclude(bus::TrialEnd end) {
+    if (m_report.kept)
+        return sendWanted();
     switch (end) {
-        case bus::TrialEnd::Kept:
-            return send({set(m_wanted)});
+        case bus::TrialEnd::Kept:  // dealt with above
         case bus::TrialEnd::TimeOver:
             return finish();
         case bus::TrialEnd::Swings:

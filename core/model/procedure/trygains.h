@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "model/intent/intent.h"
 #include "model/procedure/procedure.h"
 
@@ -19,7 +21,9 @@ public:
     /// `wanted` must be possible now.
     TryGainsRun(const intent::TryGains& wanted, const ModuleState& module);
 
-    void keep() override { awaitEnd(); }
+    void keep() override;
+    /// Takes gains that are applied after those on trial were kept: they are sent in their place.
+    [[nodiscard]] bool take(const servo::SetGain& gains) override;
 
 private:
     [[nodiscard]] Next proceed(const ModuleState& module, TimePoint now) override;
@@ -27,11 +31,14 @@ private:
     [[nodiscard]] std::vector<bus::Order> lastWord(const ModuleState& module) const override;
     [[nodiscard]] Next afterLastWord(const ModuleState& module, TimePoint now) override;
     [[nodiscard]] Next conclude(bus::TrialEnd end);
+    [[nodiscard]] Next sendWanted();
     [[nodiscard]] bus::Order set(const servo::SetGain& gains) const;
 
     servo::SetGain m_wanted;
     servo::SetGain m_before;
     double m_seconds;
+    bool m_keeps = false;
+    std::optional<servo::SetGain> m_sent;  ///< with all of OL
 };
 
 }  // namespace nmc
