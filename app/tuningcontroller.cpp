@@ -12,8 +12,10 @@ namespace nmc {
 TuningController::TuningController(MainWindow& window) : m_dock(window.stepResponses()) {
     connect(&window.requests(), &Requests::identify, this, &TuningController::identify);
     connect(&window.requests(), &Requests::suggest, this, &TuningController::suggest);
-    connect(&m_searching, &BackgroundJob::ended, this,
-            [this] { m_dock.page().model().showMotor(m_search->module, m_search->found); });
+    connect(&m_searching, &BackgroundJob::ended, this, [this] {
+        const auto search = m_search;  // the next one may begin
+        m_dock.page().model().showMotor(search->module, search->found);
+    });
     connect(&m_advising, &BackgroundJob::ended, this, &TuningController::suggested);
 }
 

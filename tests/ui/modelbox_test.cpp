@@ -209,6 +209,21 @@ TEST_F(ModelPage, IsCarefulWhereTheMotorIsUncertain) {
     EXPECT_EQ(task().wish.phaseMargin, 45);
 }
 
+/// Two series may end at nearly the same time.
+TEST_F(ModelPage, FindsTheMotorThatWasWantedWhileItLookedForAnother) {
+    window->stepResponses().showRun(ramp());
+    window->stepResponses().showRun(ramp(100, 1));
+    model().find(ModuleIndex(0));
+    model().find(ModuleIndex(1));
+    ASSERT_EQ(wanted.size(), 1);
+    model().showMotor(ModuleIndex(0), motor());
+    ASSERT_EQ(wanted.size(), 2);
+    EXPECT_TRUE(wanted.at(1).at(0).value<ModuleIndex>() == ModuleIndex(1));
+    model().showMotor(ModuleIndex(1), motor());
+    EXPECT_EQ(wanted.size(), 2);
+    EXPECT_FALSE(model().motorWords(ModuleIndex(1)).isEmpty());
+}
+
 TEST_F(ModelPage, SuggestsWithThePhaseMarginThatIsChosen) {
     find();
     EXPECT_EQ(task().wish.phaseMargin, 45);

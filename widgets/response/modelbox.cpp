@@ -124,8 +124,12 @@ std::vector<std::int32_t> ModelBox::nextSteps() const {
 
 void ModelBox::find(ModuleIndex module) {
     const std::vector<const KeptResponse*> its = runsOf(module);
-    if (its.empty() || m_looking)
+    if (its.empty())
         return;
+    if (m_looking) {
+        m_waiting.insert(module);
+        return;
+    }
     std::vector<ResponseRecord> runs;
     for (const KeptResponse* kept : its)
         runs.push_back(kept->run);
@@ -141,11 +145,14 @@ void ModelBox::showMotor(ModuleIndex module, const FoundMotor& found) {
     m_found.insert_or_assign(module, Found{found, m_looking->from});
     m_looking.reset();
     suggest();
+    while (!m_looking && !m_waiting.empty())
+        find(m_waiting.extract(m_waiting.begin()).value());
 }
 
 void ModelBox::forget() {
     m_found.clear();
     m_looking.reset();
+    m_waiting.clear();
     suggest();
 }
 

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "model/response/responsefile.h"
@@ -50,7 +51,7 @@ public:
     ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, Requests& requests,
              QWidget* parent = nullptr);
 
-    /// Finds the motor model of a module from its last runs.
+    /// Finds the motor model of a module from its last runs, once those that were wanted before are found.
     void find(ModuleIndex module);
 
     // Emit at most curvesChanged() and Requests::suggest().
@@ -61,7 +62,7 @@ public:
     void showRuns();
     /// The numbers of the runs have become higher by this; showRuns() follows.
     void renumber(int by);
-    /// The answer to Requests::identify(); ignored if it is no longer expected.
+    /// The answer to Requests::identify(); ignored if it is no longer expected. May emit the next request.
     void showMotor(ModuleIndex module, const FoundMotor& found);
     /// The answer to Requests::suggest().
     void showSuggestion(const Suggestion& suggestion);
@@ -116,6 +117,7 @@ private:
     Requests& m_requests;
     std::map<ModuleIndex, Found> m_found;
     std::optional<Looking> m_looking;
+    std::set<ModuleIndex> m_waiting;  ///< whose motor model is to be found next
     std::optional<ModuleIndex> m_servo;
     std::optional<servo::SetGain> m_gains;  ///< of m_servo
     double m_margin;                        ///< degrees; the last valid value of the field
