@@ -108,6 +108,18 @@ TEST_F(OperatorMode, LeavesJogAndStopsAndTakesTheRest) {
     EXPECT_FALSE(field(u"kpField"_s)->isEnabled());
 }
 
+/// They would be put into the fields of a locked page, and taken back without a word.
+TEST_F(OperatorMode, FillsInNoGains) {
+    window->findChild<QAction*>(u"responseDockAction"_s)->trigger();
+    ASSERT_TRUE(eventually([this] { return find(u"responsePage"_s)->isVisible(); }));
+    begin();
+    for (const char* taken : {"undoGainsButton", "redoGainsButton", "revertGainsButton", "zeroGainsButton",
+                              "fillGainsButton", "responseUseGainsButton", "fillSuggestedButton"}) {
+        EXPECT_FALSE(enabled(taken)) << taken;
+        EXPECT_TRUE(button(QLatin1String(taken))->toolTip().contains(u"operator mode"_s)) << taken;
+    }
+}
+
 /// Keeping gains on trial is applying them.
 TEST_F(OperatorMode, KeepsNoGainsOnTrial) {
     ProcedureReport report;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "link/ports/linktypes.h"
+#include "model/intent/rights.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/textparts.h"
 
@@ -265,6 +266,11 @@ QString refusal(Refusal refusal) {
             return Texts::tr("The goal is too far away: at most 2 147 483 647 counts or steps.");
     }
     return {};
+}
+
+QString whyLocked(const ModuleState& module) {
+    const auto reason = whyNotEdited(module);
+    return reason ? refusal(*reason) : QString();
 }
 
 QString severity(Severity severity) {

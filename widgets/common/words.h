@@ -27,6 +27,8 @@ void setModuleNames(const QStringList& names);
 [[nodiscard]] QString activityMeaning(Activity activity);
 /// Why a request is not possible now.
 [[nodiscard]] QString refusal(Refusal refusal);
+/// Why the settings of its axis cannot be edited; empty if they can.
+[[nodiscard]] QString whyLocked(const ModuleState& module);
 [[nodiscard]] QString severity(Severity severity);
 [[nodiscard]] QString stage(bus::ConnectStage stage);
 /// The link in the status bar: "Connected to /dev/ttyUSB0 at 115 200 Bd, 5 modules".

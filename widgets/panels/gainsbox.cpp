@@ -72,21 +72,17 @@ void GainsBox::addSense(FormGrid* grid) {
 
 void GainsBox::addButtons(FormGrid* grid) {
     buildCommands();
-    auto* zero = new Command({.name = u"zeroGainsButton"_s,
-                              .icon = u"eraser"_s,
-                              .text = tr("All zero"),
-                              .accessible = tr("All zero: fill in 0 for all gains"),
-                              .key = Qt::CTRL | Qt::Key_0},
-                             this, [this] { fillWith(zeroValue); });
-    zero->setPossible(
-        {},
-        tr("Fills the fields with 0, to start tuning. Sends nothing. Once applied, the motor no longer holds."));
-    auto* start = new Command({.name = u"fillGainsButton"_s,
-                               .icon = u"wand"_s,
-                               .text = Common::tr("Start&ing values"),
-                               .accessible = Common::tr("Starting values: fill in")},
-                              this, [this] { stage(startingGains(context().settings().unit)); });
-    start->setPossible({}, tr("Fills in values to start tuning with. Sends nothing."));
+    m_zero = new Command({.name = u"zeroGainsButton"_s,
+                          .icon = u"eraser"_s,
+                          .text = tr("All zero"),
+                          .accessible = tr("All zero: fill in 0 for all gains"),
+                          .key = Qt::CTRL | Qt::Key_0},
+                         this, [this] { fillWith(zeroValue); });
+    m_start = new Command({.name = u"fillGainsButton"_s,
+                           .icon = u"wand"_s,
+                           .text = Common::tr("Start&ing values"),
+                           .accessible = Common::tr("Starting values: fill in")},
+                          this, [this] { stage(startingGains(context().settings().unit)); });
     m_apply = new Command({.name = u"applyGainsButton"_s,
                            .icon = u"send"_s,
                            .text = tr("&Apply gains"),
@@ -108,7 +104,8 @@ void GainsBox::addButtons(FormGrid* grid) {
                              this, [this] { emit responseWanted(); });
     step->setPossible({},
                       tr("Opens the step response, which shows how the motor follows a small step (F9)."));
-    m_buttons = {start, zero, undoCommand(), redoCommand(), step, revertCommand(), m_apply, m_try, m_keep};
+    m_buttons = {m_start,         m_zero,  undoCommand(), redoCommand(), step,
+                 revertCommand(), m_apply, m_try,         m_keep};
     m_buttonGrid = new QGridLayout;
     m_buttonGrid->setSpacing(look::gridUnit(this) / 2);
     m_buttonGrid->setContentsMargins(0, look::gridUnit(this) / 2, 0, 0);
@@ -335,6 +332,11 @@ void GainsBox::refreshRest() {
     const QString text = hintText();
     look::setText(hint(), text);
     hint()->setVisible(!text.isEmpty());
+    const QString locked = context().whyLocked();
+    m_zero->setPossible(
+        locked,
+        tr("Fills the fields with 0, to start tuning. Sends nothing. Once applied, the motor no longer holds."));
+    m_start->setPossible(locked, tr("Fills in values to start tuning with. Sends nothing."));
     refreshApply(trouble());
     refreshTry(trouble());
 }

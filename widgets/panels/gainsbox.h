@@ -53,6 +53,8 @@ private:
     [[nodiscard]] QString hintText() const;
 
     QComboBox* m_sense = nullptr;
+    Command* m_zero = nullptr;
+    Command* m_start = nullptr;
     Command* m_apply = nullptr;
     Command* m_try = nullptr;
     Command* m_keep = nullptr;

@@ -131,8 +131,7 @@ QString ModuleContext::whyBusy() const {
 }
 
 QString ModuleContext::whyLocked() const {
-    const auto refusal = whyNotEdited(m_state);
-    return refusal ? texts::refusal(*refusal) : QString();
+    return texts::whyLocked(m_state);
 }
 
 void ModuleContext::ask(const Intent& intent) {

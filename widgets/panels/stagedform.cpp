@@ -299,11 +299,15 @@ void StagedForm::refreshRow(std::size_t number) {
 }
 
 void StagedForm::refreshUndo() {
-    m_undo->setPossible(m_edits.canUndo() ? QString() : Common::tr("Nothing to undo."),
+    const QString locked = m_context.whyLocked();
+    const auto reason = [&locked](bool possible, const QString& otherwise) {
+        return !locked.isEmpty() ? locked : possible ? QString() : otherwise;
+    };
+    m_undo->setPossible(reason(m_edits.canUndo(), Common::tr("Nothing to undo.")),
                         tr("Undoes the last edit in these fields. Sends nothing."));
-    m_redo->setPossible(m_edits.canRedo() ? QString() : Common::tr("Nothing to redo."),
+    m_redo->setPossible(reason(m_edits.canRedo(), Common::tr("Nothing to redo.")),
                         tr("Redoes the edit that was undone. Sends nothing."));
-    m_revert->setPossible(contents() != contentsOf(m_sent) ? QString() : tr("No changes to apply."),
+    m_revert->setPossible(reason(contents() != contentsOf(m_sent), tr("No changes to apply.")),
                           m_sent ? m_words.sentOnes : m_words.none);
 }
 

@@ -37,12 +37,11 @@ StepperParametersBox::StepperParametersBox(ModuleContext& context, QWidget* pare
     auto* grid = new FormGrid(this, 4, {.ends = 1});
     addFields(grid);
     buildCommands();
-    auto* start = new Command({.name = u"stepperFillParametersButton"_s,
-                               .icon = u"wand"_s,
-                               .text = Common::tr("Start&ing values"),
-                               .accessible = Common::tr("Starting values: fill in")},
-                              this, [this] { fill(*valuesOf(kStartingValues)); });
-    start->setPossible({}, tr("Fills in low speeds and currents to start with. Sends nothing."));
+    m_start = new Command({.name = u"stepperFillParametersButton"_s,
+                           .icon = u"wand"_s,
+                           .text = Common::tr("Start&ing values"),
+                           .accessible = Common::tr("Starting values: fill in")},
+                          this, [this] { fill(*valuesOf(kStartingValues)); });
     m_apply = new Command({.name = u"stepperApplyParametersButton"_s,
                            .icon = u"send"_s,
                            .text = tr("&Apply parameters"),
@@ -52,7 +51,7 @@ StepperParametersBox::StepperParametersBox(ModuleContext& context, QWidget* pare
                                   this->context().ask(stepperintent::SetParameters{*parameters});
                           });
     grid->addWide(new FlowLayout(look::gridUnit(this),
-                                 {start->button(), undoCommand()->button(), redoCommand()->button(),
+                                 {m_start->button(), undoCommand()->button(), redoCommand()->button(),
                                   revertCommand()->button(), m_apply->button()}));
     grid->addWide(hint());
     grid->addGap(1);
@@ -294,6 +293,8 @@ void StepperParametersBox::refreshRest() {
     if (const auto entered = parameters(); entered && reason.isEmpty())
         if (const auto refusal = whyNotSet(*entered, context().state()))
             reason = texts::refusal(*refusal);
+    m_start->setPossible(context().whyLocked(),
+                         tr("Fills in low speeds and currents to start with. Sends nothing."));
     m_apply->setPossible(
         !reason.isEmpty()    ? reason
         : !problem.isEmpty() ? problem

@@ -47,6 +47,7 @@ private:
 
     QComboBox* m_speedMode = nullptr;
     QuantityField* m_minimumSpeed = nullptr;
+    Command* m_start = nullptr;
     Command* m_apply = nullptr;
     NumberField* m_time = nullptr;  ///< acceleration time
     QLabel* m_acceleration = nullptr;

@@ -11,6 +11,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/words.h"
 #include "widgets/response/modelwords.h"
 #include "widgets/response/responseform.h"
 
@@ -39,7 +40,7 @@ ModelBox::ModelBox(const std::vector<KeptResponse>& runs, ResponseForm& form, Re
     m_steps = new QPushButton(icons::tinted(u"player-play"_s), {}, this);
     m_steps->setObjectName(u"stepAndFindButton"_s);
     connect(m_steps, &QPushButton::clicked, this, [this] { m_form.step(nextSteps()); });
-    connect(&m_form, &ResponseForm::edited, this, &ModelBox::refreshSteps);
+    connect(&m_form, &ResponseForm::edited, this, &ModelBox::refreshButtons);
     grid->addWide(form::newLine(this, {m_identify, m_steps, nullptr}, form::kUsual));
     grid->addWide(m_motor);
     m_stiffness = newSlider(
@@ -161,10 +162,11 @@ void ModelBox::showModule(const PanelView& view) {
     const bool news = servo != m_servo || view.gains() != m_gains;
     m_servo = servo;
     m_gains = view.gains();
+    m_locked = texts::whyLocked(view.module);
     if (news)
         suggest();
     else
-        refreshSteps();
+        refreshButtons();
 }
 
 void ModelBox::showNothing() {
@@ -233,17 +235,19 @@ void ModelBox::refresh() {
                                   : QString(),
         tr("Calculates the motor model from up to %1 recent steps of this module. Sends nothing.")
             .arg(kMaxRuns));
-    refreshSteps();
-    look::setPossible(m_fill,
-                      m_suggestion.gains ? QString() : tr("No suggested gains. Find the motor model first."),
-                      tr("Copies the suggested gains to the Gains page. Sends nothing."));
+    refreshButtons();
     for (QSlider* slider : {m_stiffness, m_damping, m_noise})
         slider->setEnabled(found() != nullptr && found()->motor.has_value());
     m_phase->setEnabled(m_noise->isEnabled());
     showWords();
 }
 
-void ModelBox::refreshSteps() {
+void ModelBox::refreshButtons() {
+    look::setPossible(m_fill,
+                      !m_locked.isEmpty()  ? m_locked
+                      : m_suggestion.gains ? QString()
+                                           : tr("No suggested gains. Find the motor model first."),
+                      tr("Copies the suggested gains to the Gains page. Sends nothing."));
     const std::vector<std::int32_t> steps = nextSteps();
     const bool one = steps.size() == 1;
     const QString words =

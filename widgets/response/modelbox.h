@@ -93,7 +93,7 @@ private:
 
     QSlider* newSlider(const QString& objectName, const QString& text, const QString& meaning, double first);
     void refresh();
-    void refreshSteps();
+    void refreshButtons();
     void suggest();
     void showWords();
     /// A series of steps; or a single one if the motor model is uncertain although it was found from enough
@@ -120,6 +120,7 @@ private:
     std::set<ModuleIndex> m_waiting;  ///< whose motor model is to be found next
     std::optional<ModuleIndex> m_servo;
     std::optional<servo::SetGain> m_gains;  ///< of m_servo
+    QString m_locked;                       ///< why they cannot be edited; empty if they can
     double m_margin;                        ///< degrees; the last valid value of the field
     int m_asked = 0;                        ///< number of suggestions requested so far
     Suggestion m_suggestion;

@@ -18,6 +18,7 @@
 #include "widgets/common/requests.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/texts.h"
+#include "widgets/common/words.h"
 #include "widgets/response/responseform.h"
 #include "widgets/response/responseplot.h"
 #include "widgets/response/responseresults.h"
@@ -130,6 +131,7 @@ void ResponsePage::showModule(const PanelView& view) {
     m_form->showModule(view);
     m_model->showModule(view);
     m_servo = view.module.isServo() ? std::optional(view.module.info.index) : std::nullopt;
+    m_locked = texts::whyLocked(view.module);
     refreshButtons();
 }
 
@@ -264,6 +266,8 @@ void ResponsePage::showModelCurves() {
 }
 
 QString ResponsePage::whyNotUsable(const KeptResponse* run) const {
+    if (!m_locked.isEmpty())
+        return m_locked;
     if (run == nullptr)
         return tr("Select a run in the list first.");
     if (m_servo != run->run.module)

@@ -92,6 +92,7 @@ private:
     ShownRuns m_shown;
     int m_lastNumber = 0;
     std::optional<ModuleIndex> m_servo;  ///< the selected module, if it is a PIC-SERVO
+    QString m_locked;                    ///< why its gains cannot be edited; empty if they can
 };
 
 }  // namespace nmc
