@@ -9428,8 +9428,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Der Motor springt noch einmal, so weit wie zuvor, und wird aus den letzten Sprüngen bestimmt. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
-        <translation>Der Motor springt um die Strecke des Sprungs und zurück, dann doppelt so weit und zurück, und wird aus diesen Sprüngen bestimmt. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, but at most by %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
+        <translation>Der Motor springt um die Strecke des Sprungs und zurück, dann doppelt so weit und zurück, höchstens aber um %1 und %2 Ink., und wird aus diesen Sprüngen bestimmt. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
     </message>
 </context>
 <context>

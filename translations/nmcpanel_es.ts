@@ -9428,8 +9428,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>El motor salta una vez más, tan lejos como antes, y se identifica a partir de los últimos escalones. Asegúrese de que todo lo que acciona puede moverse libremente.</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
-        <translation>El motor salta la distancia del escalón y vuelve, después el doble y vuelve, y se identifica a partir de estos escalones. Asegúrese de que todo lo que acciona puede moverse libremente.</translation>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, but at most by %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
+        <translation>El motor salta la distancia del escalón y vuelve, después el doble y vuelve, pero como máximo %1 y %2 cuentas, y se identifica a partir de estos escalones. Asegúrese de que todo lo que acciona puede moverse libremente.</translation>
     </message>
 </context>
 <context>

@@ -9428,8 +9428,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Le moteur saute encore une fois, aussi loin qu’avant, et est identifié à partir des derniers échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
-        <translation>Le moteur saute de la distance de l’échelon et revient, puis deux fois plus loin et revient, et est identifié à partir de ces échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, but at most by %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
+        <translation>Le moteur saute de la distance de l’échelon et revient, puis deux fois plus loin et revient, mais d’au plus %1 et %2 incr., et est identifié à partir de ces échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
     </message>
 </context>
 <context>

@@ -9409,8 +9409,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モーターがもう一度、これまでと同じ距離だけ急に動き、最近のステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
-        <translation>モーターがステップの距離だけ急に動いて戻り、次にその2倍動いて戻り、これらのステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, but at most by %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
+        <translation>モーターがステップの距離だけ急に動いて戻り、次にその2倍動いて戻り（ただし最大%1カウントと%2カウント）、これらのステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
     </message>
 </context>
 <context>
