@@ -91,6 +91,17 @@ TEST(StepPlan, SwitchesAndStopsWithTheAmplifierAsItShallBe) {
     EXPECT_EQ(bytesOf(intent::StopAbruptly{}, off.module), (Bytes{"17 04"})) << "a stop enables nothing";
 }
 
+/// docs/link.md 2.4: one reply does not state a fact.
+TEST(StepPlan, AStopLeavesTheAmplifierOnThatOnlyOneReplyShowsOff) {
+    Stepper stepper = Stepper::running();
+    stepper.says(kStepPower);
+    ASSERT_TRUE(stepper.module.maybeOff());
+    EXPECT_EQ(bytesOf(intent::StopSmoothly{}, stepper.module), (Bytes{"17 09"}));
+    EXPECT_EQ(bytesOf(intent::StopAbruptly{}, stepper.module), (Bytes{"17 05"}));
+    stepper.says(kStepPower);
+    EXPECT_EQ(bytesOf(intent::StopAbruptly{}, stepper.module), (Bytes{"17 04"})) << "now it is";
+}
+
 TEST(StepPlan, StopsAbruptlyWhereNoRampIsKnown) {
     Stepper stepper = Stepper::holding();
     stepper::LoadTrajectory load;

@@ -64,17 +64,17 @@ public:
         spec.modules = {0};
         EXPECT_TRUE(bus.chain.inject(spec, bus.now).has_value());
     }
-    /// One reply says that motor 1 is off, and is wrong (link.md 2.4).
-    void sayOff() {
+    /// One reply says that a motor is off, and is wrong (link.md 2.4).
+    void sayOff(std::uint8_t index = 0) {
         take();
-        bus::Sample wrong = *bus.lastSample(0);
+        ModuleState& state = modules.at(index);
+        bus::Sample wrong = *bus.lastSample(index);
         wrong.time += std::chrono::milliseconds(1);
-        if (module().isStepper())
+        if (state.isStepper())
             wrong.report.status &= static_cast<std::uint8_t>(~0x04U);  // AMP_EN (DS-S 5.2)
         else
-            wrong.report.aux =
-                static_cast<std::uint8_t>(*module().latest->aux & ~0x04U);  // servo_on (DS-V 5.3)
-        module().apply(wrong);
+            wrong.report.aux = static_cast<std::uint8_t>(*state.latest->aux & ~0x04U);  // servo_on (DS-V 5.3)
+        state.apply(wrong);
     }
     /// The servo's switch is closed while the shaft is below `at` if `below`, otherwise while it is above.
     void putSwitch(sim::Input input, double at, bool below) { m_switches.push_back({input, at, below}); }

@@ -651,6 +651,67 @@ TEST_F(Sequences, AnAxisThatDoesNotStayWithinItsToleranceEndsIt) {
     EXPECT_NEAR(static_cast<double>(bench.shafts()[0]), 1'000, 60) << "it did not go on to B";
 }
 
+// ---- one reply that says that a motor is off ----
+
+/// The parameter is the module: a servo, and the PIC-STEP.
+class OneReplyThatSaysItIsOff : public Sequences, public testing::WithParamInterface<std::uint8_t> {
+protected:
+    [[nodiscard]] ModuleState& module() { return bench.modules.at(GetParam()); }
+    /// Stop Motor has one data byte (DS-V 5.2, DS-S 5.1).
+    [[nodiscard]] std::size_t stops() const {
+        return bench.bus.sends("AA 0" + std::to_string(GetParam() + 1) + " 17", m_before);
+    }
+    [[nodiscard]] bool isOn() {
+        return module().isStepper() ? bench.bus.chain.snapshot(kTable, bench.bus.now).stepper->ampEnabled
+                                    : bench.bus.servo(GetParam()).servoOn;
+    }
+    /// Goes on until the module moves, and has that reply then.
+    void startAndSayOff(const std::string& sequence) {
+        bench.start(sequence);
+        bench.turns(10);
+        ASSERT_TRUE(module().moving());
+        m_before = bench.bus.sent.size();
+        bench.sayOff(GetParam());
+        ASSERT_TRUE(module().maybeOff());
+    }
+
+private:
+    std::size_t m_before = 0;
+};
+
+TEST_P(OneReplyThatSaysItIsOff, EndsNothing) {
+    ASSERT_NO_FATAL_FAILURE(startAndSayOff("Main"));
+    EXPECT_EQ(sent(), 0U);
+    EXPECT_FALSE(bench.run->report().end);
+    EXPECT_EQ(bench.goOn().stage, SequenceStage::Done);
+    EXPECT_EQ(stops(), 0U);
+    EXPECT_EQ(bench.shafts(), (std::vector<std::int64_t>{1'000, -500, 200}));
+    bench.bus.expectNoViolations();
+}
+
+TEST_P(OneReplyThatSaysItIsOff, DelaysItsStopAndNoOther) {
+    ASSERT_NO_FATAL_FAILURE(startAndSayOff("Main"));
+    bench.run->stop();
+    EXPECT_EQ(sent(), 2U) << "the stops of the other two";
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Stopping);
+}
+
+TEST_P(OneReplyThatSaysItIsOff, KeepsNoStopFromIt) {
+    bench.machine.program.points = {{"Far", {{ModuleIndex(GetParam()), 10'000}}}};
+    bench.machine.program.sequences = {{"Move", {action::MoveTo{"Far"}}}};
+    ASSERT_NO_FATAL_FAILURE(startAndSayOff("Move"));
+    bench.run->stop();
+    EXPECT_EQ(sent(), 0U) << "it might switch the motor on";
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Stopping);
+    EXPECT_EQ(bench.goOn().end, SequenceEnd::ByUser);
+    EXPECT_EQ(stops(), 1U);
+    bench.expectRest();
+    EXPECT_LT(bench.shafts().at(GetParam()), 9'000);
+    EXPECT_TRUE(isOn());
+}
+
+INSTANTIATE_TEST_SUITE_P(Motors, OneReplyThatSaysItIsOff, testing::Values(std::uint8_t{0}, std::uint8_t{2}));
+
 // ---- at every moment ----
 
 /// Moments at which a run is disturbed, spread evenly over its length.

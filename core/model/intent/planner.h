@@ -53,8 +53,8 @@ struct MotorPlanner : Planner {
 
     /// The amplifier is left as it is.
     [[nodiscard]] Plan stop(StopManner manner) const {
-        const bool amplifier = module.isStepper() ? module.stepper.amplifierOn() : module.amplifierKept();
-        return as(IntentKind::StopMotion, stopMotor(module.info.identity.type, manner, amplifier));
+        return as(IntentKind::StopMotion,
+                  stopMotor(module.info.identity.type, manner, module.amplifierKept()));
     }
 };
 

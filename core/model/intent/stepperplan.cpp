@@ -303,7 +303,7 @@ bus::Order smoothStop(const ModuleState& module) {
     const bool ramp = stepper.accelerationTime || stepper.mode() == StepperMode::Trapezoidal ||
                       stepper.mode() == StepperMode::VelocityProfile;
     const auto manner = ramp ? stepper::StopManner::Smoothly : stepper::StopManner::Abruptly;
-    return {module.info.index, StepperCommand(stepper::StopMotor{stepper.amplifierOn(), manner})};
+    return {module.info.index, StepperCommand(stepper::StopMotor{module.amplifierKept(), manner})};
 }
 
 }  // namespace nmc

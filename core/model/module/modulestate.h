@@ -131,9 +131,12 @@ struct ModuleState : ServoRegisters {
     /// PIC-SERVO: after power-up, a limit pin is an input (DS-V 5.2), and on an SC, it always is. In a chain
     /// that was found running, another host may have set it.
     [[nodiscard]] bool limitPinsKnown() const { return isSc(info.identity) || pathControl.has_value(); }
-    /// PIC-SERVO: AMP_EN in a stop that is to leave it as it is. If it is unknown, a servo that is on most
-    /// likely needs it: without it, the motor coasts.
-    [[nodiscard]] bool amplifierKept() const { return amplifierEnabled.value_or(true); }
+    /// AMP_EN in a stop that is to leave it as it is. If it is unknown, a servo that is on most likely needs
+    /// it: without it, the motor coasts. A PIC-STEP that is off according to only one reply is most likely
+    /// on.
+    [[nodiscard]] bool amplifierKept() const {
+        return isStepper() ? stepper.amplifierOn() || stepper.maybeOff() : amplifierEnabled.value_or(true);
+    }
     /// PIC-SERVO: the motor's current has been limited since this was last cleared.
     [[nodiscard]] bool currentWasLimited() const;
     /// The exact position that the motor holds or will hold: the goal of its last move or of a Stop Here, or

@@ -148,8 +148,14 @@ void SequenceRun::stop() {
 SequenceRun::Next SequenceRun::next(const Modules& modules, TimePoint now) {
     if (m_report.over())
         return Wait{};
-    if (!ending())
+    if (!ending()) {
+        // The next reply decides whether this is a failure (docs/link.md 2.4).
+        if (std::ranges::any_of(modules, [this](const ModuleState& module) {
+                return takesPart(module.info.index) && module.maybeOff();
+            }))
+            return Wait{};
         watch(modules, now);
+    }
     if (ending())
         return finishEnding(modules);
     if (m_inFlight > 0)
@@ -178,15 +184,21 @@ SequenceRun::Next SequenceRun::finishEnding(const Modules& modules) {
             // What is in flight to this motor may start it after this stop, so another one follows.
             const bool again = m_inFlight > 0 && !move.since;
             const ModuleState* module = moduleAt(index, modules);
-            if (!std::exchange(move.toStop, again) || module == nullptr || m_leftAlone.contains(index))
+            if (!move.toStop || module == nullptr || m_leftAlone.contains(index))
                 continue;
+            if (module->maybeOff()) {
+                // To a motor that is off, no stop is sent; the next reply decides whether it is.
+                m_stopsSent = false;
+                continue;
+            }
+            move.toStop = again;
             if (auto steps = stopOf(*module); !steps.empty())
                 stops.push_back(std::move(steps));
         }
         if (!stops.empty())
             return send(std::move(stops));
     }
-    if (!m_saysNothingMore && (inProcedure || m_inFlight > 0))
+    if (!m_saysNothingMore && (inProcedure || m_inFlight > 0 || !m_stopsSent))
         return Wait{};
     m_report.stage = SequenceStage::Over;
     return Wait{};
