@@ -340,5 +340,20 @@ TEST_F(HomingPage, N2_AfterAFreezeOfThePanelNoMoveFollows) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+/// 0.5 counts/tick is about 977 counts/s, so the move takes about 5 s.
+TEST_F(HomingPage, AFreezeOfThePanelThatStopsNothingEndsNoProcedure) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    auto* procedures = panel.composition().findChild<ProcedureController*>();
+    const int from = sim.state(1)[u"position"_s].toInt();
+    panel.ask(intent::MoveBy{{5'000, 1, 0.0, false},
+                             ServoPace{CountsPerTick(1 << 15), CountsPerTickSquared(1'311)}});
+    ASSERT_TRUE(panel.waitFor([&] { return testing_support::moves(sim); }));
+    panel.freeze(1'200ms);
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"The motor was not stopped"_s) == 1; }));
+    EXPECT_TRUE(panel.waitFor([&] { return !procedures->anyRunning(); }));
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), from + 5'000, 5);
+    EXPECT_EQ(sim.violations(), "");
+}
+
 }  // namespace
 }  // namespace nmc

@@ -122,6 +122,34 @@ TEST_F(Sequences, EscInTheMidstEndsItForGood) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+/// docs/link.md 2.7: it is reported from 1 s on, and stops the motors after 2 s.
+TEST_F(Sequences, AFreezeThatStopsNothingEndsNoWait) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(teach(u"Pick"_s));
+    ASSERT_NO_FATAL_FAILURE(moveTo(1'500));
+    ASSERT_NO_FATAL_FAILURE(panel.click("newSequenceButton"));
+    for (int row = 0; row < 2; ++row)
+        ASSERT_NO_FATAL_FAILURE(panel.click("addRowButton"));
+    ASSERT_NO_FATAL_FAILURE(choose(0, 0, u"wait"_s));
+    ASSERT_NO_FATAL_FAILURE(typeNumber(0, u"5"_s));
+    ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Running"_s); })) << state().toStdString();
+    panel.freeze(std::chrono::milliseconds(1'200));
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Done"_s); })) << state().toStdString();
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 0, 5);
+    EXPECT_EQ(sim.violations(), "");
+}
+
+TEST_F(Sequences, AFreezeThatStopsNothingEndsNoMove) {
+    ASSERT_NO_FATAL_FAILURE(makeSequence());
+    ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));
+    ASSERT_TRUE(panel.waitFor([&] { return moves(sim); }));
+    panel.freeze(std::chrono::milliseconds(1'200));
+    ASSERT_TRUE(panel.waitFor([&] { return state().startsWith(u"Done"_s); })) << state().toStdString();
+    EXPECT_NEAR(sim.state(1)[u"position"_s].toInt(), 1'500, 5);
+    EXPECT_EQ(sim.violations(), "");
+}
+
 TEST_F(Sequences, PausesBehindItsRowAndGoesOn) {
     ASSERT_NO_FATAL_FAILURE(makeSequence());
     ASSERT_NO_FATAL_FAILURE(panel.click("runSequenceButton"));

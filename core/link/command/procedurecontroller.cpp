@@ -234,8 +234,6 @@ bool ProcedureController::take(const StoreEvent& event) {
             [this](const PanelFroze& froze) {
                 if (froze.stopped)
                     overtakeAll();
-                else
-                    cancelAll();
             },
             [this](const bus::StopFinished&) {
                 // Also applies to a stop that this side did not request.

@@ -124,8 +124,6 @@ bool SequenceController::take(const StoreEvent& event) {
                    [this](const PanelFroze& froze) {
                        if (froze.stopped)
                            m_run->onStopOfAll();
-                       else
-                           m_run->stop();
                    },
                    [this](const PortClosed&) { m_run->onClosed(); },
                    [](const AnyOf<SimulatorAnswered, GuardianMissing, LineLent, LendingProblem> auto&) {},
