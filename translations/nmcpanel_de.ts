@@ -4496,8 +4496,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Spiel wird herausgefahren</translation>
     </message>
     <message>
-        <source>The next move would exceed the travel limits. The motor was stopped.</source>
-        <translation>Die nächste Fahrt würde die Fahrweggrenzen überschreiten. Der Motor wurde gestoppt.</translation>
+        <source>The move would exceed the travel limits. The motor was stopped.</source>
+        <translation>Die Fahrt würde die Fahrweggrenzen überschreiten. Der Motor wurde gestoppt.</translation>
     </message>
     <message>
         <source>Module %1 was commanded to stop just before its travel limit.</source>

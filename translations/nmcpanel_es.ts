@@ -4496,8 +4496,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Compensando la holgura</translation>
     </message>
     <message>
-        <source>The next move would exceed the travel limits. The motor was stopped.</source>
-        <translation>El próximo movimiento superaría los límites de recorrido. Se paró el motor.</translation>
+        <source>The move would exceed the travel limits. The motor was stopped.</source>
+        <translation>El movimiento superaría los límites de recorrido. Se paró el motor.</translation>
     </message>
     <message>
         <source>Module %1 was commanded to stop just before its travel limit.</source>

@@ -4496,8 +4496,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Rattrapage de jeu</translation>
     </message>
     <message>
-        <source>The next move would exceed the travel limits. The motor was stopped.</source>
-        <translation>Le déplacement suivant sortirait des limites de course. Le moteur a été arrêté.</translation>
+        <source>The move would exceed the travel limits. The motor was stopped.</source>
+        <translation>Le déplacement sortirait des limites de course. Le moteur a été arrêté.</translation>
     </message>
     <message>
         <source>Module %1 was commanded to stop just before its travel limit.</source>

@@ -4484,8 +4484,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>バックラッシ除去中</translation>
     </message>
     <message>
-        <source>The next move would exceed the travel limits. The motor was stopped.</source>
-        <translation>次の移動は移動範囲を超えます。モーターを停止しました。</translation>
+        <source>The move would exceed the travel limits. The motor was stopped.</source>
+        <translation>移動が移動範囲を超えます。モーターを停止しました。</translation>
     </message>
     <message>
         <source>Module %1 was commanded to stop just before its travel limit.</source>

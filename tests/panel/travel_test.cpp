@@ -37,5 +37,31 @@ TEST(TravelLimits, AFrozenPanelDelaysNoStop) {
     EXPECT_TRUE(panel.module().servoOn());
 }
 
+/// The run is sent as a move to 20 000. At 1 count/tick, which is 1953 counts/s, it slows down within 25
+/// counts.
+TEST(TravelLimits, ALimitThatIsSetNearerEndsARunTowardsTheOneBefore) {
+    VirtualChain sim{u"servo"_s};
+    VirtualPanel panel;
+    const auto position = [&] { return sim.state(1)[u"position"_s].toInt(); };
+    ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
+    ASSERT_NO_FATAL_FAILURE(panel.enable());
+    panel.ask(intent::SaveAsHome{});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.module().home.place().has_value(); }));
+    Hand hand(panel);
+    ASSERT_NO_FATAL_FAILURE(hand.turnTo(u"Axis"_s));
+    ASSERT_NO_FATAL_FAILURE(hand.type(u"Highest position"_s, u"20000"_s));
+    ASSERT_EQ(panel.composition().machine().axes.at(0).travel.highest, 20'000);
+    panel.ask(intent::Move{
+        servomotion::VelocityProfile{CountsPerTick(1 << 16), CountsPerTickSquared(1'311), false}});
+    ASSERT_TRUE(panel.waitFor([&] { return position() > 1'000; }));
+    ASSERT_NO_FATAL_FAILURE(hand.type(u"Highest position"_s, u"5000"_s));
+    ASSERT_EQ(panel.composition().machine().axes.at(0).travel.highest, 5'000);
+    ASSERT_LT(position(), 4'000) << "it would be too late to show anything";
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+    EXPECT_LT(position(), 5'000);
+    EXPECT_TRUE(panel.module().servoOn());
+    EXPECT_EQ(sim.violations(), "");
+}
+
 }  // namespace
 }  // namespace nmc

@@ -393,6 +393,23 @@ TEST_F(Steps, EndWhereTheNextOneWouldLeaveTheLimits) {
     EXPECT_EQ(goals(), (std::vector<std::int32_t>{250, 500}));
 }
 
+/// At 3906 counts/s, 0.3 s are 1172 counts, and slowing down by 0.02 counts/tick^2 takes 100.
+TEST_F(Steps, EndOnTheWayWhereALimitIsSetNearer) {
+    ASSERT_TRUE(bench.enable());
+    bench.module().home.declare(bench.module().latestTime);
+    bench.begin(by(20'000, 1));
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Moving));
+    bench.settle();
+    bench.module().travel.highest = 25'000;
+    ASSERT_TRUE(bench.turn());
+    EXPECT_FALSE(bench.procedure->ends()) << "its goal is still within";
+    bench.module().travel.highest = 5'000;
+    EXPECT_EQ(bench.goOn().failure, ProcedureFailure::SoftLimit);
+    EXPECT_LT(bench.truth().position, 2'000);
+    EXPECT_EQ(bench.truth().commandVelocity, 0);
+    bench.bus.expectNoViolations();
+}
+
 TEST_F(Steps, TakeUpTheBacklashWhereTheyComeFromTheWrongSide) {
     ASSERT_TRUE(bench.enable());
     bench.module().backlash.distance = 40;

@@ -216,7 +216,7 @@ QString procedureFailure(ProcedureFailure failure) {
         case ProcedureFailure::TimeLimit:
             return Texts::tr("No home within the time limit. The motor was stopped.");
         case ProcedureFailure::SoftLimit:
-            return Texts::tr("The next move would exceed the travel limits. The motor was stopped.");
+            return Texts::tr("The move would exceed the travel limits. The motor was stopped.");
         case ProcedureFailure::LinkSuspect:
             return Texts::tr("The link was unreliable. The motor was commanded to stop.");
         case ProcedureFailure::ModuleUnresponsive:

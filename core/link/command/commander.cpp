@@ -213,6 +213,7 @@ void Commander::look() {
     if (link.phase != LinkPhase::Connected || link.readOnly || link.lent)
         return;
     sendTravelLimits();
+    stopBeyondTravel();
     for (const ModuleState& module : link.modules)
         if (!module.silent && !m_procedures.running(module.info.index))  // a procedure arms its own
             keepArmed(module);
@@ -230,6 +231,24 @@ void Commander::sendTravelLimits() {
         return;
     m_travelLimits = limits;
     m_worker.setTravelLimits(std::move(limits));
+}
+
+/// The bus stops only a motion without an end. A run towards a limit was sent as a move that ends there,
+/// which would pass one that is set nearer meanwhile, as any other move would.
+void Commander::stopBeyondTravel() {
+    const std::vector<bus::TravelLimits> before = std::exchange(m_goalsWithin, m_travelLimits);
+    std::vector<ModuleIndex> beyond;
+    for (const ModuleState& module : m_store.link().modules) {
+        const std::size_t place = module.info.index.value();
+        const bool changed = place >= before.size() || before[place] != m_travelLimits[place];
+        const auto position = module.position();
+        const auto goal = module.goal();
+        if (changed && module.moving() && position && goal &&
+            beyondTravel(*position, *goal, m_travelLimits[place]))
+            beyond.push_back(module.info.index);
+    }
+    for (const ModuleIndex module : beyond)
+        stop(module);
 }
 
 /// The bus thread must know them before the stop is requested.

@@ -70,6 +70,7 @@ private:
     bus::OperationId nextId() { return bus::OperationId(++m_lastOperation); }
     void look();
     void sendTravelLimits();
+    void stopBeyondTravel();
     void sendStopOutputs();
     void keepArmed(const ModuleState& module);
     void noteTest(const ProcedureReport& report);
@@ -81,6 +82,7 @@ private:
     SequenceController m_sequences;
     std::uint32_t m_lastOperation = 0;
     std::vector<bus::TravelLimits> m_travelLimits;  ///< as last sent; empty: the bus may have other limits
+    std::vector<bus::TravelLimits> m_goalsWithin;   ///< those by which the goals were last judged
     std::vector<bus::StopOutputs> m_stopOutputs;    ///< as last sent; empty: the bus may have others
     std::map<ModuleIndex, TimePoint> m_armedAt;     ///< when a limit stop was last sent
     std::set<ModuleIndex> m_tested;                 ///< by running procedures (isTest)

@@ -46,6 +46,7 @@ GoalMoves::Next GoalMoves::go(ProcedureStage stage, std::int64_t goal, const Mod
     steps.insert(steps.end(), move->begin(), move->end());
     m_report.stage = stage;
     m_moves = true;
+    m_travel = travelRange(module);
     m_rest.restart();
     return send(std::move(steps));
 }
@@ -58,6 +59,11 @@ std::optional<GoalMoves::Next> GoalMoves::underWay(const ModuleState& module, Ti
         cancel();
         return Wait{};
     }
+    // A limit may have been set nearer.
+    const auto travel = travelRange(module);
+    if (travel != std::exchange(m_travel, travel) && travel && module.position() &&
+        beyondTravel(*module.position(), m_heading, *travel))
+        return fail(ProcedureFailure::SoftLimit);
     if (!m_rest.over(module, now))
         return Wait{};
     if (module.isStepper() && *module.latest->position != m_heading)

@@ -83,7 +83,7 @@ enum class ProcedureFailure : std::uint8_t {
     ReadingsDiffer,
     NotStill,      ///< it oscillates where it should stand; the servo stays on
     Unstable,      ///< it went too far and did not come to rest on a hold; it was switched off
-    SoftLimit,     ///< the next move would leave the travel limits, or a search was about to
+    SoftLimit,     ///< the move would leave the travel limits, or a search was about to
     StoppedShort,  ///< the chip ended the move by itself: a limit switch, overheating, the E-stop input
     NotAtHome,     ///< it comes to rest too far from home for home to become zero
     Swings,        ///< it oscillates at rest, with gains on trial
