@@ -200,6 +200,24 @@ TEST(MachineCompare, GroupsAreSentIfAModuleIsInAnother) {
     EXPECT_EQ(row(compare(mill(), {}, {}), groups)->applying, Applying::ChangesPanel);
 }
 
+TEST(MachineCompare, GroupsThatTheModulesHaveLostAreOfferedAgain) {
+    using testing::FieldsAre;
+    const PartId groups{{}, MachinePart::Groups};
+    auto modules = millChain();
+    for (ModuleState& module : modules)
+        module.info.group = bus::GroupPlace{};  // as after a restart
+    const auto rows = compare(mill(), mill(), modules);
+    ASSERT_NE(row(rows, groups), nullptr);
+    EXPECT_EQ(row(rows, groups)->applying, Applying::Sends);
+    EXPECT_THAT(shown(row(rows, groups)),
+                ElementsAre(FieldsAre("group129", Quantity::Plain, FieldValue("Table: 1, 2")),
+                            FieldsAre("leader129", Quantity::Plain, FieldValue(2.0))));
+    modules[0].info.group = bus::GroupPlace{0x81, false};
+    modules[1].info.group = bus::GroupPlace{0x81, true};
+    EXPECT_EQ(row(compare(mill(), mill(), modules), groups), nullptr);
+    EXPECT_EQ(row(compare(mill(), mill(), {}), groups), nullptr);
+}
+
 TEST(MachineCompare, PointsAndSequencesGoTogether) {
     Machine now = testing_support::taughtMill();
     std::get<action::Wait>(now.program.sequences[0].rows[3]).seconds = 0.5;

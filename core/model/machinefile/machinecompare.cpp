@@ -388,13 +388,18 @@ std::vector<Difference> compare(const Machine& file, const Machine& now,
     std::vector<Difference> rows;
     const Json fileJson = layout::written(file);
     const Json nowJson = layout::written(now);
-    for (const PartMembers<Machine>& members : kMachineParts)
-        if (Fields fields = differing(fieldsOf(members, fileJson), fieldsOf(members, nowJson));
-            !fields.empty()) {
-            rows.push_back({{{}, members.part}, std::move(fields)});
-            if (members.part == MachinePart::Groups && !groupChanges(file, modules).empty())
-                rows.back().applying = Applying::Sends;
-        }
+    for (const PartMembers<Machine>& members : kMachineParts) {
+        const Fields inFile = fieldsOf(members, fileJson);
+        const bool sends = members.part == MachinePart::Groups && !groupChanges(file, modules).empty();
+        Fields fields = differing(inFile, fieldsOf(members, nowJson));
+        if (fields.empty() && sends)
+            fields = inFile;  // the modules have lost them, in a restart for example
+        if (fields.empty())
+            continue;
+        rows.push_back({{{}, members.part}, std::move(fields)});
+        if (sends)
+            rows.back().applying = Applying::Sends;
+    }
     const std::size_t axes = std::max({file.axes.size(), now.axes.size(), modules.size()});
     for (std::size_t i = 0; i < axes; ++i) {
         const ModuleIndex index(static_cast<std::uint8_t>(i));
