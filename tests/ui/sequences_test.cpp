@@ -272,6 +272,24 @@ TEST(SequenceModels, OfferThePinsThatAModuleHas) {
     EXPECT_EQ(rows.index(1, RowsModel::Within).data().toString(), u"within 2.5 s"_s);
 }
 
+/// The chain consists of a PIC-I/O.
+TEST(SequenceModels, BeginAWaitWithAPinThatTheFirstModuleHas) {
+    Program program{{}, {{"Main", {action::WaitForArrival{}, action::Wait{}}}}};
+    RowsModel rows;
+    const auto show = [&] { rows.showRows(program, "Main", 1, {ModuleType::Io}); };
+    QObject::connect(&rows, &RowsModel::rowEdited, [&](int row, const Action& action) {
+        program.sequences[0].rows[static_cast<std::size_t>(row)] = action;
+        show();
+    });
+    show();
+    const QModelIndex cell = rows.index(1, RowsModel::Do);
+    const auto choices = cell.data(RowsModel::ChoicesRole).toStringList();
+    ASSERT_TRUE(choices.contains(u"wait for input"_s));
+    EXPECT_TRUE(rows.setData(cell, static_cast<int>(choices.indexOf(u"wait for input"_s)), Qt::EditRole));
+    EXPECT_EQ(rows.index(1, RowsModel::How).data().toString(), u"IO1 high"_s);
+    EXPECT_EQ(program.sequences[0].rows[1], Action(action::WaitForInput{ModuleIndex(0), InputPin::Io1}));
+}
+
 /// The same action, or the same module while no module is connected, resets nothing of the row.
 TEST(SequenceModels, ChangeNothingIfWhatIsChosenIsChosenAgain) {
     Program program = twoPoints();

@@ -104,11 +104,13 @@ Action RowsModel::newRow() const {
 }
 
 Action RowsModel::actionOf(std::size_t kind, std::size_t row) const {
+    action::WaitForInput wait{};
+    takeModule(wait, wait.module);
     const Action all[] = {
         action::MoveTo{m_program.points.empty() ? std::string() : m_program.points.front().name},
         action::Wait{},
         action::WaitForArrival{},
-        action::WaitForInput{},
+        wait,
         action::SetOutput{},
         action::Home{},
         action::Repeat{row > 0 ? row - 1 : 0, 2},
