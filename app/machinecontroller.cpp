@@ -352,11 +352,19 @@ void MachineController::saved(const QString& path, const Machine& asked, const s
     const bool wanted = m_saving == path;
     if (wanted)
         m_saving.clear();
-    if (!result)
+    if (!result) {
         m_window.showMessage(texts::machineNotSaved(result.error()));
-    else
-        m_window.endMessage(texts::key::kMachineFile);
-    if (!result || !wanted)
+        return showFile();
+    }
+    m_window.endMessage(texts::key::kMachineFile);
+    // What a table of this file would apply is not in the file any more.
+    if (m_pending && !m_pending->copy && !m_pending->restored &&
+        QFileInfo(m_pending->path) == QFileInfo(path)) {
+        m_pending.reset();
+        m_window.machineMenu().closeDifferences();
+    }
+    // Or the same file, from a table that was applied in the meantime.
+    if (!wanted && path != m_path)
         return showFile();
     // Edits made in the meantime are not in the file; those of axes moved the unknown keys as well.
     if (m_machine == asked) {

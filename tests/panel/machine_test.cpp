@@ -482,6 +482,30 @@ TEST_F(MachineFiles, OneThatSomeoneElseHasChangedIsNotOverwritten) {
     EXPECT_EQ(machineIn(file).axes[0].name, "Z") << "there was nothing to lose";
 }
 
+/// Otherwise what it applies would count as saved.
+TEST_F(MachineFiles, SavingClosesTheTableOfTheSameFileOnly) {
+    VirtualPanel panel;
+    panel.start();
+    open(panel, file);
+    click(panel, "applyDifferencesButton");
+    rename(panel, "Z");
+    open(panel, file);
+    ASSERT_NE(menu(panel).differences(), nullptr);
+    save(panel);
+    EXPECT_EQ(machineIn(file).axes[0].name, "Z");
+    EXPECT_EQ(menu(panel).differences(), nullptr);
+    EXPECT_FALSE(panel.window().isWindowModified());
+    const QString other = write("other.json", writeMachine(twoServos()));
+    rename(panel, "Spindle");
+    open(panel, other);
+    ASSERT_NE(menu(panel).differences(), nullptr);
+    save(panel);
+    EXPECT_EQ(machineIn(file).axes[0].name, "Spindle");
+    ASSERT_NE(menu(panel).differences(), nullptr) << "that file is as it was";
+    click(panel, "applyDifferencesButton");
+    EXPECT_FALSE(panel.window().isWindowModified());
+}
+
 TEST_F(MachineFiles, TheLastEightFilesAreRemembered) {
     const QString settings = directory.filePath(QStringLiteral("panel.ini"));
     {
