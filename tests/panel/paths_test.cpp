@@ -146,6 +146,24 @@ TEST_F(Paths, OneThatBeginsElsewhereIsMovedToFirst) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+/// Positions do not depend on the servo rate.
+TEST_F(Paths, OneCanBeRunOnceTheServoRateIsSetThatItNeeds) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    const auto setRate = [&](std::uint8_t divisor) {
+        servo::SetGain gains = *module(0).gains;
+        gains.sr = divisor;
+        panel.ask(intent::ApplyGains{gains});
+        ASSERT_TRUE(panel.waitFor([&] { return module(0).servoRate == divisor; }));
+    };
+    ASSERT_NO_FATAL_FAILURE(setRate(2));
+    ASSERT_NO_FATAL_FAILURE(open(swing({u"Module 1"_s}, 500, 2)));
+    EXPECT_TRUE(panel.waitFor([&] { return state().contains(u"Apply the gains with SR = 1 first."_s); }))
+        << state().toStdString();
+    ASSERT_NO_FATAL_FAILURE(setRate(1));
+    const auto* run = panel.window().findChild<QAbstractButton*>(u"runPathButton"_s);
+    EXPECT_TRUE(panel.waitFor([&] { return run->isEnabled(); })) << state().toStdString();
+}
+
 TEST_F(Paths, EscEndsOneForGood) {
     ASSERT_NO_FATAL_FAILURE(begin());
     ASSERT_NO_FATAL_FAILURE(open(swing({u"Module 1"_s}, 500, 60)));

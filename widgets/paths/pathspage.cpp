@@ -145,7 +145,8 @@ QString PathsPage::whyOutdated() const {
     for (std::size_t i = 0; i < m_path->axes.size(); ++i) {
         const PathColumn& axis = m_path->axes[i];
         const ModuleState* module = moduleAt(axis.module, m_link.modules);
-        if (module == nullptr || !hasPathBuffer(module->info.identity) || scaleOf(axis.module) != axis.scale)
+        if (module == nullptr || !hasPathBuffer(module->info.identity) ||
+            m_machine.axis(axis.module).unit != axis.scale.unit())
             return tr("The unit of an axis has changed. Open or draw the path again.");
         if (!m_path->origins.empty() && module->home.origin() != m_path->origins[i])
             return tr("The counter or the home of an axis has changed. Draw the path again.");
