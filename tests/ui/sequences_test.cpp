@@ -196,7 +196,9 @@ TEST_F(SequencePage, TheReasonWhyItCannotRunNamesTheRow) {
 }
 
 TEST_F(SequencePage, ARunMarksItsRowAndForbidsAnother) {
-    load(twoPoints());
+    Program program = twoPoints();
+    program.sequences.push_back({"Other", {action::Wait{1}, action::Wait{2}, action::Wait{3}}});
+    load(program);
     auto* table = find<QTableView>(u"rowTable"_s);
     QApplication::processEvents();
     const int before = table->viewport()->x();
@@ -206,6 +208,11 @@ TEST_F(SequencePage, ARunMarksItsRowAndForbidsAnother) {
     EXPECT_EQ(table->model()->headerData(2, Qt::Vertical).toString(), u"▸ 3"_s);
     QApplication::processEvents();
     EXPECT_EQ(table->viewport()->x(), before) << "the mark always has its room";
+    auto* sequences = find<QComboBox>(u"sequenceBox"_s);
+    sequences->setCurrentIndex(1);
+    EXPECT_EQ(table->model()->headerData(2, Qt::Vertical).toString(), u"3"_s) << "of another sequence";
+    sequences->setCurrentIndex(0);
+    EXPECT_EQ(table->model()->headerData(2, Qt::Vertical).toString(), u"▸ 3"_s);
     EXPECT_EQ(whyNot(u"runSequenceButton"_s), u"A sequence is already running."_s);
     EXPECT_EQ(whyNot(u"stopSequenceButton"_s), QString());
     QSignalSpy stops(&window->requests(), &Requests::stopSequence);

@@ -353,9 +353,6 @@ void SequencesPage::showSession(const LinkState& link, const Machine& machine) {
 
 void SequencesPage::showRun(const SequenceReport& report) {
     m_run = report;
-    const bool shown = !report.places.empty() && report.places.front().sequence == sequence();
-    m_rows->markRow(shown && report.stage != SequenceStage::Done ? std::optional(report.places.front().row)
-                                                                 : std::nullopt);
     refresh();
 }
 
@@ -431,6 +428,9 @@ void SequencesPage::showAxes() {
 }
 
 void SequencesPage::refresh() {
+    const bool marked = m_run && m_run->stage != SequenceStage::Done && !m_run->places.empty() &&
+                        m_run->places.front().sequence == sequence();
+    m_rows->markRow(marked ? std::optional(m_run->places.front().row) : std::nullopt);
     refreshPoints();
     refreshRows();
     refreshRun();
