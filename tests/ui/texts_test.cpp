@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/texts.h"
 
+#include "widgets/common/pathtexts.h"
 #include "widgets/common/positiontexts.h"
 #include "widgets/common/unitwords.h"
 #include "windowtest.h"
@@ -98,6 +99,23 @@ TEST(Texts, BadLink) {
     const Message one = texts::badLink({bus::LinkHealth::Marginal, 5, 60, ModuleIndex(2)});
     EXPECT_EQ(one.headline, u"The link to module 3 is marginal: 5 of its last 60 exchanges failed."_s);
     EXPECT_EQ(one.severity, Severity::Attention);
+}
+
+/// What looks like a place mark in a name is part of the name.
+TEST(Texts, NamesAreTakenAsTheyAre) {
+    texts::setModuleNames({u"50%2"_s});
+    const QString link = texts::badLink({bus::LinkHealth::Marginal, 5, 60, ModuleIndex(0)}).headline;
+    const QString silent = texts::moduleUnresponsive(ModuleIndex(0), 1.2, true).headline;
+    const QString trip = texts::tripped(ModuleIndex(0), 400).headline;
+    const QString address = texts::addressChanged({ModuleIndex(0), BusAddress(77)}).headline;
+    texts::setModuleNames({});
+    EXPECT_EQ(link, u"The link to module 1 \"50%2\" is marginal: 5 of its last 60 exchanges failed."_s);
+    EXPECT_TRUE(silent.startsWith(u"Module 1 \"50%2\" has not answered for 1.2 s."_s))
+        << silent.toStdString();
+    EXPECT_TRUE(trip.startsWith(u"Module 1 \"50%2\" switched its servo off"_s)) << trip.toStdString();
+    EXPECT_TRUE(address.startsWith(u"Module 1 \"50%2\" now has address 77."_s)) << address.toStdString();
+    EXPECT_EQ(texts::drawingProblem({DrawingProblem::Kind::Endless, "Drill 50%1", 2, {}}),
+              u"Drill 50%1, row 3: A path cannot repeat forever."_s);
 }
 
 TEST(Texts, SlowAdapter) {

@@ -204,9 +204,8 @@ Message badLink(const bus::HealthChanged& health) {
         m.headline =
             health.module
                 ? Texts::tr("The link to module %1 is unreliable: %2 of its last %3 exchanges failed.")
-                      .arg(moduleNumber(*health.module))
-                      .arg(health.wrong)
-                      .arg(health.of)
+                      .arg(moduleNumber(*health.module), QString::number(health.wrong),
+                           QString::number(health.of))
                 : Texts::tr("The link is unreliable: %1 of the last %2 exchanges failed.")
                       .arg(health.wrong)
                       .arg(health.of);
@@ -218,9 +217,8 @@ Message badLink(const bus::HealthChanged& health) {
     m.severity = Severity::Attention;
     m.headline = health.module
                      ? Texts::tr("The link to module %1 is marginal: %2 of its last %3 exchanges failed.")
-                           .arg(moduleNumber(*health.module))
-                           .arg(health.wrong)
-                           .arg(health.of)
+                           .arg(moduleNumber(*health.module), QString::number(health.wrong),
+                                QString::number(health.of))
                      : Texts::tr("The link is marginal: %1 of the last %2 exchanges failed.")
                            .arg(health.wrong)
                            .arg(health.of);
@@ -238,8 +236,7 @@ Message moduleUnresponsive(ModuleIndex module, double secondsSinceAnswer, bool w
               ? Texts::tr("Module %1 has not answered for %2 s. Motor state unknown: it was moving.")
               : Texts::tr(
                     "Module %1 has not answered for %2 s. Motor state unknown; it was stopped when last seen."))
-             .arg(moduleNumber(module))
-             .arg(since),
+             .arg(moduleNumber(module), since),
          Texts::tr(
              "Use the hardware stop if needed. Check its power and the plug next to it; the panel keeps trying."),
          Severity::Fault});
@@ -284,8 +281,7 @@ Message readdressed(const bus::Readdressed& readdressed) {
 Message addressChanged(const bus::AddressChanged& changed) {
     return {.key = u"readdress"_s,
             .headline = Texts::tr("Module %1 now has address %2. Position, gains and group are unchanged.")
-                            .arg(moduleNumber(changed.module))
-                            .arg(changed.address.value())};
+                            .arg(moduleNumber(changed.module), QString::number(changed.address.value()))};
 }
 
 Message notReaddressed(const bus::ReaddressFailed& failed) {

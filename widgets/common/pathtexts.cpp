@@ -135,9 +135,11 @@ QString pathObstacle(const PathObstacle& obstacle, servo::PathRate rate, const S
 
 QString drawingProblem(const DrawingProblem& problem) {
     using enum DrawingProblem::Kind;
-    const QString where =
-        Texts::tr("%1, row %2: %3")
-            .arg(QString::fromStdString(problem.sequence), grouped(static_cast<qint64>(problem.row) + 1));
+    const auto atRow = [&problem](const QString& said) {
+        return Texts::tr("%1, row %2: %3")
+            .arg(QString::fromStdString(problem.sequence), grouped(static_cast<qint64>(problem.row) + 1),
+                 said);
+    };
     const QString who = problem.module ? moduleName(*problem.module) : QString();
     switch (problem.kind) {
         case NoPathAxis:
@@ -147,12 +149,12 @@ QString drawingProblem(const DrawingProblem& problem) {
                 tr("%1 does not hold a known position. Enable its servo, and find home if the points count from home.")
                     .arg(who);
         case NotDrawn:
-            return where.arg(Texts::tr("Only moves, waits, repeats and calls can become a path."));
+            return atRow(Texts::tr("Only moves, waits, repeats and calls can become a path."));
         case Endless:
-            return where.arg(Texts::tr("A path cannot repeat forever."));
+            return atRow(Texts::tr("A path cannot repeat forever."));
         case TooManyPoints:
-            return where.arg(Texts::tr("Up to here the path would have more than %1 points.")
-                                 .arg(grouped(kMaxPathPoints)));
+            return atRow(Texts::tr("Up to here the path would have more than %1 points.")
+                             .arg(grouped(kMaxPathPoints)));
         case NoMove:
             return Texts::tr("The sequence \"%1\" moves nothing.")
                 .arg(QString::fromStdString(problem.sequence));

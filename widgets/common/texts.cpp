@@ -134,8 +134,7 @@ Message tripped(ModuleIndex module, std::optional<int> limit, TripCause cause) {
         : limit
             ? Texts::tr(
                   "Module %1 switched its servo off because the motor was more than %2 counts from where it should be.")
-                  .arg(number)
-                  .arg(*limit)
+                  .arg(number, QString::number(*limit))
             : Texts::tr(
                   "Module %1 switched its servo off because the motor was too far from where it should be.")
                   .arg(number);
