@@ -17,7 +17,10 @@ ProgramController::ProgramController(MainWindow& window, const BusStore& store, 
     connect(requests, &Requests::goToPoint, this, [this](const std::string& point) {
         m_sequences.begin(SequenceRun::toPoint(m_machine.machine(), point));
     });
-    connect(requests, &Requests::goToPlace, this, &ProgramController::goTo);
+    // The place is a point of this run only.
+    connect(requests, &Requests::goToPlace, this, [this](const Point& place) {
+        m_sequences.begin(SequenceRun::toPoint(withPlace(m_machine.machine(), place), place.name));
+    });
     connect(requests, &Requests::startSequence, this,
             [this](const std::string& sequence, std::size_t row, bool singleStep) {
                 m_sequences.begin(SequenceRun(m_machine.machine(), sequence, row, singleStep));
@@ -54,14 +57,6 @@ void ProgramController::showRun(const SequenceReport& report) {
     m_window.axes().showSequence(!report.over());
     if (const auto message = texts::sequenceOver(report))
         m_messages.report(*message);
-}
-
-/// The place is a point of this run only.
-void ProgramController::goTo(const Point& place) {
-    Machine machine = m_machine.machine();
-    std::erase_if(machine.program.points, [&](const Point& point) { return point.name == place.name; });
-    machine.program.points.push_back(place);
-    m_sequences.begin(SequenceRun::toPoint(std::move(machine), place.name));
 }
 
 }  // namespace nmc

@@ -22,7 +22,6 @@ public:
 
 private:
     void showRun(const SequenceReport& report);
-    void goTo(const Point& place);
 
     MainWindow& m_window;
     MachineController& m_machine;

@@ -146,6 +146,22 @@ TEST_F(Paths, OneThatBeginsElsewhereIsMovedToFirst) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+/// Unless chosen otherwise, points are left to an operator, and other moves are not.
+TEST_F(Paths, AnOperatorMovesToTheStartAsToAPoint) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    ASSERT_NO_FATAL_FAILURE(open(u"Module 1\n9000\n9100\n"_s));
+    panel.window().findChild<QAction*>(u"operatorAction"_s)->trigger();
+    for (const char* name : {"operatorPinField", "operatorPinAgainField"})
+        QTest::keyClicks(panel.window().findChild<QLineEdit*>(QLatin1String(name)), u"4711"_s);
+    ASSERT_NO_FATAL_FAILURE(panel.click("operatorBeginButton"));
+    ASSERT_TRUE(panel.composition().store().link().rights);
+    const auto* toStart = panel.window().findChild<QAbstractButton*>(u"pathToStartButton"_s);
+    ASSERT_TRUE(panel.waitFor([&] { return toStart->isEnabled(); })) << toStart->toolTip().toStdString();
+    ASSERT_NO_FATAL_FAILURE(panel.click("pathToStartButton"));
+    EXPECT_TRUE(panel.waitFor([&] { return commanded(1) == 9'000; }));
+    EXPECT_EQ(sim.violations(), "");
+}
+
 /// Positions do not depend on the servo rate.
 TEST_F(Paths, OneCanBeRunOnceTheServoRateIsSetThatItNeeds) {
     ASSERT_NO_FATAL_FAILURE(begin());

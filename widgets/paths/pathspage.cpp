@@ -99,7 +99,7 @@ QWidget* PathsPage::buildRun() {
                              .icon = u"arrow-bar-to-right"_s,
                              .text = tr("Move to start"),
                              .accessible = tr("Move to start: to the first point of the path")},
-                            box, [this] { moveToStart(); });
+                            box, [this] { emit m_requests.goToPlace(start()); });
     m_run = new Command({.name = u"runPathButton"_s,
                          .icon = u"player-play"_s,
                          .text = tr("Run path"),
@@ -297,8 +297,7 @@ void PathsPage::refresh() {
     if (notMoved.isEmpty())
         lookForObstacles();
     const QString notRun = notMoved.isEmpty() ? obstacleText() : notMoved;
-    const bool refused = m_obstacle && m_obstacle->kind == PathObstacle::Kind::Refused;
-    m_toStart->setPossible(refused ? notRun : notMoved,
+    m_toStart->setPossible(notMoved.isEmpty() ? whyNotToStart() : notMoved,
                            tr("Moves each axis of the path to its first point."));
     m_run->setPossible(notRun, tr("Runs all axes through the path. Asks first."));
     m_end->setPossible(running() ? QString() : tr("No path is running."),
@@ -381,15 +380,22 @@ void PathsPage::draw() {
     showPath({m_sequence->currentText(), std::move(*table), std::move(axes), std::move(origins)});
 }
 
-/// Moves as to a taught point: all rules for moves apply, and a stop ends it.
-void PathsPage::moveToStart() {
+/// As a taught point: all rules for a move there apply, and a stop ends it.
+Point PathsPage::start() const {
     Point place{.name = tr("Start of the path").toStdString(), .axes = {}};
     for (const PathTable::Column& column : m_path->table.columns) {
         const auto home = m_link.modules[column.module.value()].home.place();
         place.axes.push_back(
             {column.module, column.points.front() - (home ? home->counts : 0), home.has_value()});
     }
-    emit m_requests.goToPlace(place);
+    return place;
+}
+
+QString PathsPage::whyNotToStart() const {
+    const Point place = start();
+    const auto problems = nmc::whyNotRun(kMoveToPoint, 0, withMoveTo(withPlace(m_machine, place), place.name),
+                                         asOfSequence(m_link.modules));
+    return problems.empty() ? QString() : texts::sequenceProblem(problems.front());
 }
 
 /// Out of sight, the page is not kept up to date.

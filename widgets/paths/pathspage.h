@@ -70,6 +70,9 @@ private:
     [[nodiscard]] QString obstacleText() const;
     /// Why the axes cannot move to the start, as far as that does not depend on what the modules are doing.
     [[nodiscard]] QString whyNotMoved() const;
+    /// Why they cannot move there now, if they could otherwise.
+    [[nodiscard]] QString whyNotToStart() const;
+    [[nodiscard]] Point start() const;
     [[nodiscard]] QString whyOutdated() const;
     [[nodiscard]] AxisScale scaleOf(ModuleIndex module) const;
     [[nodiscard]] QString question() const;
@@ -80,7 +83,6 @@ private:
     void chooseFile();
     void chooseTarget();
     void draw();
-    void moveToStart();
     void ask();
     void run();
 

@@ -295,6 +295,12 @@ std::vector<SequenceProblem> whyNotRun(const std::string& sequence, std::size_t 
     return std::move(checker).problems();
 }
 
+Machine withPlace(Machine machine, const Point& place) {
+    std::erase_if(machine.program.points, [&](const Point& point) { return point.name == place.name; });
+    machine.program.points.push_back(place);
+    return machine;
+}
+
 Machine withMoveTo(Machine machine, const std::string& point) {
     machine.program.sequences.push_back({kMoveToPoint, {action::MoveTo{point}}});
     return machine;

@@ -80,6 +80,8 @@ struct SequenceProblem {
                                                      const Machine& machine,
                                                      const std::vector<ModuleState>& modules);
 
+/// Returns the machine with this place among its points, where it replaces one of the same name.
+[[nodiscard]] Machine withPlace(Machine machine, const Point& place);
 /// Name of the sequence that withMoveTo() adds; it cannot be typed.
 inline const std::string kMoveToPoint = "\n";
 /// Returns the machine with an additional sequence, whose only row moves all axes to this point at once.
