@@ -386,7 +386,7 @@ Point PathsPage::start() const {
     for (const PathTable::Column& column : m_path->table.columns) {
         const auto home = m_link.modules[column.module.value()].home.place();
         place.axes.push_back(
-            {column.module, column.points.front() - (home ? home->counts : 0), home.has_value()});
+            {column.module, countsBetween(home ? home->counts : 0, column.points.front()), home.has_value()});
     }
     return place;
 }
