@@ -114,6 +114,22 @@ TEST_F(Paths, AFileThatASlowDiskReadsForAnEarlierConnectionIsDropped) {
     EXPECT_FALSE(panel.window().findChild<QAbstractButton*>(u"runPathButton"_s)->isEnabled());
 }
 
+TEST_F(Paths, WhyAFileOfAnEarlierConnectionCannotBeReadIsNotSaid) {
+    ASSERT_NO_FATAL_FAILURE(begin());
+    std::vector<std::function<void()>> waiting;
+    setBackground([&](std::function<void()> work) { waiting.push_back(std::move(work)); });
+    ASSERT_NO_FATAL_FAILURE(askFor(swing({u"Module 1"_s}, 500, 2)));
+    ASSERT_TRUE(QFile::remove(directory.filePath(u"swing.csv"_s)));
+    ASSERT_NO_FATAL_FAILURE(panel.connectTo(sim.terminal()));
+    ASSERT_TRUE(panel.waitFor([&] { return module(0).latest.has_value(); }));
+    setBackground([](const std::function<void()>& work) { work(); });
+    for (const auto& work : waiting)
+        work();
+    ASSERT_TRUE(panel.answersFor(0.3));
+    EXPECT_TRUE(summary().startsWith(u"A path file has a column for each axis."_s))
+        << summary().toStdString();
+}
+
 TEST_F(Paths, NothingMovesWithoutAYes) {
     ASSERT_NO_FATAL_FAILURE(begin());
     ASSERT_NO_FATAL_FAILURE(open(swing({u"Module 1"_s}, 500, 2)));

@@ -260,7 +260,8 @@ void PathsPage::showProblems(const QString& name, const std::vector<PathProblem>
 
 void PathsPage::showNotRead(const FileError& error) {
     m_reading = false;
-    m_problems = texts::pathNotRead(error);
+    if (m_connection == m_link.connection)
+        m_problems = texts::pathNotRead(error);
     refresh();
 }
 
