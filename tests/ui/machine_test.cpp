@@ -291,6 +291,19 @@ TEST_F(MachineWindow, SavingFirstClosesOnlyWhenItWorked) {
     EXPECT_FALSE(window->isVisible());
 }
 
+TEST_F(MachineWindow, SavingFirstClosesIfItsDialogWasOpenAlready) {
+    menu().showFile({{}, {}, true, {}});
+    QObject::connect(&menu(), &MachineMenu::saveAsRequested, &menu(), [this](const QString& path) {
+        menu().showFile({path, {}, false, {}});
+    });
+    trigger(u"saveMachineAction"_s);
+    window->close();
+    click(u"saveFirstButton"_s);
+    EXPECT_TRUE(window->isVisible());
+    testing_support::chooseFile(*find<QFileDialog>(u"saveMachineDialog"_s), u"/home/anna/new.json"_s);
+    EXPECT_FALSE(window->isVisible());
+}
+
 TEST_F(MachineWindow, ClosingWaitsForTheDiskUnlessTheUserDoesNot) {
     const MachineFile saving{u"/home/anna/mill.json"_s, {}, true, {}, true};
     menu().showFile(saving);

@@ -229,8 +229,9 @@ void MachineMenu::chooseToOpen() {
 }
 
 void MachineMenu::chooseToSave(const Go& then) {
+    m_afterChoosing = then;  // if the dialog is open already, too
     askWhereToSave(m_window, fileQuestion(u"saveMachineDialog"_s, tr("Save machine")),
-                   [this, then](const QString& path) { save(path, then); });
+                   [this](const QString& path) { save(path, m_afterChoosing); });
 }
 
 }  // namespace nmc

@@ -85,7 +85,8 @@ private:
     QWidget* m_window;
     MachineFile m_file;
     bool m_locked = false;
-    Go m_afterSaving;  ///< called if saving succeeds
+    Go m_afterSaving;    ///< called if saving succeeds
+    Go m_afterChoosing;  ///< the same for the file that is being chosen
     QAction* m_new;
     QAction* m_open;
     QAction* m_save;
