@@ -124,9 +124,8 @@ QWidget* PathsPage::buildRun() {
 // ---- chain and path ----
 
 AxisScale PathsPage::scaleOf(ModuleIndex module) const {
-    return module.value() < m_link.modules.size()
-               ? nmc::scaleOf(m_link.modules[module.value()], m_machine.axis(module))
-               : AxisScale();
+    const AxisSettings& axis = m_machine.axis(module);
+    return nmc::scaleOf(moduleAt(module, m_link.modules), axis, axis.expected);
 }
 
 std::vector<PathColumn> PathsPage::axesNow() const {

@@ -599,10 +599,7 @@ std::optional<std::size_t> SequencesPage::chosenRow() const {
 
 AxisScale SequencesPage::scaleOf(ModuleIndex module) const {
     const AxisSettings& axis = m_machine.axis(module);
-    if (module.value() < m_link.modules.size())
-        return nmc::scaleOf(m_link.modules[module.value()], axis);
-    const bool steps = axis.expected && axis.expected->type == ModuleType::Stepper;
-    return steps ? AxisScale::step(axis.unit) : AxisScale::servo(axis.unit, std::nullopt);
+    return nmc::scaleOf(moduleAt(module, m_link.modules), axis, axis.expected);
 }
 
 }  // namespace nmc

@@ -310,13 +310,6 @@ std::optional<Difference> hardwareDifference(ModuleIndex index, const Machine& f
     return row;
 }
 
-AxisScale shownScale(const AxisSettings& file, const AxisSettings& now, const ModuleState* module) {
-    if (module != nullptr)
-        return scaleOf(*module, now);
-    const bool steps = file.expected && file.expected->type == ModuleType::Stepper;
-    return steps ? AxisScale::step(now.unit) : AxisScale::servo(now.unit, std::nullopt);
-}
-
 void compareAxis(std::vector<Difference>& rows, ModuleIndex index, const AxisSettings& file,
                  const AxisSettings& now, const ModuleState* module) {
     const Json fileJson = writtenAxis(file);
@@ -325,7 +318,7 @@ void compareAxis(std::vector<Difference>& rows, ModuleIndex index, const AxisSet
     for (const PartMembers<AxisSettings>& members : kAxisParts) {
         const Fields inFile = fieldsOf(members, fileJson);
         Difference row{{index, members.part}, differing(inFile, fieldsOf(members, nowJson))};
-        row.scale = shownScale(file, now, module);
+        row.scale = scaleOf(module, now, file.expected);
         if (isSent(members.part) && module == nullptr)
             row.applying = Applying::KeepsUnsent;
         else if (isSent(members.part) && inFile.empty())
