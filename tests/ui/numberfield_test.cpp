@@ -126,9 +126,9 @@ TEST_P(NumberFieldIn, U02_ReadsTheGroupsAndTheMinusThatThePanelWrites) {
 }
 
 TEST_P(NumberFieldIn, U03_RefusesWhatIsNoNumber) {
-    for (const QString& text :
-         {u"abc"_s, u"1e3"_s, u"nan"_s, u"inf"_s, u"0x10"_s, u"1 00"_s, u"1 0000"_s, u"1  000"_s,
-          u"1 000 00"_s, u"--1"_s, u"-"_s, u"."_s, u"٣"_s, u"1\u202e2"_s}) {
+    for (const QString& text : {u"abc"_s, u"1e3"_s, u"nan"_s, u"inf"_s, u"0x10"_s, u"1 00"_s, u"1 0000"_s,
+                                u"1  000"_s, u"1 000 00"_s, u"1000 200"_s, u"250\t100"_s, u"250\n100"_s,
+                                u"--1"_s, u"-"_s, u"."_s, u"٣"_s, u"1\u202e2"_s}) {
         Problem problem = Problem::None;
         EXPECT_EQ(NumberField::parse(text, false, &problem), std::nullopt) << text.toStdString();
         EXPECT_NE(problem, Problem::None);

@@ -26,13 +26,15 @@ namespace {
 /// Longer than any number here; a huge paste is cut to this length, which is still out of range.
 constexpr int kMaxLength = 32;
 
-/// True for a space of any width between groups of three digits, as this program and others write them.
+/// True for a space of any width between groups of three digits, as this program and others write them. No
+/// group has more digits: two numbers that were pasted are not one.
 bool separatesGroups(const QString& text, qsizetype at) {
     const auto isDigit = [&text](qsizetype i) {
         return i >= 0 && i < text.size() && text.at(i) >= u'0' && text.at(i) <= u'9';
     };
-    return text.at(at).isSpace() && isDigit(at - 1) && isDigit(at + 1) && isDigit(at + 2) &&
-           isDigit(at + 3) && !isDigit(at + 4);
+    const bool tooLong = isDigit(at - 2) && isDigit(at - 3) && isDigit(at - 4);
+    return text.at(at).category() == QChar::Separator_Space && isDigit(at - 1) && !tooLong &&
+           isDigit(at + 1) && isDigit(at + 2) && isDigit(at + 3) && !isDigit(at + 4);
 }
 
 /// The locale's decimal mark if it is one of the two that are read, otherwise the point.
