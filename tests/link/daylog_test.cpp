@@ -69,6 +69,20 @@ TEST_F(DayLogTest, TheOldestOf31DaysGoes) {
     EXPECT_EQ(content("messages-2026-11-01.log"), "one\n");
 }
 
+/// The clock was set back: the files that are there are all of later days.
+TEST_F(DayLogTest, TheFileThatIsWrittenIsNeverTheOneThatGoes) {
+    for (int day = 1; day <= 30; ++day) {
+        QFile file(folder() + QStringLiteral("/messages-2026-12-%1.log").arg(day, 2, 10, QLatin1Char('0')));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    }
+    DayLog log(folder());
+    log.write("one", at(1));
+    ASSERT_TRUE(finishes(log));
+    log.write("two", at(1));
+    ASSERT_TRUE(finishes(log));
+    EXPECT_EQ(content("messages-2026-11-01.log"), "one\ntwo\n");
+}
+
 TEST_F(DayLogTest, OneThatIsTooLargeIsBegunAnewAndTheOneBeforeIsKept) {
     QFile file(folder() + QStringLiteral("/messages-2026-11-21.log"));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));

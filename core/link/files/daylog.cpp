@@ -13,10 +13,10 @@ namespace nmc {
 
 namespace {
 
-/// Removes the oldest files beyond the limit. Their names sort by date.
-void removeOldest(const QDir& folder) {
+/// Removes the oldest files, so that there is room for one more. Their names sort by date.
+void makeRoom(const QDir& folder) {
     QStringList files = folder.entryList({QStringLiteral("messages-*-*-*.log")}, QDir::Files, QDir::Name);
-    while (files.size() > DayLog::kMaxFiles) {
+    while (files.size() >= DayLog::kMaxFiles) {
         const QString oldest = folder.filePath(files.takeFirst());
         QFile::remove(oldest);
         QFile::remove(oldest + QStringLiteral(".old"));
@@ -71,14 +71,14 @@ FileWriter::Result DayLog::appendToFile(const QString& path, std::string_view li
         QFile::remove(path + QStringLiteral(".old"));
         QFile::rename(path, path + QStringLiteral(".old"));
     }
-    const bool begins = !QFileInfo::exists(path);
+    // Before it is there: with a clock that was set back, it would be the oldest.
+    if (!QFileInfo::exists(path))
+        makeRoom(folder);
     QFile file(path);
     const auto bytes = static_cast<qint64>(lines.size());
     if (!file.open(QIODevice::WriteOnly | QIODevice::Append) || file.write(lines.data(), bytes) != bytes ||
         !file.flush())
         return tl::unexpected(FileError{FileErrorKind::Other, path, file.errorString()});
-    if (begins)
-        removeOldest(folder);
     return {};
 }
 
