@@ -154,6 +154,22 @@ TEST_F(ScopeFilesTest, PngIsTheStripsBelowACaption) {
     EXPECT_GT(image.height(), 2 * (strips->height() + strips->fontMetrics().height()));
 }
 
+TEST_F(ScopeFilesTest, SvgOfARecordCanBeReadWhateverItsTitle) {
+    HandMadeHistory made = twoModules();
+    auto record = std::make_shared<ScopeRecord>();
+    record->title = u"A & <b>.csv"_s;
+    record->history = made.history();
+    record->modules = window->scopeModules();
+    window->showRecord(record);
+    QXmlStreamReader xml(QByteArray::fromStdString(exported(u"Svg"_s, made, 30)));
+    QString words;
+    while (!xml.atEnd())
+        if (xml.readNext() == QXmlStreamReader::Characters)
+            words += xml.text();
+    EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+    EXPECT_TRUE(words.contains(record->title)) << words.toStdString();
+}
+
 TEST_F(ScopeFilesTest, SvgHoldsTheTracesAsLinesWithinThePlot) {
     HandMadeHistory made(2);
     for (int i = 0; i <= 3'000; ++i)  // more than there are pixels

@@ -66,7 +66,6 @@ void paint(QPainter& painter, const Picture& picture, const QSize& size) {
     generator.setSize(sizeOf(picture));
     generator.setViewBox(QRect(QPoint(), sizeOf(picture)));
     generator.setResolution(kResolution);
-    generator.setTitle(picture.caption.value(0));
     QPainter painter(&generator);
     paint(painter, picture, picture.widget->size());
     painter.end();
