@@ -374,6 +374,7 @@ TEST(Texts, ServoOffIsNotAFault) {
 TEST(Texts, ReadoutsAreGroupedAndSigned) {
     EXPECT_EQ(texts::grouped(0), u"0"_s);
     EXPECT_EQ(texts::grouped(-1234567), u"\u22121\u202f234\u202f567"_s);
+    EXPECT_EQ(texts::fixed(1e22, 0), u"10"_s + u"\u202f000"_s.repeated(7)) << "more than 64 bits";
     EXPECT_EQ(texts::readout(1953.125), u"1\u202f953"_s);
     EXPECT_EQ(texts::readout(0.5), u"0.5"_s);
     EXPECT_EQ(texts::readout(-0.5), u"\u22120.5"_s);

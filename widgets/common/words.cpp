@@ -334,10 +334,14 @@ QString link(const LinkState& state) {
     return {};
 }
 
-QString grouped(qint64 value) {
-    QString digits = QString::number(qAbs(value));
+static QString inGroups(QString digits) {
     for (qsizetype i = digits.size() - 3; i > 0; i -= 3)
         digits.insert(i, QChar(0x202F));
+    return digits;
+}
+
+QString grouped(qint64 value) {
+    const QString digits = inGroups(QString::number(qAbs(value)));
     return value < 0 ? QChar(0x2212) + digits : digits;
 }
 
@@ -347,7 +351,7 @@ QString rate(quint32 baud) {
 
 QString fixed(double value, int decimals) {
     const QString digits = QLocale::c().toString(std::abs(value), 'f', decimals).remove(u',');
-    const QString whole = grouped(digits.section(u'.', 0, 0).toLongLong());
+    const QString whole = inGroups(digits.section(u'.', 0, 0));
     const QString fraction = digits.section(u'.', 1);
     const QString text = fraction.isEmpty() ? whole : whole + QLocale().decimalPoint() + fraction;
     const bool zero = digits.count(u'0') + digits.count(u'.') == digits.size();
