@@ -361,6 +361,15 @@ TEST(StepperHoming, HasTheChipsOwnConditionsAndNamesOfItsOwn) {
     other.connected = true;
     context.show(other);
     EXPECT_EQ(home->toolTip(), texts::refusal(Refusal::ParametersUnknown));
+    AxisSettings reversed;
+    reversed.unit = {UnitKind::Millimetres, -100.0, {}};
+    PanelView turned{module, reversed};
+    turned.connected = true;
+    context.show(turned);
+    auto* limit = box.findChild<QAbstractButton*>(u"stepperOnLimit1Box"_s);
+    ASSERT_NE(limit, nullptr);
+    EXPECT_EQ(limit->text(), u"Limit 1 (reverse)"_s);
+    EXPECT_EQ(limit->accessibleName(), limit->text());
 }
 
 // ---- words ----

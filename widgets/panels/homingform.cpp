@@ -194,11 +194,15 @@ void HomingForm::showRecipe(const HomingRecipe& recipe) {
 void HomingForm::showChip(const AxisScale& scale, const ModuleIdentity& chip, double speedUnit) {
     m_version = chip.version;
     m_reversed = scale.reversed();
-    for (const Box& box : m_boxes)
+    for (const Box& box : m_boxes) {
         if (m_type == ModuleType::Stepper && box.flag == &HomingRecipe::onLimit1)
             box.button->setText(m_reversed ? tr("Limit 1 (reverse)") : tr("Limit 1 (forward)"));
         else if (m_type == ModuleType::Stepper && box.flag == &HomingRecipe::onLimit2)
             box.button->setText(m_reversed ? tr("Limit 2 (forward)") : tr("Limit 2 (reverse)"));
+        else
+            continue;
+        box.button->setAccessibleName(box.button->text());
+    }
     for (const Quantity& quantity : m_quantities) {
         const bool velocity =
             quantity.value == &HomingRecipe::velocity || quantity.value == &HomingRecipe::indexVelocity;

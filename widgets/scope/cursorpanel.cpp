@@ -52,8 +52,10 @@ bool CursorPanel::showReadings(const ScopeStrips& strips, const History& history
     const QString text = strips.cursors()
                              ? tr("Between the cursors: %1").arg(CursorTable::between(*strips.cursors()))
                              : QString();
-    if (m_fold->text() != text)
+    if (m_fold->text() != text) {
         m_fold->setText(text);
+        m_fold->setAccessibleName(text.isEmpty() ? Common::tr("Cursor readings") : text);
+    }
     bool upToDate = !m_fold->isChecked() || m_table->showReadings(strips, history);
     for (StretchDialog* dialog : m_dialogs)
         upToDate = (!dialog->isVisible() || dialog->showStretch(strips, history)) && upToDate;

@@ -211,7 +211,7 @@ void ScopePanel::addLaneBits(QMenu& menu) {
     QMenu* bits = menu.addMenu(tr("Bits of the lane"));
     const std::vector<ScopeBit> shown = m_setup.bitsOf(type);
     for (const ScopeBit& bit : laneBits(module.identity)) {
-        QAction* action = bits->addAction(texts::bitName(bit, module));
+        QAction* action = bits->addAction(texts::bitName(bit, module).replace(u'&', u"&&"_s));
         action->setCheckable(true);
         action->setChecked(std::find(shown.begin(), shown.end(), bit) != shown.end());
         connect(action, &QAction::toggled, this, [this, bit, type](bool wanted) {
