@@ -10279,8 +10279,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>▲ Endschalter-Stopp ausgelöst</translation>
     </message>
     <message>
-        <source>Holds the position that the motor has at this moment, without a profile.</source>
-        <translation>Hält ohne Profil die Position, die der Motor in diesem Moment hat.</translation>
+        <source>In motion, stops at once, as Stop abruptly does. At rest, holds the position that the motor has at this moment, without a profile.</source>
+        <translation>In Bewegung: stoppt sofort, wie der Sofort-Stopp. Im Stillstand: hält ohne Profil die Position, die der Motor in diesem Moment hat.</translation>
     </message>
     <message>
         <source>Travel limits</source>

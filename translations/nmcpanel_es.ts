@@ -10279,8 +10279,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>▲ Parada por límite disparada</translation>
     </message>
     <message>
-        <source>Holds the position that the motor has at this moment, without a profile.</source>
-        <translation>Mantiene la posición que tiene el motor en este momento, sin perfil.</translation>
+        <source>In motion, stops at once, as Stop abruptly does. At rest, holds the position that the motor has at this moment, without a profile.</source>
+        <translation>En movimiento, se detiene de inmediato, como la parada brusca. En reposo, mantiene la posición que tiene el motor en este momento, sin perfil.</translation>
     </message>
     <message>
         <source>Travel limits</source>

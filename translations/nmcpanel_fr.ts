@@ -10279,8 +10279,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>▲ Arrêt sur fin de course déclenché</translation>
     </message>
     <message>
-        <source>Holds the position that the motor has at this moment, without a profile.</source>
-        <translation>Maintient sans profil la position que le moteur a à cet instant.</translation>
+        <source>In motion, stops at once, as Stop abruptly does. At rest, holds the position that the motor has at this moment, without a profile.</source>
+        <translation>En mouvement, arrête le moteur immédiatement, comme l’arrêt brutal. À l’arrêt, maintient sans profil la position que le moteur a à cet instant.</translation>
     </message>
     <message>
         <source>Travel limits</source>

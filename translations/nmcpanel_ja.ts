@@ -10260,8 +10260,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>▲ リミット停止 作動</translation>
     </message>
     <message>
-        <source>Holds the position that the motor has at this moment, without a profile.</source>
-        <translation>この瞬間のモーターの位置を、プロファイルなしで保持します。</translation>
+        <source>In motion, stops at once, as Stop abruptly does. At rest, holds the position that the motor has at this moment, without a profile.</source>
+        <translation>動作中は「即停止」と同じく直ちに停止します。静止中は、この瞬間のモーターの位置を、プロファイルなしで保持します。</translation>
     </message>
     <message>
         <source>Travel limits</source>

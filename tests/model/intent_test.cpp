@@ -275,12 +275,31 @@ TEST(Plan, StopsHereAtThePositionItHas) {
     EXPECT_EQ(refusalOf(intent::StopHere{}, module), Refusal::VersionLacksIt);
 }
 
+/// The reported position is behind a motor that moves, and without a profile, it would be driven back there.
+/// DS-V 5.2: AMP_EN and stop abruptly are 0x01 and 0x04.
+TEST(Plan, StopsHereAbruptlyInMotion) {
+    ModuleState module = holdingServo();
+    module.apply(executedAt(1, trapezoid(20'000, 8 << 16, 1'311)));
+    module.apply(executedAt(1, StartMotion{}));
+    module.apply(sampleOf(1.1, kPower, kServoOn, 100));
+    EXPECT_EQ(payloads(intent::StopHere{}, module), Hex{"17 05"});
+    module.apply(sampleOf(5, kMoveDone | kPower, kServoOn, 20'000));
+    // 20 000 = 0x4E20.
+    EXPECT_EQ(payloads(intent::StopHere{}, module), (Hex{"57 11 20 4E 00 00"}));
+    // At its velocity, a run reports that the move is done.
+    module.apply(executedAt(6, velocityMode(8 << 16, 1'311)));
+    module.apply(sampleOf(7, kMoveDone | kPower, kServoOn, 30'000));
+    EXPECT_EQ(payloads(intent::StopHere{}, module), Hex{"17 05"});
+}
+
 /// Whether AMP_EN is high cannot be read, and a stop without it lets the motor coast.
 TEST(Plan, AStopOfAServoThatAnotherHostLeftOnKeepsItsAmplifier) {
     ModuleState module = servoModule();
     module.attached();
     module.apply(sampleOf(1, kPower, kServoOn, 100));
     EXPECT_EQ(payloads(intent::StopAbruptly{}, module), Hex{"17 05"});
+    EXPECT_EQ(payloads(intent::StopHere{}, module), Hex{"17 05"}) << "it moves";
+    module.apply(sampleOf(1.5, kMoveDone | kPower, kServoOn, 100));
     EXPECT_EQ(payloads(intent::StopHere{}, module), (Hex{"57 11 64 00 00 00"}));
     module.apply(executedAt(2, servo::StopMotor{false, servo::StopManner::AmplifierOnly, {}}));
     EXPECT_EQ(payloads(intent::StopAbruptly{}, module), Hex{"17 04"}) << "it is known to be low";

@@ -351,7 +351,7 @@ void PanelHead::refreshCommands() {
     if (m_stopHere != nullptr)
         m_stopHere->setPossible(
             m_context.reasonFor(IntentKind::StopHere),
-            tr("Holds the position that the motor has at this moment, without a profile."));
+            tr("In motion, stops at once, as Stop abruptly does. At rest, holds the position that the motor has at this moment, without a profile."));
     m_motorOff->setPossible(
         m_context.reasonFor(IntentKind::MotorOff),
         isServo()

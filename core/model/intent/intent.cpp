@@ -110,6 +110,10 @@ struct ServoPlanner : MotorPlanner {
     }
 
     Plan operator()(const intent::StopHere&) const {
+        // A motor in motion has left the reported position, and would be driven back to it.
+        if (module.moving())
+            return as(IntentKind::StopHere,
+                      servo::StopMotor{module.amplifierKept(), servo::StopManner::Abruptly, {}});
         const std::int32_t here = module.position().value_or(0);
         return as(IntentKind::StopHere,
                   servo::StopMotor{module.amplifierKept(), servo::StopManner::Here, Counts(here)});
@@ -297,7 +301,7 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
             return whyNoStart(module);
         case IntentKind::StopHere:
             return firstUnmet({{chip.version >= servo::kStopHereVersion, Refusal::VersionLacksIt},
-                               {placed, Refusal::PositionUnknown},
+                               {placed || module.moving(), Refusal::PositionUnknown},
                                on});
         case IntentKind::DrivePwm:
             return firstUnmet({{powered, Refusal::NoPower}, off});

@@ -66,7 +66,7 @@ struct ChangeMotion {
     StepperMotion motion;
 };
 struct StartLoaded {};
-/// Holds the present position, without a profile.
+/// Holds the present position, without a profile. In motion, it is StopAbruptly.
 struct StopHere {};
 /// Drives the motor with the servo off: no position limit, position error limit or output limit applies.
 struct DrivePwm {
