@@ -126,5 +126,40 @@ TEST_F(Focus, DoesNotComeToADriveByTurningThePage) {
     EXPECT_EQ(intents.size(), 0);
 }
 
+/// By the key bindings of X11, a field takes Ctrl+U to remove its line. Those of the tests' platform have no
+/// such key.
+class FieldOfX11 : public QLineEdit {
+public:
+    using QLineEdit::QLineEdit;
+
+protected:
+    bool event(QEvent* event) override {
+        const bool pressed = event->type() == QEvent::KeyPress;
+        if ((!pressed && event->type() != QEvent::ShortcutOverride) ||
+            static_cast<QKeyEvent*>(event)->key() != Qt::Key_U)
+            return QLineEdit::event(event);
+        if (pressed)
+            clear();
+        event->accept();
+        return true;
+    }
+};
+
+TEST_F(Focus, InAFieldLeavesStopHereToTheModule) {
+    auto* line = new FieldOfX11(window.get());
+    line->setText(u"1234"_s);
+    line->show();
+    line->setFocus();
+    ASSERT_TRUE(line->hasFocus());
+    QTest::keyClick(window->windowHandle(), Qt::Key_U, Qt::ControlModifier);
+    ASSERT_EQ(intents.size(), 1);
+    EXPECT_TRUE(std::holds_alternative<intent::StopHere>(intents.last().at(1).value<Intent>()));
+    EXPECT_EQ(line->text(), u"1234"_s);
+    showServo({.on = false, .millisecond = 20});
+    QTest::keyClick(window->windowHandle(), Qt::Key_U, Qt::ControlModifier);
+    EXPECT_EQ(intents.size(), 1);
+    EXPECT_EQ(line->text(), u"1234"_s) << "nor is it emptied while there is nothing to stop";
+}
+
 }  // namespace
 }  // namespace nmc

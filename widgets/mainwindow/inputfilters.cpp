@@ -6,9 +6,12 @@
 #include <QAction>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QKeyEvent>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QShortcutEvent>
+#include <QTextEdit>
 
 namespace nmc {
 
@@ -103,12 +106,39 @@ private:
     bool m_repeats = false;  ///< the last key event, which may become a shortcut, is a repeat
 };
 
+/// Watches for keys of commands by which fields edit on X11: Ctrl+U removes the line, Ctrl+K its rest, and
+/// Ctrl+E goes to its end. No field gets them, not even while the command is not possible: a press that was
+/// meant to stop a motor would empty it.
+class CommandKeyFilter : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
+            return false;
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool edits = key->key() == Qt::Key_U || key->key() == Qt::Key_K || key->key() == Qt::Key_E;
+        if (!edits || key->modifiers() != Qt::ControlModifier || !takesText(watched))
+            return false;
+        event->ignore();
+        return true;
+    }
+
+private:
+    static bool takesText(const QObject* watched) {
+        return qobject_cast<const QLineEdit*>(watched) != nullptr ||
+               qobject_cast<const QTextEdit*>(watched) != nullptr ||
+               qobject_cast<const QPlainTextEdit*>(watched) != nullptr;
+    }
+};
+
 }  // namespace
 
 void installInputFilters(QObject* parent) {
     // The last one receives events first: no repeat comes to the PromptFilter.
-    for (QObject* filter : std::initializer_list<QObject*>{new WheelFilter(parent), new PromptFilter(parent),
-                                                           new RepeatFilter(parent)})
+    for (QObject* filter :
+         std::initializer_list<QObject*>{new WheelFilter(parent), new PromptFilter(parent),
+                                         new CommandKeyFilter(parent), new RepeatFilter(parent)})
         QCoreApplication::instance()->installEventFilter(filter);
 }
 
