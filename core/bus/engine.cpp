@@ -925,7 +925,8 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
     }
     if (ask.reported)
         m_events.emplace_back(CommandExecuted{*ask.module, end.latched, *ask.command, end.late,
-                                              m_chain.takeUnanswered(*ask.module, end.latched)});
+                                              m_chain.takeUnanswered(*ask.module, end.latched),
+                                              work.task == &m_trials});
     if (ask.request.payload.code == CommandCode::SetAddress)
         m_events.emplace_back(GroupChanged{*ask.module, module.belief.info().group});
     if (trusted && ask.purpose == Purpose::Poll)

@@ -205,6 +205,7 @@ struct CommandExecuted {
     Duration late{};
     /// It had been sent before without an answer: it may have been carried out this much earlier.
     Duration early{};
+    bool ofTrial = false;  ///< gains being tried, or the ones from before being restored by the trial
 };
 
 enum class ConnectStage : std::uint8_t {

@@ -102,6 +102,22 @@ TEST_F(TriedGains, StayWhenTheyAreKept) {
     EXPECT_TRUE(hasGains(kOther));
 }
 
+/// With their lower output limit, they are not what the user had before.
+TEST_F(TriedGains, AreNotTheGainsBefore) {
+    ASSERT_TRUE(hold());
+    const auto good = bench.module().gains;
+    ASSERT_EQ(bench.run(intent::TryGains{kOther, 0.2}).stage, ProcedureStage::Done);
+    EXPECT_EQ(bench.module().gains, good);
+    EXPECT_FALSE(bench.module().gainsBefore) << "as before the trial";
+    bench.begin(intent::TryGains{kOther, 10.0});
+    ASSERT_TRUE(bench.runTo(ProcedureStage::Trying));
+    ASSERT_TRUE(bench.turn());
+    keep();
+    ASSERT_EQ(bench.goOn().stage, ProcedureStage::Done);
+    ASSERT_TRUE(hasGains(kOther));
+    EXPECT_EQ(bench.module().gainsBefore, good);
+}
+
 /// The other request arrives before the panel knows that they are kept.
 TEST_F(TriedGains, StayWhenTheyAreKeptAndSomethingElseIsAskedForAtOnce) {
     ASSERT_NO_FATAL_FAILURE(tryOther(10.0));

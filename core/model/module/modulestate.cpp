@@ -234,8 +234,11 @@ void ModuleState::apply(const bus::CommandExecuted& executed) {
     if (command == nullptr)
         return;
     if (const auto* set = std::get_if<servo::SetGain>(command)) {
-        if (gains && *gains != *set)
-            gainsBefore = gains;
+        if (!executed.ofTrial) {
+            if (m_gainsSet && *m_gainsSet != *set)
+                gainsBefore = m_gainsSet;
+            m_gainsSet = *set;
+        }
         swing.forget();
     }
     ServoRegisters::apply(*command, info.identity);
@@ -263,6 +266,7 @@ void ModuleState::restarted() {
     counting.forget();
     swing.forget();
     gainsBefore.reset();
+    m_gainsSet.reset();
     m_commandPosition.reset();
     homing = {};
     limits = {};

@@ -51,7 +51,7 @@ struct ModuleState : ServoRegisters {
     std::optional<OperatorRights> rights;
     /// The last operation that this panel requested from it, until that has ended; stops do not count.
     std::optional<bus::OperationId> awaited;
-    /// The gains before the present ones; empty: unknown.
+    /// The gains before the present ones, of which those of a trial are neither; empty: unknown.
     std::optional<servo::SetGain> gainsBefore;
     MotionMode motion = MotionMode::None;
     /// Goal velocity of velocity mode, counts/tick, signed; distinguishes "at speed" from "at rest".
@@ -210,8 +210,9 @@ private:
     [[nodiscard]] Activity activityWhileOff() const;
     [[nodiscard]] Activity activityWhileOn() const;
 
-    std::optional<std::int32_t> m_goal;  ///< see goal()
-    std::optional<bool> m_goalReverse;   ///< see goalReverse()
+    std::optional<servo::SetGain> m_gainsSet;  ///< the last that were not sent by a trial
+    std::optional<std::int32_t> m_goal;        ///< see goal()
+    std::optional<bool> m_goalReverse;         ///< see goalReverse()
     std::optional<std::int32_t> m_commandPosition;
     /// The position that a stop will make it hold, if the next status shows it within `within` counts of
     /// `stood`.
