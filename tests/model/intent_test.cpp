@@ -292,6 +292,27 @@ TEST(Plan, StopsHereAbruptlyInMotion) {
     EXPECT_EQ(payloads(intent::StopHere{}, module), Hex{"17 05"});
 }
 
+/// The position may be that of another module (link.md 2.4), for 2 s.
+TEST(Plan, PlansNoGoalByADoubtfulPosition) {
+    const intent::MoveBy step{{100}, ServoPace{kTrapezoid.velocity, kTrapezoid.acceleration}};
+    ModuleState module = holdingServo();
+    bus::Sample jump = sampleOf(10, kMoveDone | kPower, kServoOn, 3'386);
+    jump.jumped = true;
+    module.apply(jump);
+    for (const Intent& wanted : {Intent(intent::StopHere{}), Intent(kMove), Intent(step)})
+        EXPECT_EQ(refusalOf(wanted, module), Refusal::PositionUnknown) << wanted.index();
+    EXPECT_EQ(refusalOf(kRun, module), std::nullopt) << "it has no goal";
+    EXPECT_EQ(payloads(intent::StopAbruptly{}, module), Hex{"17 05"});
+    module.apply(sampleOf(10.1, kPower, kServoOn, 3'386));
+    EXPECT_EQ(payloads(intent::StopHere{}, module), Hex{"17 05"})
+        << "in motion, the position does not matter";
+    module.apply(sampleOf(12, kMoveDone | kPower, kServoOn, 3'386));
+    // 3 386 = 0x0D3A.
+    EXPECT_EQ(payloads(intent::StopHere{}, module), (Hex{"57 11 3A 0D 00 00"}));
+    EXPECT_EQ(refusalOf(kMove, module), std::nullopt);
+    EXPECT_EQ(refusalOf(step, module), std::nullopt);
+}
+
 /// Whether AMP_EN is high cannot be read, and a stop without it lets the motor coast.
 TEST(Plan, AStopOfAServoThatAnotherHostLeftOnKeepsItsAmplifier) {
     ModuleState module = servoModule();

@@ -151,7 +151,10 @@ struct ServoPlanner : MotorPlanner {
             return tl::unexpected(*refusal);
         if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
-        return as(IntentKind::Move);
+        const auto refusal = whyNot(IntentKind::Move, module);
+        return unless(refusal
+                          ? refusal
+                          : firstUnmet({{module.certainPosition().has_value(), Refusal::PositionUnknown}}));
     }
     Plan operator()(const intent::CheckDirection&) const { return as(IntentKind::CheckDirection); }
     Plan operator()(In<ServoProcedure> auto wanted) const { return unless(whyNot(wanted, module)); }
@@ -211,7 +214,7 @@ std::optional<Refusal> firstUnmet(std::initializer_list<Need> needs) {
 std::optional<Refusal> whyNotThatFar(std::optional<std::int64_t> goal, const ModuleState& module) {
     if (!goal)
         return std::nullopt;
-    if (!module.position())
+    if (!module.certainPosition())
         return Refusal::PositionUnknown;
     constexpr ValueRange kReach = servo::kPositionRange;  // that of a PIC-STEP is the same
     const bool reached = kReach.contains(*goal) && kReach.contains(*goal - *module.position());
@@ -267,7 +270,7 @@ std::optional<Refusal> whyNot(IntentKind kind, const ModuleState& module) {
 
     const ModuleIdentity& chip = module.info.identity;
     const bool powered = module.latest && module.latest->servoStatus().powerOn();
-    const bool placed = module.position().has_value();
+    const bool placed = module.certainPosition().has_value();
     const Need on{module.servoOn(), Refusal::ServoOff};
     const Need off{!module.servoOn(), Refusal::ServoOn};
     const Need still{!module.moving(), Refusal::Moving};

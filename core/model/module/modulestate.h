@@ -127,6 +127,11 @@ struct ModuleState : ServoRegisters {
     [[nodiscard]] std::optional<std::int32_t> position() const {
         return latest ? latest->position : std::nullopt;
     }
+    /// The position for what depends on it: empty while it is doubtful. No stop of a motor in motion may
+    /// depend on it.
+    [[nodiscard]] std::optional<std::int32_t> certainPosition() const {
+        return positionDoubtful() ? std::nullopt : position();
+    }
     [[nodiscard]] bool servoOn() const;
     /// PIC-SERVO: after power-up, a limit pin is an input (DS-V 5.2), and on an SC, it always is. In a chain
     /// that was found running, another host may have set it.
