@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "intents.h"
+#include "model/intent/jog.h"
 #include "servofixture.h"
 
 namespace nmc {
@@ -324,6 +325,33 @@ TEST(Plan, AStopOfAServoThatAnotherHostLeftOnKeepsItsAmplifier) {
     EXPECT_EQ(payloads(intent::StopHere{}, module), (Hex{"57 11 64 00 00 00"}));
     module.apply(executedAt(2, servo::StopMotor{false, servo::StopManner::AmplifierOnly, {}}));
     EXPECT_EQ(payloads(intent::StopAbruptly{}, module), Hex{"17 04"}) << "it is known to be low";
+}
+
+/// The start would do nothing (docs/family.md). LIMIT1 is the forward one; `reverse` and counts are the
+/// chip's.
+TEST(Plan, NeitherHoldsNorStepsTowardsAClosedLimitOfAnSc) {
+    constexpr std::uint8_t kLimit1 = 0x20;
+    constexpr std::uint8_t kLimit2 = 0x40;
+    ModuleState module = holdingServo();
+    module.info.identity.version = kScVersion;
+    servo::ScIoControl io;
+    io.limitStop = servo::LimitStop::Abruptly;
+    module.apply(executedAt(1, io));
+    for (const std::uint8_t closed : {kLimit1, kLimit2}) {
+        module.apply(sampleOf(2, static_cast<std::uint8_t>(kMoveDone | kPower | closed), kServoOn, 0));
+        for (const bool reverse : {false, true}) {
+            const bool towards = reverse == (closed == kLimit2);
+            const auto refusal = towards ? std::optional(Refusal::LimitClosed) : std::nullopt;
+            bus::HoldToMove hold;
+            hold.velocity = kTrapezoid.velocity;
+            hold.acceleration = kTrapezoid.acceleration;
+            hold.reverse = reverse;
+            EXPECT_EQ(whyNot(hold, module), refusal) << reverse;
+            const intent::MoveBy step{{reverse ? -100 : 100},
+                                      ServoPace{kTrapezoid.velocity, kTrapezoid.acceleration}};
+            EXPECT_EQ(refusalOf(step, module), refusal) << reverse;
+        }
+    }
 }
 
 TEST(Plan, PwmIsForAServoThatIsOffAndNeedsTheAmplifier) {

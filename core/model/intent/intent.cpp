@@ -151,10 +151,11 @@ struct ServoPlanner : MotorPlanner {
             return tl::unexpected(*refusal);
         if (moveBy.moves.counts == 0)
             return tl::unexpected(Refusal::StepTooShort);
-        const auto refusal = whyNot(IntentKind::Move, module);
-        return unless(refusal
-                          ? refusal
-                          : firstUnmet({{module.certainPosition().has_value(), Refusal::PositionUnknown}}));
+        if (const auto refusal = whyNot(IntentKind::Move, module))
+            return tl::unexpected(*refusal);
+        const int direction = moveBy.moves.counts < 0 ? -1 : 1;
+        return unless(firstUnmet({{module.certainPosition().has_value(), Refusal::PositionUnknown},
+                                  {!module.limitEnds(direction), Refusal::LimitClosed}}));
     }
     Plan operator()(const intent::CheckDirection&) const { return as(IntentKind::CheckDirection); }
     Plan operator()(In<ServoProcedure> auto wanted) const { return unless(whyNot(wanted, module)); }

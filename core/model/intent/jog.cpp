@@ -52,6 +52,8 @@ std::optional<Refusal> whyNot(const bus::HoldToMove& hold, const ModuleState& mo
         // Towards a travel limit, the bus first stops a motor that moves.
         return travelEnd(module, hold.reverse) ? whyNotFromStandstill(*steps, module, IntentKind::Hold)
                                                : whyNot(*steps, module, IntentKind::Hold);
+    if (module.limitEnds(hold.reverse ? -1 : 1))
+        return Refusal::LimitClosed;
     const auto problem = travelProblem(intent::Move{run}, module);
     return problem ? std::optional(problem->refusal) : std::nullopt;
 }
