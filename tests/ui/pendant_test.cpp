@@ -230,13 +230,13 @@ protected:
         return counts;
     }
     /// The module answers, and its series of steps is at this stage.
-    void showMoves(ProcedureStage stage) {
+    void showMoves(ProcedureStage stage, bool on = true) {
         ProcedureReport report;
         report.kind = ProcedureKind::MoveBy;
         report.module = ModuleIndex(0);
         report.stage = stage;
         window->showProcedure(report);
-        showServo({.millisecond = ++m_millisecond});
+        showServo({.on = on, .millisecond = ++m_millisecond});
     }
     Wheel wheel;
     std::vector<Intent> asked;
@@ -287,6 +287,20 @@ TEST_F(WheelMode, StepsThatAreNotPossibleSayWhyInTheRibbon) {
         << text(u"pendantRibbonText"_s).toStdString();
     showServo({.millisecond = 1});
     EXPECT_TRUE(moves().empty()) << "what was refused does not come later";
+}
+
+TEST_F(WheelMode, StepsThatWaitedAndAreNotPossibleSayWhyInTheRibbonToo) {
+    begin();
+    wheel.press();
+    wheel.turn(1);
+    showMoves(ProcedureStage::Moving);
+    wheel.turn(3);
+    showMoves(ProcedureStage::Moving, false);
+    EXPECT_FALSE(text(u"pendantRibbonText"_s).contains(u"Not moved: "_s)) << "the steps still wait";
+    showMoves(ProcedureStage::Failed, false);
+    EXPECT_THAT(moves(), testing::ElementsAre(100));
+    EXPECT_TRUE(text(u"pendantRibbonText"_s).contains(u"Not moved: The servo is off."_s))
+        << text(u"pendantRibbonText"_s).toStdString();
 }
 
 TEST_F(WheelMode, TheRingMovesAtAShareOfTheJogSpeed) {

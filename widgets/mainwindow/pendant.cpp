@@ -176,6 +176,8 @@ void Pendant::push(double share) {
 void Pendant::turn(int detents) {
     ModulePage* page = m_panel.page();
     m_turned = page != nullptr ? page->moveByBox() : nullptr;
+    if (m_turned)
+        connect(m_turned.data(), &MoveByBox::turnsDropped, this, &Pendant::setProblem, Qt::UniqueConnection);
     setProblem(m_turned ? m_turned->turn(detents) : QString());
 }
 

@@ -114,7 +114,8 @@ void MoveByBox::showModule() {
     const double before = std::exchange(m_kept, kept());
     m_distance->follow(m_kept, before);
     refresh();
-    moveByTurns();
+    if (const QString reason = moveByTurns(); !reason.isEmpty())
+        emit turnsDropped(reason);
 }
 
 QString MoveByBox::whyNotNow() const {

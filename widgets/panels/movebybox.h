@@ -38,6 +38,10 @@ public:
     /// Ends what turn() has begun.
     void endTurns();
 
+signals:
+    /// Steps of turn() that waited for the present move to end are not possible, for this reason.
+    void turnsDropped(const QString& reason);
+
 private:
     void buildDistance(FormGrid* grid);
     void buildRepeat(FormGrid* grid);
@@ -45,7 +49,7 @@ private:
     void showModule();
     void refresh();
     [[nodiscard]] QString whyNotNow() const;
-    QString moveByTurns();
+    [[nodiscard]] QString moveByTurns();
     [[nodiscard]] std::optional<Intent> wanted(bool reverse) const;
     void refreshStep(Command& command, bool reverse, const QString& reason, const QString& meaning);
     [[nodiscard]] double kept() const;
