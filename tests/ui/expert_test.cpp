@@ -159,6 +159,21 @@ TEST_F(Expert, CapturesHomeWithoutAStop) {
     EXPECT_TRUE(text(u"expertHomingMeaning"_s).contains(u"The motion goes on"_s));
 }
 
+/// Motor off with AMP_EN, as set at first: 0x03 (DS-V 5.2); 01 + 17 + 03 = 1B.
+TEST_F(Expert, AStopDoesNotWaitForAnAnswer) {
+    showServo();
+    clickOn(*find<QCheckBox>(u"expertHomingIndex"_s));
+    click(u"expertHomingButton"_s);
+    ASSERT_EQ(intents.size(), 1);
+    ASSERT_FALSE(button(u"expertHomingButton"_s)->isEnabled()) << "the module has not answered yet";
+    choose(u"expertStopManner"_s, 0);
+    EXPECT_FALSE(button(u"expertStopButton"_s)->isEnabled()) << "AMP_EN alone is no stop";
+    choose(u"expertStopManner"_s, 1);
+    EXPECT_TRUE(button(u"expertStopButton"_s)->isEnabled());
+    click(u"expertStopButton"_s);
+    EXPECT_EQ(sent(1).toHex(' ').toUpper(), "AA 01 17 03 1B");
+}
+
 TEST_F(Expert, DoesNotStartATrapezoidWithItsLoad) {
     showServo();
     clickOn(*find<QCheckBox>(u"expertLoadNow"_s));

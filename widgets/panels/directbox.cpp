@@ -134,7 +134,9 @@ void DirectBox::refresh() {
     const PacketBytes packet = toPacket({m_context.state().info.address, payload});
     QByteArray bytes(reinterpret_cast<const char*>(packet.data()), static_cast<qsizetype>(packet.size()));
     look::setText(m_bytes, problem().isEmpty() ? QString::fromLatin1(bytes.toHex(' ').toUpper()) : QString());
-    m_send->setPossible(reason.isEmpty() ? m_context.whyBusy() : reason, meaning);
+    if (reason.isEmpty() && !isStop(intent::Direct{command}))
+        reason = m_context.whyBusy();
+    m_send->setPossible(reason, meaning);
 }
 
 }  // namespace nmc

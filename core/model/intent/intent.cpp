@@ -12,6 +12,7 @@
 #include "model/intent/travel.h"
 #include "model/path/pathplan.h"
 #include "module/profiledload.h"
+#include "module/stopmanner.h"
 
 namespace nmc {
 
@@ -200,6 +201,8 @@ bool isStop(IntentKind kind) {
 }
 
 bool isStop(const Intent& intent) {
+    if (const auto* direct = std::get_if<intent::Direct>(&intent))
+        return stopManner(direct->command).has_value();
     return std::visit(
         []<typename T>(const T&) {
             return AnyOf<T, intent::StopSmoothly, intent::StopAbruptly, intent::StopHere, intent::MotorOff>;

@@ -120,6 +120,21 @@ TEST_F(CommanderTest, AStopWaitsForNoProcedureAndEndsIt) {
     EXPECT_NEAR(position(), there, 4) << "no other motion follows";
 }
 
+/// A smooth stop of the procedure that it ends would switch the servo on again.
+TEST_F(CommanderTest, NothingFollowsASingleCommandThatSwitchesTheMotorOff) {
+    ASSERT_NO_FATAL_FAILURE(enable());
+    commander.carryOut(kModule, by(2'000, 50));
+    commander.carryOut(
+        kModule, intent::Direct{ServoCommand(servo::StopMotor{false, servo::StopManner::MotorOff, {}})});
+    ASSERT_TRUE(
+        connection.waitUntil([this] { return !commander.anyRunning() && !connection.module(0).servoOn(); }));
+    ASSERT_TRUE(connection.waitUntil([this, until = connection.module(0).latestTime] {
+        return connection.module(0).latestTime > until + std::chrono::seconds(1);
+    }));
+    EXPECT_FALSE(sim.state(1)[u"servo_on"_s].toBool());
+    EXPECT_TRUE(refusals.empty());
+}
+
 TEST_F(CommanderTest, AnotherRequestTakesTheModuleFromItsProcedure) {
     ASSERT_NO_FATAL_FAILURE(enable());
     commander.carryOut(kModule, by(2'000, 50));
