@@ -5993,6 +5993,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <source>Choose what the limit inputs do.</source>
         <translation>Wählen, was die Endschalter-Eingänge bewirken.</translation>
     </message>
+    <message>
+        <source>A task is running on this module: wait for its end, or cancel it.</source>
+        <translation>Auf diesem Modul läuft ein Vorgang: sein Ende abwarten oder ihn abbrechen.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AskDialog</name>

@@ -5993,6 +5993,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <source>Choose what the limit inputs do.</source>
         <translation>Elija qué hacen las entradas de final de carrera.</translation>
     </message>
+    <message>
+        <source>A task is running on this module: wait for its end, or cancel it.</source>
+        <translation>Hay una tarea en curso en este módulo: espere a que termine o cancélela.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AskDialog</name>

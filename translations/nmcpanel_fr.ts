@@ -5993,6 +5993,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>Choose what the limit inputs do.</source>
         <translation>Choisissez l’effet des entrées de fin de course.</translation>
     </message>
+    <message>
+        <source>A task is running on this module: wait for its end, or cancel it.</source>
+        <translation>Une tâche est en cours sur ce module&#xa0;: attendez sa fin ou annulez-la.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AskDialog</name>

@@ -5976,6 +5976,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>Choose what the limit inputs do.</source>
         <translation>リミット入力の動作を選択してください。</translation>
     </message>
+    <message>
+        <source>A task is running on this module: wait for its end, or cancel it.</source>
+        <translation>このモジュールで処理を実行中です。終了を待つか、取り消してください。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::AskDialog</name>

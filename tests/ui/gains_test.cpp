@@ -62,6 +62,21 @@ TEST_F(Gains, NeedNoScrollBarToSaySo) {
     EXPECT_TRUE(eventually([&] { return around->horizontalScrollBar()->maximum() == 0; }));
 }
 
+/// It sends the present gains with another multiplier: in a trial, those have a lower output limit.
+TEST_F(Gains, OfATrialAreNotSentAgainWithTheStepMultiplier) {
+    showServo({.version = 10});
+    EXPECT_TRUE(button(u"setMultiplierButton"_s)->isEnabled());
+    ProcedureReport report;
+    report.kind = ProcedureKind::TryGains;
+    report.stage = ProcedureStage::Trying;
+    window->showProcedure(report);
+    EXPECT_FALSE(button(u"setMultiplierButton"_s)->isEnabled());
+    EXPECT_TRUE(button(u"setMultiplierButton"_s)->toolTip().startsWith(u"A task is running"_s));
+    report.stage = ProcedureStage::Done;
+    window->showProcedure(report);
+    EXPECT_TRUE(button(u"setMultiplierButton"_s)->isEnabled());
+}
+
 TEST_F(Gains, NeverClaimToBeReadFromTheModule) {
     showServo();
     for (const QLabel* label : window->findChildren<QLabel*>())

@@ -217,6 +217,8 @@ void AmplifierBox::refreshRest() {
     QString multiplier = context().reasonNow(IntentKind::ApplyGains);
     if (multiplier.isEmpty())
         multiplier = gains ? m_multiplier->problemText() : texts::refusal(Refusal::GainsUnknown);
+    if (multiplier.isEmpty() && context().runningProcedure())  // the gains may be those of a trial
+        multiplier = tr("A task is running on this module: wait for its end, or cancel it.");
     m_setMultiplier->setPossible(multiplier, tr("Sends the module's present gains with this multiplier."));
     QString save = now;
     if (save.isEmpty() && !context().state().scIo)
