@@ -135,6 +135,26 @@ TEST_F(Pins, OneThatAsksIsSwitchedOnlyByTheAnswer) {
     EXPECT_EQ(only<iointent::SetOutput>().pin, 1U);
 }
 
+TEST_F(Pins, OneThatAsksIsMadeAnInputOnlyByTheAnswerWhileItIsHigh) {
+    settings(0, {"Lamp", true, false});
+    PinSettings::in(machine.axes[0].pins->pins, 1) = {"Pump", true, false};
+    window->showMachine(machine);
+    auto* low = find<QComboBox>(u"pin2Direction"_s);
+    low->setFocus();
+    QTest::keyClick(low, Qt::Key_Up);
+    EXPECT_EQ(only<iointent::SetDirection>().inputs, 0x0FFE) << "the level of IO2 does not change";
+    latch(0x0801, 20);  // it answers
+    auto* high = find<QComboBox>(u"pin1Direction"_s);
+    high->setFocus();
+    QTest::keyClick(high, Qt::Key_Up);
+    EXPECT_EQ(intents.size(), 0);
+    auto* question = window->findChild<QDialog*>(u"outputDialog"_s);
+    ASSERT_NE(question, nullptr);
+    EXPECT_EQ(question->findChild<QLabel*>(u"closeText"_s)->text(), u"Switch Lamp (IO1) off?"_s);
+    QTest::mouseClick(question->findChild<QAbstractButton*>(u"switchOutputButton"_s), Qt::LeftButton);
+    EXPECT_EQ(only<iointent::SetDirection>().inputs, 0x0FFD);
+}
+
 TEST_F(Pins, TheQuestionIsAboutTheOutputThatWasStruckLast) {
     settings(1, {"Pump", true, false});
     PinSettings::in(machine.axes[0].pins->pins, 0) = {"Lamp", true, false};
@@ -226,6 +246,29 @@ TEST_F(Pins, WhatIsStoredIsPutOutLater) {
     told(store.outputs);
     latch(0x0801, 20);
     click(u"synchOutputButton"_s);
+    (void)only<iointent::SynchOutput>();
+}
+
+/// IO1 is high already, IO2 is low, and IO3 is an input.
+TEST_F(Pins, StoredOutputsThatAskAreAppliedOnlyByTheAnswer) {
+    settings(0, {"Lamp", true, false});
+    PinSettings::in(machine.axes[0].pins->pins, 2) = {"Valve", true, false};
+    window->showMachine(machine);
+    told(io::SetSynchOutput{0x0007, 0, 0});
+    latch(0x0801, 20);
+    click(u"synchOutputButton"_s);
+    (void)only<iointent::SynchOutput>();
+    PinSettings::in(machine.axes[0].pins->pins, 1) = {"Pump", true, false};
+    window->showMachine(machine);
+    told(io::SetSynchOutput{0x0006, 0, 0});
+    latch(0x0801, 30);
+    click(u"synchOutputButton"_s);
+    EXPECT_EQ(intents.size(), 0);
+    auto* question = window->findChild<QDialog*>(u"outputDialog"_s);
+    ASSERT_NE(question, nullptr);
+    EXPECT_EQ(question->findChild<QLabel*>(u"closeText"_s)->text(),
+              u"Switch Lamp (IO1) off?\nSwitch Pump (IO2) on?"_s);
+    QTest::mouseClick(question->findChild<QAbstractButton*>(u"switchOutputButton"_s), Qt::LeftButton);
     (void)only<iointent::SynchOutput>();
 }
 

@@ -3,12 +3,15 @@
 
 #include <QLabel>
 
+#include "model/settings/pinsof.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/unitwords.h"
 #include "widgets/common/words.h"
+#include "widgets/panels/boxparts.h"
 #include "widgets/panels/command.h"
+#include "widgets/panels/pinbox.h"
 
 namespace nmc {
 
@@ -70,7 +73,7 @@ CounterBox::CounterBox(ModuleContext& context, QWidget* parent)
                                  .icon = u"send"_s,
                                  .text = tr("Apply"),
                                  .accessible = tr("Apply the stored outputs")},
-                                this, [this] { m_context.ask(iointent::SynchOutput{}); })),
+                                this, [this] { apply(); })),
       m_stored(look::newMutedLabel({}, this, u"storedOutputs"_s)) {
     look::name(this, u"counterBox"_s, tr("Counter and synchronous I/O"));
     auto* grid = new FormGrid(this, 4, {.ends = 1, .across = 1, .down = 0.5});
@@ -131,6 +134,27 @@ void CounterBox::store() {
         m_context.ask(
             iointent::StoreOutputs{{static_cast<std::uint16_t>(*outputs), static_cast<std::uint8_t>(*pwm1),
                                     static_cast<std::uint8_t>(*pwm2)}});
+}
+
+void CounterBox::apply() {
+    const auto go = [this] { m_context.ask(iointent::SynchOutput{}); };
+    if (questions().isEmpty())
+        return go();
+    const auto text = [this] {
+        const bool possible = isVisible() && !m_context.whyNot(IntentKind::SetOutputs);
+        return possible ? questions() : QString();
+    };
+    PinBox::askFirst(this, text, tr("Apply"), go);
+}
+
+QString CounterBox::questions() const {
+    QStringList each;
+    const auto& stored = m_context.state().pins.stored;
+    for (unsigned pin = 0; stored && pin < io::kPins; ++pin)
+        if (PinSettings::of(pinsOf(m_context.settings()).pins, pin).asks)
+            each << PinBox::question(m_context, pin, bitOf(stored->outputs, pin));
+    each.removeAll(QString());
+    return each.join(u'\n');
 }
 
 QString CounterBox::rate() const {

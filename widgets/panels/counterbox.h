@@ -28,6 +28,9 @@ private:
     void buildSynch(FormGrid& grid);
     void setMode();
     void store();
+    void apply();
+    /// What the stored levels switch at outputs with "Ask first", as questions; empty if nothing.
+    [[nodiscard]] QString questions() const;
     void refresh();
     [[nodiscard]] QString rate() const;
 

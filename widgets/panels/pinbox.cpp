@@ -20,6 +20,19 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+/// The level that the output was set to, or that it has if that is unknown; empty for an input.
+std::optional<bool> outputOf(const ModuleState& module, unsigned pin) {
+    const auto inputs = module.pins.inputs;
+    if (!inputs || bitOf(*inputs, pin))
+        return std::nullopt;
+    const auto level = module.latest.value_or(StatusReport{}).pins;
+    return bitOf(module.pins.outputs.value_or(level.value_or(0)), pin);
+}
+
+}  // namespace
+
 PinBox::PinBox(ModuleContext& context, QWidget* parent)
     : QWidget(parent),
       m_context(context),
@@ -107,37 +120,45 @@ void PinBox::setDirection(unsigned pin, int choice) {
     // Neither "unknown" nor the present direction requests anything.
     if (const auto inputs = m_context.state().pins.inputs;
         inputs && choice == (bitOf(*inputs, pin) ? Output : Input))
-        m_context.ask(iointent::SetDirection{static_cast<std::uint16_t>(*inputs ^ (1U << pin))});
+        switchOutput(pin, false, [this, pin] {  // an input drives nothing
+            return iointent::SetDirection{
+                static_cast<std::uint16_t>(m_context.state().pins.inputs.value_or(0) ^ (1U << pin))};
+        });
     refresh();  // the box shows what was confirmed, not what was selected
 }
 
 void PinBox::setOutput(unsigned pin, bool high) {
-    const PinSettings& settings = pinsOf(m_context.settings());
-    if (PinSettings::of(settings.pins, pin).asks)
-        askBefore(pin, high);
-    else
-        m_context.ask(iointent::SetOutput{pin, high});
+    switchOutput(pin, high, [pin, high] { return iointent::SetOutput{pin, high}; });
     refresh();
 }
 
-QString PinBox::nameOf(unsigned pin) const {
-    const PinSettings& settings = pinsOf(m_context.settings());
-    const QString name = QString::fromStdString(PinSettings::of(settings.pins, pin).name);
-    const QString label = u"IO"_s + QString::number(pin + 1);
-    return name.isEmpty() ? label : Common::tr("%1 (%2)").arg(name, label);
+void PinBox::switchOutput(unsigned pin, bool high, const std::function<Intent()>& request) {
+    const auto go = [this, request] { m_context.ask(request()); };
+    if (!PinSettings::of(pinsOf(m_context.settings()).pins, pin).asks ||
+        question(m_context, pin, high).isEmpty())
+        return go();
+    const auto text = [this, pin, high] {
+        const bool possible = isVisible() && !m_context.whyNot(IntentKind::SetOutputs);
+        return possible ? question(m_context, pin, high) : QString();
+    };
+    askFirst(this, text, high ? tr("&Switch on") : tr("&Switch off"), go);
 }
 
-void PinBox::askBefore(unsigned pin, bool high) {
-    const auto text = [this, pin, high] {
-        const bool stands = isVisible() && !m_context.whyNot(IntentKind::SetOutputs) && output(pin) == !high;
-        if (!stands)
-            return QString();
-        return high ? tr("Switch %1 on?").arg(nameOf(pin)) : tr("Switch %1 off?").arg(nameOf(pin));
-    };
-    const auto go = [this, pin, high] { m_context.ask(iointent::SetOutput{pin, high}); };
+QString PinBox::question(const ModuleContext& context, unsigned pin, bool high) {
+    if (outputOf(context.state(), pin) != !high)
+        return {};
+    const auto& pins = pinsOf(context.settings()).pins;
+    const QString given = QString::fromStdString(PinSettings::of(pins, pin).name);
+    const QString label = u"IO"_s + QString::number(pin + 1);
+    const QString name = given.isEmpty() ? label : Common::tr("%1 (%2)").arg(given, label);
+    return high ? tr("Switch %1 on?").arg(name) : tr("Switch %1 off?").arg(name);
+}
+
+void PinBox::askFirst(QWidget* owner, const std::function<QString()>& text, const QString& verb,
+                      const std::function<void()>& go) {
     AskDialog::ask(
         {.name = u"outputDialog"_s, .title = tr("Output"), .text = text, .stayName = u"cancelOutputButton"_s},
-        {{high ? tr("&Switch on") : tr("&Switch off"), u"switchOutputButton"_s, go}}, this);
+        {{verb, u"switchOutputButton"_s, go}}, owner);
 }
 
 void PinBox::showModule() {
@@ -175,21 +196,12 @@ void PinBox::refresh() {
             : tr("Another program set up this module, so its pin directions are unknown. Make all pins inputs to start over."));
 }
 
-std::optional<bool> PinBox::output(unsigned number) const {
-    const ModuleState& module = m_context.state();
-    const auto inputs = module.pins.inputs;
-    if (!inputs || bitOf(*inputs, number))
-        return std::nullopt;
-    const auto level = module.latest.value_or(StatusReport{}).pins;
-    return bitOf(module.pins.outputs.value_or(level.value_or(0)), number);
-}
-
 void PinBox::refreshPin(unsigned number) {
     const ModuleState& module = m_context.state();
     const Pin& pin = m_pins.at(number);
     const auto inputs = module.pins.inputs;
     const auto level = module.latest.value_or(StatusReport{}).pins;
-    const auto output = this->output(number);
+    const auto output = outputOf(module, number);
     const bool high = bitOf(level.value_or(0), number);
     const bool differs = output && level && *output != high;
 

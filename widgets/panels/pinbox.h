@@ -3,7 +3,7 @@
 
 #include <QWidget>
 #include <array>
-#include <optional>
+#include <functional>
 
 #include "widgets/panels/modulecontext.h"
 
@@ -27,6 +27,13 @@ class PinBox : public QWidget {
 public:
     PinBox(ModuleContext& context, QWidget* parent);
 
+    /// The question whether this output may be switched to that level; empty if it is an input, or has that
+    /// level already.
+    [[nodiscard]] static QString question(const ModuleContext& context, unsigned pin, bool high);
+    /// Asks before outputs are switched: what `text` returns, for as long as it is not empty.
+    static void askFirst(QWidget* owner, const std::function<QString()>& text, const QString& verb,
+                         const std::function<void()>& go);
+
 private:
     enum Column { Label, Direction, Level, High, Name, Asks, OffAtStop };
     enum Choice { Input, Output, Unknown };
@@ -44,10 +51,8 @@ private:
     void buildPin(QGridLayout& grid, unsigned number);
     void setDirection(unsigned pin, int choice);
     void setOutput(unsigned pin, bool high);
-    void askBefore(unsigned pin, bool high);
-    [[nodiscard]] QString nameOf(unsigned pin) const;
-    /// The level that the output was set to, or that it has if that is unknown; empty for an input.
-    [[nodiscard]] std::optional<bool> output(unsigned number) const;
+    /// Passes on the request, which switches this pin to that level, or asks first.
+    void switchOutput(unsigned pin, bool high, const std::function<Intent()>& request);
     void showModule();
     void showSettings();
     void refresh();
