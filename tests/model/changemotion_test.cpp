@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "model/intent/stepperplan.h"
 #include "model/procedure/procedures.h"
 #include "module/stepperspeed.h"
@@ -109,6 +111,23 @@ TEST_F(ChangingMotion, GoesToAPositionOutOfARun) {
     EXPECT_EQ(truth().position, -200);
     EXPECT_FALSE(truth().moving);
     bus.expectNoViolations();
+}
+
+/// Required from below: it turns round 40 steps below its goal (homing.md, Backlash).
+TEST_F(ChangingMotion, TakesUpTheBacklashOutOfARun) {
+    module.backlash = {40, false};
+    std::int32_t lowest = 0;
+    bus.onTime = [&] { lowest = std::min(lowest, truth().position); };
+    perform(intent::Move{kRunForward});
+    bus.runFor(1s);
+    ChangeMotion change(ModuleIndex(0), steppermotion::Trapezoid{-200, false, 40, 10});
+    EXPECT_EQ(run(change).stage, ProcedureStage::Done);
+    bus.runFor(5s);
+    EXPECT_EQ(lowest, -240);
+    EXPECT_EQ(truth().position, -200);
+    EXPECT_FALSE(truth().moving);
+    bus.expectNoViolations();
+    bus.onTime = {};
 }
 
 TEST_F(ChangingMotion, CountsARelativeGoalFromWhereItHasStopped) {

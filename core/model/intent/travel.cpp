@@ -63,7 +63,9 @@ struct CourseOf {
     std::optional<Course> operator()(const intent::Move& move) const { return of(move.motion, true); }
     /// A loaded move is started separately, so it goes straight to its goal without taking up backlash.
     std::optional<Course> operator()(const intent::LoadMove& load) const { return of(load.motion); }
-    std::optional<Course> operator()(const intent::ChangeMotion& change) const { return of(change.motion); }
+    std::optional<Course> operator()(const intent::ChangeMotion& change) const {
+        return of(change.motion, true);
+    }
     std::optional<Course> operator()(const intent::GoHome& home) const {
         const auto motion = motionOf(home, module);
         return motion ? std::optional(of(*motion, true)) : std::nullopt;

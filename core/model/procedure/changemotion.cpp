@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/changemotion.h"
 
+#include "model/intent/backlash.h"
 #include "model/intent/stepperplan.h"
 
 namespace nmc {
@@ -10,7 +11,7 @@ Procedure::Next ChangeMotion::proceed(const ModuleState& module, TimePoint now) 
         return fail(ProcedureFailure::ModuleUnresponsive);
     if (m_report.stage == ProcedureStage::Preparing)
         return stop(module, now);
-    return m_report.stage == ProcedureStage::Stopping ? waitForStandstill(module, now) : finish();
+    return m_report.stage == ProcedureStage::Moving ? finish() : waitForStandstill(module, now);
 }
 
 Procedure::Next ChangeMotion::stop(const ModuleState& module, TimePoint now) {
@@ -22,11 +23,12 @@ Procedure::Next ChangeMotion::stop(const ModuleState& module, TimePoint now) {
     return send({smoothStop(module)});
 }
 
-/// Standstill must be confirmed by two statuses latched after the stop.
+/// Standstill must be confirmed by two statuses latched after the stop, or after the start of the move that
+/// takes up the backlash.
 Procedure::Next ChangeMotion::waitForStandstill(const ModuleState& module, TimePoint now) {
     if (!module.stepper.amplifierOn())
         return fail(ProcedureFailure::WentOff);
-    if (now - m_began > kStopLimit)
+    if (m_report.stage == ProcedureStage::Stopping && now - m_began > kStopLimit)
         return fail(ProcedureFailure::TimeLimit);
     if (!m_stoppedAt)
         m_stoppedAt = module.latestTime;
@@ -42,10 +44,24 @@ Procedure::Next ChangeMotion::waitForStandstill(const ModuleState& module, TimeP
 }
 
 Procedure::Next ChangeMotion::go(const ModuleState& module) {
-    auto orders = planStep(intent::Move{m_motion}, module);
+    if (m_turn && m_turn != m_stoodPosition)
+        return fail(ProcedureFailure::StoppedShort);
+    const auto goal = goalOf(m_motion, *m_stoodPosition);
+    m_turn = goal ? turningPoint(*goal, module) : std::nullopt;
+    MotionSpec next = m_motion;
+    if (m_turn) {
+        if (!servo::kPositionRange.contains(*m_turn) || !servo::kPositionRange.contains(*goal))
+            return fail(ProcedureFailure::TravelLimit);
+        next = endingAt(static_cast<std::int32_t>(*m_turn), m_motion);
+        // A relative goal stays where it is.
+        m_motion = std::get<StepperMotion>(endingAt(static_cast<std::int32_t>(*goal), m_motion));
+    }
+    auto orders = planStep(intent::Move{next}, withoutBacklash(module));
     if (!orders)
         return fail(ProcedureFailure::Refused);
-    m_report.stage = ProcedureStage::Moving;
+    m_report.stage = m_turn ? ProcedureStage::TakingUpBacklash : ProcedureStage::Moving;
+    m_stoppedAt.reset();
+    m_stoodAt.reset();
     m_mayRun = true;
     return send(std::move(*orders));
 }

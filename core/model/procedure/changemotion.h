@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "model/intent/motion.h"
@@ -11,7 +12,8 @@ namespace nmc {
 /// Stop, wait, go: required by a PIC-STEP between two motions that its Table 4 does not allow in succession,
 /// above all for a change of direction (DS-S 4.1, 4.2). The procedure stops smoothly, waits until two
 /// statuses report standstill at the same position, and starts the new motion. A relative goal is relative to
-/// that position.
+/// that position. Where the axis has backlash to take up, the motion first goes beyond its goal, as from
+/// standstill (approach.h).
 class ChangeMotion : public Procedure {
 public:
     ChangeMotion(ModuleIndex module, StepperMotion motion)
@@ -32,6 +34,7 @@ private:
     std::optional<TimePoint> m_stoppedAt;  ///< time of the last status before the stop was confirmed
     std::optional<TimePoint> m_stoodAt;    ///< time of the first status that reports standstill
     std::optional<std::int32_t> m_stoodPosition;
+    std::optional<std::int64_t> m_turn;  ///< where the move under way ends that takes up the backlash
 };
 
 }  // namespace nmc
