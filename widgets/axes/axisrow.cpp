@@ -8,7 +8,6 @@
 
 #include "model/intent/jog.h"
 #include "model/intent/rights.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/positiontexts.h"
 #include "widgets/common/sharedwords.h"
@@ -25,7 +24,6 @@ using namespace Qt::StringLiterals;
 AxisRow::AxisRow(const PanelView& view, Requests& requests, int line, QGridLayout& grid, QWidget* box)
     : QObject(box),
       m_context(view, requests),
-      m_box(box),
       m_name(new QLabel(box)),
       m_state(new QLabel(box)),
       m_position(new QLabel(box)) {
@@ -35,8 +33,14 @@ AxisRow::AxisRow(const PanelView& view, Requests& requests, int line, QGridLayou
     m_position->setObjectName(u"axisPosition"_s + number);
     m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_position->setFont(look::tabular(m_position->font()));
-    m_holdReverse = newHold(u"axisHoldReverseButton"_s + number, Common::tr("◂ Hold"), true);
-    m_holdForward = newHold(u"axisHoldForwardButton"_s + number, Common::tr("Hold ▸"), false);
+    const auto newHold = [&](const QString& name, bool reverse) {
+        auto* button = newJogButton(
+            m_context, reverse, [this, reverse](double /*share*/) { return wantedHold(reverse); }, box);
+        button->setObjectName(name + number);
+        return button;
+    };
+    m_holdReverse = newHold(u"axisHoldReverseButton"_s, true);
+    m_holdForward = newHold(u"axisHoldForwardButton"_s, false);
     const auto newCommand = [&](const QString& name, const QString& text, const std::function<void()>& act) {
         return new Command({.name = name + number, .icon = {}, .text = text, .accessible = {}}, box, act);
     };
@@ -50,16 +54,6 @@ AxisRow::AxisRow(const PanelView& view, Requests& requests, int line, QGridLayou
                                                            m_stepForward->button(), m_earlier->button()})
         grid.addWidget(widget, line, column++);
     m_context.whenSeen(m_name, [this] { refresh(); });
-}
-
-HoldButton* AxisRow::newHold(const QString& objectName, const QString& text, bool reverse) {
-    auto* button = new HoldButton(m_box);
-    button->setIcon(icons::tinted(u"hand-stop"_s));
-    button->setText(text);
-    button->setObjectName(objectName);
-    connect(button, &HoldButton::held, this, [this, button, reverse] { hold(*button, reverse); });
-    connect(button, &HoldButton::holdEnded, &m_context, &ModuleContext::release);
-    return button;
 }
 
 void AxisRow::remove() {
@@ -174,14 +168,6 @@ void AxisRow::refresh() {
     m_earlier->setText(place);
     if (std::exchange(m_named, who + place) != who + place)
         nameControls(who);
-}
-
-void AxisRow::hold(const HoldButton& button, bool reverse) {
-    auto hold = wantedHold(reverse);
-    if (!hold)
-        return;
-    hold->press = button.press();
-    m_context.hold(*hold);
 }
 
 void AxisRow::step(bool reverse) {

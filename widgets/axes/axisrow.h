@@ -43,16 +43,13 @@ signals:
 private:
     void refresh();
     void nameControls(const QString& who);
-    void hold(const HoldButton& button, bool reverse);
     void step(bool reverse);
-    [[nodiscard]] HoldButton* newHold(const QString& objectName, const QString& text, bool reverse);
     [[nodiscard]] std::optional<bus::HoldToMove> wantedHold(bool reverse) const;
     [[nodiscard]] std::optional<Intent> wantedStep(bool reverse) const;
     [[nodiscard]] QString whyNotHeld(bool reverse) const;
     [[nodiscard]] QString whyNotStepped(bool reverse) const;
 
     ModuleContext m_context;
-    QWidget* m_box;
     JogSpeed m_speed = JogSpeed::Slow;
     double m_step = 1.0;
     int m_place = 0;

@@ -6,8 +6,13 @@
 #include <QMouseEvent>
 
 #include "model/intent/jog.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/sharedwords.h"
+#include "widgets/panels/modulecontext.h"
 
 namespace nmc {
+
+using namespace Qt::StringLiterals;
 
 namespace {
 constexpr int kEvidenceInterval = 100;  // ms; the bus thread waits up to 250
@@ -112,6 +117,21 @@ void HoldButton::keyReleaseEvent(QKeyEvent* event) {
         return;
     setDown(false);
     endHold();
+}
+
+HoldButton* newJogButton(ModuleContext& context, bool reverse, const WantedHold& wanted, QWidget* parent) {
+    auto* button = new HoldButton(parent);
+    button->setIcon(icons::tinted(u"hand-stop"_s));
+    button->setText(reverse ? Common::tr("◂ Hold") : Common::tr("Hold ▸"));
+    QObject::connect(button, &HoldButton::held, &context, [&context, button, wanted] {
+        auto hold = wanted(button->share());
+        if (!hold)
+            return;
+        hold->press = button->press();
+        context.hold(*hold);
+    });
+    QObject::connect(button, &HoldButton::holdEnded, &context, &ModuleContext::release);
+    return button;
 }
 
 }  // namespace nmc

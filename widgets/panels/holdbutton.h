@@ -3,8 +3,14 @@
 
 #include <QPushButton>
 #include <QTimer>
+#include <functional>
+#include <optional>
+
+#include "bus/types.h"
 
 namespace nmc {
+
+class ModuleContext;
 
 /// Hold to move: requests motion when pressed, and repeatedly while it is held, as evidence for the bus
 /// thread, which stops the motor when no more evidence arrives. Ends when mouse, touch or key is released,
@@ -56,5 +62,11 @@ private:
     double m_share = 1;
     Direction m_direction = Direction::None;
 };
+
+/// What a hold requests at a share of the speed of a press; empty if nothing is possible.
+using WantedHold = std::function<std::optional<bus::HoldToMove>(double share)>;
+/// A button that jogs the module while it is held. `reverse`: as the user sees it.
+[[nodiscard]] HoldButton* newJogButton(ModuleContext& context, bool reverse, const WantedHold& wanted,
+                                       QWidget* parent);
 
 }  // namespace nmc

@@ -3,7 +3,6 @@
 
 #include "widgets/common/elidedlabel.h"
 #include "widgets/common/form.h"
-#include "widgets/common/icons.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/travelwords.h"
@@ -43,14 +42,11 @@ JogBox::JogBox(ModuleContext& context, QWidget* parent)
 }
 
 HoldButton* JogBox::newHold(bool reverse) {
-    auto* button = new HoldButton(this);
-    button->setIcon(icons::tinted(u"hand-stop"_s));
-    button->setText(reverse ? Common::tr("◂ Hold") : Common::tr("Hold ▸"));
+    auto* button = newJogButton(
+        m_context, reverse, [this, reverse](double share) { return wanted(reverse, share); }, this);
     look::name(button, m_context.named(reverse ? u"holdReverseButton"_s : u"holdForwardButton"_s),
                reverse ? tr("Hold to move in reverse") : tr("Hold to move forward"));
     button->setDirection(reverse ? HoldButton::Direction::Reverse : HoldButton::Direction::Forward);
-    connect(button, &HoldButton::held, this, [this, button, reverse] { hold(*button, reverse); });
-    connect(button, &HoldButton::holdEnded, &m_context, &ModuleContext::release);
     return button;
 }
 
@@ -121,14 +117,6 @@ std::optional<bus::HoldToMove> JogBox::wanted(bool reverse, double share) const 
     return speed ? jog(m_context.state(), m_context.settings(), std::max(*speed * share, m_range.slowest),
                        m_context.chipReverse(reverse))
                  : std::nullopt;
-}
-
-void JogBox::hold(const HoldButton& button, bool reverse) {
-    auto hold = wanted(reverse, button.share());
-    if (!hold)
-        return;
-    hold->press = button.press();
-    m_context.hold(*hold);
 }
 
 }  // namespace nmc

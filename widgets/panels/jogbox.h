@@ -27,7 +27,6 @@ public:
 
 private:
     [[nodiscard]] HoldButton* newHold(bool reverse);
-    void hold(const HoldButton& button, bool reverse);
     [[nodiscard]] std::optional<bus::HoldToMove> wanted(bool reverse, double share = 1) const;
     [[nodiscard]] QString reasonFor(bool reverse) const;
     [[nodiscard]] QString outcome() const;
