@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/programcontroller.h"
 
-#include "widgets/axes/axesdock.h"
+#include "widgets/axes/axespage.h"
+#include "widgets/common/lazydock.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/sequencetexts.h"
-#include "widgets/paths/pathsdock.h"
+#include "widgets/paths/pathspage.h"
 #include "widgets/sequences/sequencesdock.h"
 
 namespace nmc {
@@ -53,8 +54,9 @@ ProgramController::ProgramController(MainWindow& window, const BusStore& store, 
 
 void ProgramController::showRun(const SequenceReport& report) {
     m_window.sequences().showRun(report);
-    m_window.paths().showSequence(!report.over());
-    m_window.axes().showSequence(!report.over());
+    const auto tell = [runs = !report.over()](auto& page) { page.showSequence(runs); };
+    m_window.paths().tell(tell);
+    m_window.axes().tell(tell);
     if (const auto message = texts::sequenceOver(report))
         m_messages.report(*message);
 }

@@ -2,7 +2,8 @@
 // The homing page in the whole program, by object name, with the simulator, which knows where home is.
 #include "model/intent/homingplan.h"
 #include "tests/support/virtualpanel.h"
-#include "widgets/axes/axesdock.h"
+#include "widgets/axes/axespage.h"
+#include "widgets/common/lazydock.h"
 
 namespace nmc {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of all axes: hold, step, enable and home any of them from one place.
 #include "model/settings/machine.h"
-#include "widgets/axes/axesdock.h"
 #include "widgets/axes/axespage.h"
 #include "widgets/common/requests.h"
 #include "windowtest.h"

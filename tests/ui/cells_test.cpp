@@ -7,7 +7,8 @@
 
 #include "protocol/commandtable.h"
 #include "tests/model/stepperfixture.h"
-#include "widgets/paths/pathsdock.h"
+#include "widgets/common/lazydock.h"
+#include "widgets/paths/pathspage.h"
 #include "windowtest.h"
 
 namespace nmc {

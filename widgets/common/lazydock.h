@@ -4,6 +4,8 @@
 #include <QDockWidget>
 #include <QKeySequence>
 #include <QScrollArea>
+#include <functional>
+#include <utility>
 
 #include "widgets/common/scrolled.h"
 
@@ -42,6 +44,10 @@ private:
 template <typename Page>
 class PageDock : public LazyDock {
 public:
+    PageDock(const QString& objectName, const QString& title, const QKeySequence& key, Requests& requests,
+             QWidget* parent)
+        : LazyDock(objectName, title, key, parent), m_requests(requests) {}
+
     /// The content, which is built if necessary.
     Page& page() {
         if (m_page == nullptr) {
@@ -53,14 +59,21 @@ public:
     }
     /// The content, or null until it has been built.
     [[nodiscard]] Page* builtPage() const { return m_page; }
+    /// Tells the page something, at once or as soon as it is built; of what it is told before, only the last
+    /// counts.
+    void tell(std::function<void(Page&)> something) {
+        if (m_page != nullptr)
+            something(*m_page);
+        else
+            m_told = std::move(something);
+    }
 
 protected:
-    PageDock(const QString& objectName, const QString& title, const QKeySequence& key, Requests& requests,
-             QWidget* parent)
-        : LazyDock(objectName, title, key, parent), m_requests(requests) {}
-
     /// Shows the page, which is new, what was reported before it was built.
-    virtual void showSoFar() = 0;
+    virtual void showSoFar() {
+        if (m_told)
+            m_told(*m_page);
+    }
 
     Page* m_page = nullptr;
 
@@ -68,6 +81,7 @@ private:
     void build() override { page(); }
 
     Requests& m_requests;
+    std::function<void(Page&)> m_told;
 };
 
 }  // namespace nmc

@@ -20,13 +20,14 @@
 #include <set>
 #include <utility>
 
-#include "widgets/axes/axesdock.h"
+#include "widgets/axes/axespage.h"
 #include "widgets/chain/chainmenu.h"
 #include "widgets/chain/chainview.h"
 #include "widgets/common/apitexts.h"
 #include "widgets/common/askdialog.h"
 #include "widgets/common/focuskeeper.h"
 #include "widgets/common/form.h"
+#include "widgets/common/lazydock.h"
 #include "widgets/common/look.h"
 #include "widgets/common/palettes.h"
 #include "widgets/common/requests.h"
@@ -62,7 +63,7 @@
 #include "widgets/panels/command.h"
 #include "widgets/panels/modulepage.h"
 #include "widgets/panels/modulepanel.h"
-#include "widgets/paths/pathsdock.h"
+#include "widgets/paths/pathspage.h"
 #include "widgets/response/responsedock.h"
 #include "widgets/scope/scopefiles.h"
 #include "widgets/scope/scopepanel.h"
@@ -468,13 +469,14 @@ void MainWindow::showStopResult(const bus::StopFinished& finished, unsigned reco
 
 void MainWindow::showAllAxes() {
     m_sequences->showSession(m_session.link(), m_session.machine());
-    m_paths->showSession(m_session.link(), m_session.machine(), m_session.procedures());
+    if (m_paths->seen())
+        m_paths->page().showSession(m_session.link(), m_session.machine(), m_session.procedures());
     if (!m_axes->seen())
         return;
     std::vector<PanelView> views;
     for (const ModuleState& module : m_session.link().modules)
         views.push_back(m_session.viewOf(module));
-    m_axes->showModules(views, m_session.machine());
+    m_axes->page().showModules(views, m_session.machine());
 }
 
 void MainWindow::endHold() {
@@ -512,8 +514,9 @@ void MainWindow::buildDocks() {
     m_response = new ResponseDock(*m_requests, this);
     m_loopTests = new LoopTestsDock(*m_requests, this);
     m_sequences = new SequencesDock(*m_requests, this);
-    m_paths = new PathsDock(*m_requests, this);
-    m_axes = new AxesDock(*m_requests, this);
+    m_paths =
+        new PathsDock(u"pathsDock"_s, PathsPage::tr("Paths"), Qt::SHIFT | Qt::Key_F3, *m_requests, this);
+    m_axes = new AxesDock(u"axesDock"_s, AxesPage::tr("All axes"), Qt::Key_F4, *m_requests, this);
     for (QDockWidget* dock : std::initializer_list<QDockWidget*>{
              newDock(u"chainDock"_s, tr("Modules"), m_chain), m_scopeDock,
              newDock(u"messagesDock"_s, Common::tr("Messages"), scrolled(m_messages)), m_simulator, m_monitor,

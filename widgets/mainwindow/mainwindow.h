@@ -23,7 +23,7 @@ class QSettings;
 
 namespace nmc {
 
-class AxesDock;
+class AxesPage;
 class Banner;
 class Bell;
 class ChainView;
@@ -39,7 +39,7 @@ class MessageModel;
 class MessagePanel;
 class ModulePanel;
 class MonitorDock;
-class PathsDock;
+class PathsPage;
 class OperatorLock;
 class Pendant;
 class Requests;
@@ -52,6 +52,12 @@ class SimulatorDock;
 class StartPage;
 class ResponseDock;
 struct ProgramsShown;
+template <typename Page>
+class PageDock;
+
+// Closed initially; their content is built when it is first seen.
+using AxesDock = PageDock<AxesPage>;
+using PathsDock = PageDock<PathsPage>;
 
 /// The panel's window. Values in, intents out: it has no access to the bus, a thread or a port. Every
 /// show...() is idempotent and emits nothing, except that a hold that is no longer possible ends and reports
