@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/strong.h"
+#include "base/text.h"
 #include "protocol/commandform.h"
 
 /// The commands that only a PIC-SERVO has, or that mean something else on a PIC-STEP (DS-V 5.2).
@@ -102,6 +103,24 @@ struct SetGain {
     }
     bool operator==(const SetGain&) const = default;
 };
+
+template <typename Each>
+struct GainsForm : CommandForm {
+    explicit GainsForm(const Each& function) : each(function) {}
+    const Each& each;
+
+    void number(std::string_view name, auto& value, ValueRange range = kByteRange) {
+        each(lowered(name), value, range);
+    }
+    void trailing(std::string_view name, auto& value) { number(name, value); }
+};
+/// Calls each(name in lower case, value, range) for the fields of Set Gain, in the order in which they are
+/// sent; SM only if there is a DB. The value is an optional where some versions lack the field.
+template <typename Each>
+void forEachGain(auto& gains, const Each& each) {
+    GainsForm<Each> form(each);
+    SetGain::fields(form, gains);
+}
 
 /// Only one of these may be requested at a time (DS-V 5.2 Stop Motor).
 enum class StopManner : std::uint8_t {

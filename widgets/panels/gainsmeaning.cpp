@@ -16,29 +16,13 @@ class Gains {
     Q_DECLARE_TR_FUNCTIONS(Gains)
 };
 
-/// Visits the field of `gains` that holds `gain`.
-template <typename Gains, typename Visitor>
-void visit(Gains& gains, Gain gain, Visitor visitor) {
-    switch (gain) {
-        case Gain::Kp:
-            return visitor(gains.kp);
-        case Gain::Kd:
-            return visitor(gains.kd);
-        case Gain::Ki:
-            return visitor(gains.ki);
-        case Gain::Il:
-            return visitor(gains.il);
-        case Gain::Ol:
-            return visitor(gains.ol);
-        case Gain::Cl:
-            return visitor(gains.cl);
-        case Gain::El:
-            return visitor(gains.el);
-        case Gain::Sr:
-            return visitor(gains.sr);
-        case Gain::Db:
-            return visitor(gains.db);
-    }
+/// Visits the field of `gains` that holds `gain`; kAllGains is in the order of the fields.
+void visit(auto& gains, Gain gain, const auto& visitor) {
+    std::size_t place = 0;
+    servo::forEachGain(gains, [&](const std::string& /*name*/, auto& field, ValueRange /*range*/) {
+        if (place++ == static_cast<std::size_t>(gain))
+            visitor(field);
+    });
 }
 }  // namespace
 
@@ -49,15 +33,7 @@ std::optional<int> gainOf(const servo::SetGain& gains, Gain gain) {
 }
 
 void setGain(servo::SetGain& gains, Gain gain, int value) {
-    struct Setter {
-        int value;
-        void operator()(std::uint16_t& field) const { field = static_cast<std::uint16_t>(value); }
-        void operator()(std::uint8_t& field) const { field = static_cast<std::uint8_t>(value); }
-        void operator()(std::optional<std::uint8_t>& field) const {
-            field = static_cast<std::uint8_t>(value);
-        }
-    };
-    visit(gains, gain, Setter{value});
+    visit(gains, gain, [value]<typename T>(T& field) { field = static_cast<T>(value); });
 }
 
 GainFacts gainFacts(Gain gain) {

@@ -24,24 +24,6 @@ using Kind = Field::Kind;
 template <typename T>
 using Or = tl::expected<T, Problem>;
 
-/// A form (protocol/commandform.h) that calls each(name as a parameter, value, range) for the fields of Set
-/// Gain. The value is an optional where some versions lack the field.
-template <typename Each>
-struct GainsForm : CommandForm {
-    explicit GainsForm(const Each& function) : each(function) {}
-    const Each& each;
-
-    void number(std::string_view name, auto& value, ValueRange range = servo::kByteRange) {
-        each(lowered(name), value, range);
-    }
-    void trailing(std::string_view name, auto& value) { number(name, value); }
-};
-template <typename Each>
-void forEachGain(auto& gains, const Each& each) {
-    GainsForm<Each> form(each);
-    servo::SetGain::fields(form, gains);
-}
-
 std::string_view unitOf(Kind kind) {
     switch (kind) {
         case Kind::Position:

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "model/recording/recordingcells.h"
 #include "model/recording/recordingwords.h"
+#include "protocol/servocommands.h"
 
 namespace nmc {
 
@@ -150,14 +151,14 @@ void appendGains(std::string& out, const GainsChange& change, TimePoint zero) {
     out += words::kAt;
     out += cells::timeText(change.time - zero);
     out += words::kSeconds;
-    const auto append = [&out](std::string_view word, int value, ValueRange /*range*/) {
+    const auto append = [&out](std::string_view word, std::optional<int> value, ValueRange /*range*/) {
+        if (!value || word == words::kNotRecorded)
+            return;
         out.append(word) += ' ';
-        appendNumber(out, value);
+        appendNumber(out, *value);
         out += ' ';
     };
-    words::forEachGain(append, *change.gains);
-    if (change.gains->db)
-        append(words::kDeadband, *change.gains->db, servo::kByteRange);
+    servo::forEachGain(*change.gains, append);
     out.back() = '\n';
 }
 

@@ -7,6 +7,7 @@
 
 #include "model/recording/recordingwords.h"
 #include "protocol/iocommands.h"
+#include "protocol/servocommands.h"
 
 namespace nmc::comments {
 
@@ -159,6 +160,8 @@ std::optional<servo::SetGain> gainValues(std::string_view text) {
     servo::SetGain gains;
     bool good = true;
     const auto read = [&](std::string_view word, auto& value, ValueRange range) {
+        if (word == words::kNotRecorded || (word == words::kDeadband && text.empty()))
+            return;
         good = good && nextWord(text) == word;
         const auto number =
             cells::whole(nextWord(text), {static_cast<double>(range.min), static_cast<double>(range.max)});
@@ -166,9 +169,7 @@ std::optional<servo::SetGain> gainValues(std::string_view text) {
         if (good)
             value = static_cast<std::decay_t<decltype(value)>>(*number);
     };
-    words::forEachGain(read, gains);
-    if (good && !text.empty())
-        read(words::kDeadband, gains.db.emplace(), servo::kByteRange);
+    servo::forEachGain(gains, read);
     if (!good || !text.empty())
         return std::nullopt;
     return gains;

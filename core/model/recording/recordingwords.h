@@ -6,8 +6,6 @@
 #include <array>
 #include <string_view>
 
-#include "protocol/servocommands.h"
-
 namespace nmc::words {
 
 inline constexpr std::string_view kBehindKey = ": ";
@@ -42,18 +40,8 @@ inline constexpr std::string_view kGains = "gains of module ";
 inline constexpr std::string_view kUnknown = " unknown";
 inline constexpr std::string_view kAt = " at ";
 inline constexpr std::string_view kSeconds = " s: ";
-/// Calls field(word, value, range) for each gain that every version has, in the data sheet's order.
-template <typename Field, typename Gains>
-void forEachGain(const Field& field, Gains& gains) {
-    field("kp", gains.kp, servo::kGainRange);
-    field("kd", gains.kd, servo::kGainRange);
-    field("ki", gains.ki, servo::kGainRange);
-    field("il", gains.il, servo::kGainRange);
-    field("ol", gains.ol, servo::kByteRange);
-    field("cl", gains.cl, servo::kByteRange);
-    field("el", gains.el, servo::kPositionErrorRange);
-    field("sr", gains.sr, servo::kServoRateRange);
-}
+// Of the names of gains (servo::forEachGain()), that which may be missing, and that which always is.
 inline constexpr std::string_view kDeadband = "db";
+inline constexpr std::string_view kNotRecorded = "sm";
 
 }  // namespace nmc::words
