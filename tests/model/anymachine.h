@@ -56,7 +56,7 @@ inline AxisSettings anyAxis() {
         axis.travel.highest = pickWhole<std::int32_t>(-0x7FFFFFFF, 0x7FFFFFFF);
     axis.backlash = {pick(0, 2e9), coin()};
     axis.arrival = {pick(0, 2e9), pick(0, 100)};
-    axis.limitStop = {coin(), coin(), coin(), coin(), coin(), pickWhole<HomingRecipe::Stop>(0, 2)};
+    axis.limitStop = {coin(), {coin(), coin(), pickWhole<HomingRecipe::Stop>(0, 2), coin(), coin()}};
     for (auto i = pickWhole<int>(0, 3); i > 0; --i)
         axis.workOffsets.push_back(
             {pickName() + std::to_string(i), pickWhole<std::int32_t>(-0x7FFFFFFF, 0x7FFFFFFF)});

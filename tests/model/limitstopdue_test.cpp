@@ -38,7 +38,7 @@ protected:
         const auto arm = limitStopDue(servo);
         if (!arm)
             return "nothing";
-        return std::string(arm->limit1 ? "limit1 " : "") + (arm->limit2 ? "limit2 " : "") +
+        return std::string(arm->onLimit1 ? "limit1 " : "") + (arm->onLimit2 ? "limit2 " : "") +
                (arm->onPositionError ? "error " : "") + (arm->onCurrentLimit ? "current " : "");
     }
     ModuleState servo = holdingServo();
@@ -63,7 +63,7 @@ TEST_F(LimitStopDue, ALimitOnWhichTheMotorStandsLeavesTheOtherArmed) {
 
 /// DS-V 5.2, Set Gain: CL 0 disables current limiting.
 TEST_F(LimitStopDue, ACurrentThatIsNotLimitedLeavesTheLimitsArmed) {
-    servo.limitStop.onCurrentLimit = true;
+    servo.limitStop.stop.onCurrentLimit = true;
     servo.gains.reset();
     EXPECT_EQ(due(), "limit1 limit2 ");
     servo::SetGain gains = *holdingServo().gains;
@@ -77,14 +77,14 @@ TEST_F(LimitStopDue, ACurrentThatIsNotLimitedLeavesTheLimitsArmed) {
     ASSERT_NO_FATAL_FAILURE(arm());
     servo.doubtGains();
     EXPECT_EQ(due(), "nothing") << "the chip still watches the current";
-    servo.limitStop.onCurrentLimit = false;
+    servo.limitStop.stop.onCurrentLimit = false;
     EXPECT_EQ(due(), "limit1 limit2 ");
 }
 
 /// DS-V 5.2: the chip stops the motor in the manner of the last Set Homing Mode.
 TEST_F(LimitStopDue, ItIsArmedAgainInAnotherManner) {
     for (const auto manner : {StopManner::Smoothly, StopManner::Off, StopManner::Abruptly}) {
-        servo.limitStop.manner = manner;
+        servo.limitStop.stop.manner = manner;
         EXPECT_EQ(due(), "limit1 limit2 ");
         ASSERT_NO_FATAL_FAILURE(arm());
         EXPECT_EQ(due(), "nothing");

@@ -397,7 +397,7 @@ TEST_F(Sequences, AMoveWaitsForTheLimitStopThatAHomeSearchHasReplaced) {
     bench.machine.axes[0].homing = recipe;
     bench.modules[0].home.forget();
     bench.putSwitch(sim::Input::Limit1, -600, true);
-    bench.modules[0].limitStop = {.eachMotion = true, .onLimit1 = false};
+    bench.modules[0].limitStop = {.eachMotion = true, .stop = {.onLimit2 = true}};
     ASSERT_TRUE(bench.order(kX, *limitStopDue(bench.modules[0])));
     bench.machine.program.points = {{"A", {{kX, 300}}}};
     bench.machine.program.sequences = {{"Main", {action::Home{kX}, action::MoveTo{"A"}}}};

@@ -271,8 +271,8 @@ TEST_F(Homing, TheLimitStopIsArmedAsChosen) {
     click(u"armLimitStopButton"_s);
     ASSERT_EQ(intents.size(), 1);
     const auto arm = std::get<intent::ArmLimitStop>(intents.at(0).at(1).value<Intent>());
-    EXPECT_FALSE(arm.limit1);
-    EXPECT_TRUE(arm.limit2);
+    EXPECT_FALSE(arm.onLimit1);
+    EXPECT_TRUE(arm.onLimit2);
     EXPECT_EQ(arm.manner, HomingRecipe::Stop::Smoothly);
 }
 

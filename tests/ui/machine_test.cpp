@@ -221,7 +221,7 @@ TEST_F(MachineWindow, EveryFieldOfAMachineHasAWord) {
     axis.homing.emplace();
     axis.homing->velocity = axis.homing->indexVelocity = axis.homing->acceleration = 1;
     axis.homing->travelLimit = axis.homing->timeLimit = 1;
-    axis.limitStop = {true, false, false, true, true, HomingRecipe::Stop::Smoothly};
+    axis.limitStop = {true, {false, false, HomingRecipe::Stop::Smoothly, true, true}};
     axis.analog = {1.0, 1.0, "A"};
     axis.io.emplace().fastPath = true;
     axis.fastPath = true;

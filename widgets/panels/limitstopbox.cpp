@@ -43,19 +43,19 @@ QString limits(const HomeWatch& watch) {
 LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(Common::tr("Limit stop"), parent),
       m_context(context),
-      m_limit1(form::newCheck(
-          {.name = u"armLimit1Box"_s, .text = Common::tr("Limit 1"), .accessible = tr("Limit 1: stop there")},
-          this)),
-      m_limit2(form::newCheck(
-          {.name = u"armLimit2Box"_s, .text = Common::tr("Limit 2"), .accessible = tr("Limit 2: stop there")},
-          this)),
-      m_positionError(form::newCheck({.name = u"armPositionErrorBox"_s,
-                                      .text = Common::tr("Position error"),
-                                      .accessible = tr("Position error stops the motor")},
-                                     this)),
-      m_currentLimit(form::newCheck(
-          {.name = u"armCurrentBox"_s, .text = tr("Current"), .accessible = tr("Current stops the motor")},
-          this)),
+      m_conditions{{
+          {form::newCheck({u"armLimit1Box"_s, Common::tr("Limit 1"), tr("Limit 1: stop there")}, this),
+           &ChipStop::onLimit1, tr("The motor stops when limit switch 1 changes.")},
+          {form::newCheck({u"armLimit2Box"_s, Common::tr("Limit 2"), tr("Limit 2: stop there")}, this),
+           &ChipStop::onLimit2, tr("The motor stops when limit switch 2 changes.")},
+          {form::newCheck(
+               {u"armPositionErrorBox"_s, Common::tr("Position error"), tr("Position error stops the motor")},
+               this),
+           &ChipStop::onPositionError,
+           tr("The motor stops when the position error exceeds EL; this always switches the servo off.")},
+          {form::newCheck({u"armCurrentBox"_s, tr("Current"), tr("Current stops the motor")}, this),
+           &ChipStop::onCurrentLimit, tr("The motor stops when its current exceeds CL.")},
+      }},
       m_each(form::newCheck({.name = u"armEachMotionBox"_s,
                              .text = tr("for each motion of this axis"),
                              .accessible = tr("For each motion of this axis, arm the limit stop")},
@@ -73,8 +73,10 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     look::name(this, u"limitStopBox"_s, Common::tr("Limit stop"));
     const int unit = look::gridUnit(this);
     auto* limitRow = new FlowLayout(unit * 2);
-    for (QAbstractButton* box : conditions())
-        limitRow->addWidget(box);
+    for (const Condition& condition : m_conditions) {
+        limitRow->addWidget(condition.box);
+        connect(condition.box, &QAbstractButton::clicked, this, &LimitStopBox::keep);
+    }
     const std::array names{u"armAbruptlyButton"_s, u"armSmoothlyButton"_s, u"armMotorOffButton"_s};
     const std::array texts{Common::tr("Abruptly"), Common::tr("Smoothly"), Common::tr("Motor off")};
     const std::array accessible{tr("Abruptly: stop at the limit"), tr("Smoothly: stop at the limit"),
@@ -94,38 +96,29 @@ LimitStopBox::LimitStopBox(ModuleContext& context, QWidget* parent)
     grid->addWide(form::newLine(this, {nullptr, m_disarm->button(), m_arm->button()}));
     grid->setColumnStretch(1, 1);
 
-    for (QAbstractButton* box : {m_limit1, m_limit2, m_positionError, m_currentLimit, m_each})
-        connect(box, &QAbstractButton::clicked, this, &LimitStopBox::keep);
+    connect(m_each, &QAbstractButton::clicked, this, &LimitStopBox::keep);
     for (QAbstractButton* button : m_manners)
         connect(button, &QAbstractButton::clicked, this, &LimitStopBox::keep);
     m_context.whenSeen(this, [this] { showSettings(); });
 }
 
 void LimitStopBox::keep() {
-    LimitStopSettings stop;
-    stop.eachMotion = m_each->isChecked();
-    stop.onLimit1 = m_limit1->isChecked();
-    stop.onLimit2 = m_limit2->isChecked();
-    stop.onPositionError = m_positionError->isChecked();
-    stop.onCurrentLimit = m_currentLimit->isChecked();
-    stop.manner = wanted().manner;
-    m_shown = stop;
-    m_context.edit([stop](AxisSettings& axis) { axis.limitStop = stop; });
+    const LimitStopSettings settings{m_each->isChecked(), wanted()};
+    m_shown = settings;
+    m_context.edit([settings](AxisSettings& axis) { axis.limitStop = settings; });
     refresh();
 }
 
 void LimitStopBox::showSettings() {
-    const LimitStopSettings& stop = m_context.settings().limitStop;
-    if (m_shown != stop) {
-        m_limit1->setChecked(stop.onLimit1);
-        m_limit2->setChecked(stop.onLimit2);
-        m_positionError->setChecked(stop.onPositionError);
-        m_currentLimit->setChecked(stop.onCurrentLimit);
-        m_each->setChecked(stop.eachMotion);
+    const LimitStopSettings& settings = m_context.settings().limitStop;
+    if (m_shown != settings) {
+        for (const Condition& condition : m_conditions)
+            condition.box->setChecked(settings.stop.*condition.flag);
+        m_each->setChecked(settings.eachMotion);
         for (std::size_t i = 0; i < kManners.size(); ++i)
-            if (kManners[i] == stop.manner)
+            if (kManners[i] == settings.stop.manner)
                 m_manners[i]->setChecked(true);
-        m_shown = stop;
+        m_shown = settings;
     }
     refresh();
 }
@@ -135,8 +128,9 @@ bool LimitStopBox::isReplaced(const ModuleContext& context) {
 }
 
 intent::ArmLimitStop LimitStopBox::wanted() const {
-    intent::ArmLimitStop arm{m_limit1->isChecked(), m_limit2->isChecked(), Stop::Abruptly,
-                             m_positionError->isChecked(), m_currentLimit->isChecked()};
+    intent::ArmLimitStop arm;
+    for (const Condition& condition : m_conditions)
+        arm.*condition.flag = condition.box->isChecked();
     for (std::size_t i = 0; i < kManners.size(); ++i)
         if (m_manners[i]->isChecked())
             arm.manner = kManners[i];
@@ -158,12 +152,8 @@ QString LimitStopBox::whyNotArmed() const {
 void LimitStopBox::refresh() {
     const ModuleState& module = m_context.state();
     const QString never = m_context.reasonFor(IntentKind::ArmLimitStop);
-    look::setPossible(m_limit1, never, tr("The motor stops when limit switch 1 changes."));
-    look::setPossible(m_limit2, never, tr("The motor stops when limit switch 2 changes."));
-    look::setPossible(
-        m_positionError, never,
-        tr("The motor stops when the position error exceeds EL; this always switches the servo off."));
-    look::setPossible(m_currentLimit, never, tr("The motor stops when its current exceeds CL."));
+    for (const Condition& condition : m_conditions)
+        look::setPossible(condition.box, never, condition.meaning);
     look::setPossible(
         m_each, never,
         tr("The panel arms the limit stop whenever the motor is at rest with its servo on, even after a trip, and before any motion starts. Saved with the machine."));

@@ -26,21 +26,22 @@ public:
     [[nodiscard]] static bool isReplaced(const ModuleContext& context);
 
 private:
+    /// A check box for what the motor is to be stopped at.
+    struct Condition {
+        QAbstractButton* box;
+        bool ChipStop::*flag;
+        QString meaning;
+    };
+
     void refresh();
     void refreshState();
     [[nodiscard]] intent::ArmLimitStop wanted() const;
     [[nodiscard]] QString whyNotArmed() const;
     void keep();
     void showSettings();
-    [[nodiscard]] std::array<QAbstractButton*, 4> conditions() const {
-        return {m_limit1, m_limit2, m_positionError, m_currentLimit};
-    }
 
     ModuleContext& m_context;
-    QAbstractButton* m_limit1;
-    QAbstractButton* m_limit2;
-    QAbstractButton* m_positionError;
-    QAbstractButton* m_currentLimit;
+    std::array<Condition, 4> m_conditions;
     QAbstractButton* m_each;
     std::optional<LimitStopSettings> m_shown;
     std::array<QAbstractButton*, 3> m_manners{};  ///< by HomingRecipe::Stop

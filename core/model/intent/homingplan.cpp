@@ -36,10 +36,11 @@ namespace {
 /// The condition that the chip could not watch for now, or that would stop the motor when it leaves a switch.
 [[nodiscard]] std::optional<Refusal> whyNotWatched(const intent::ArmLimitStop& arm,
                                                    const ModuleState& module) {
-    if (module.io && ((arm.limit1 && !module.io->limit1IsInput) || (arm.limit2 && !module.io->limit2IsInput)))
+    if (module.io &&
+        ((arm.onLimit1 && !module.io->limit1IsInput) || (arm.onLimit2 && !module.io->limit2IsInput)))
         return Refusal::LimitIsOutput;
     const servo::StatusByte status = module.latest->servoStatus();
-    if ((arm.limit1 && status.limit1()) || (arm.limit2 && status.limit2()))
+    if ((arm.onLimit1 && status.limit1()) || (arm.onLimit2 && status.limit2()))
         return Refusal::LimitActive;
     const bool unlimited = arm.onCurrentLimit && (!module.gains || module.gains->cl == 0);
     return unlimited ? std::optional(Refusal::NoCurrentLimit) : std::nullopt;
@@ -47,13 +48,12 @@ namespace {
 
 /// What the axis wants to be armed, without the conditions that cannot be: the others still protect it.
 [[nodiscard]] intent::ArmLimitStop possibleStop(const ModuleState& module) {
-    const LimitStopSettings& wanted = module.limitStop;
     const auto can = [&module](const intent::ArmLimitStop& one) { return !whyNotWatched(one, module); };
-    return {.limit1 = wanted.onLimit1 && can({.limit1 = true}),
-            .limit2 = wanted.onLimit2 && can({.limit2 = true}),
-            .manner = wanted.manner,
-            .onPositionError = wanted.onPositionError,
-            .onCurrentLimit = wanted.onCurrentLimit && can({.onCurrentLimit = true})};
+    intent::ArmLimitStop stop = module.limitStop.stop;
+    stop.onLimit1 = stop.onLimit1 && can({.onLimit1 = true});
+    stop.onLimit2 = stop.onLimit2 && can({.onLimit2 = true});
+    stop.onCurrentLimit = stop.onCurrentLimit && can({.onCurrentLimit = true});
+    return stop;
 }
 
 }  // namespace
@@ -113,8 +113,8 @@ std::optional<Refusal> whyNotArm(const intent::ArmLimitStop& arm, const ModuleSt
 }
 
 std::optional<intent::ArmLimitStop> limitStopDue(const ModuleState& module) {
-    const LimitStopSettings& wanted = module.limitStop;
-    if (!wanted.eachMotion || !module.isServo() || !module.servoOn() || module.moving())
+    const intent::ArmLimitStop& wanted = module.limitStop.stop;
+    if (!module.limitStop.eachMotion || !module.isServo() || !module.servoOn() || module.moving())
         return std::nullopt;
     const intent::ArmLimitStop arm = possibleStop(module);
     const HomeWatch& watch = module.homing;
@@ -122,8 +122,8 @@ std::optional<intent::ArmLimitStop> limitStopDue(const ModuleState& module) {
     // the stop, which shows only in the following reply (bus/trust.h), and CL may have become unknown.
     const auto asWanted = [](bool watched, bool want, bool possible) { return watched ? want : !possible; };
     const bool armed = watch.state() == HomeWatch::State::Armed && watch.manner() == wanted.manner &&
-                       asWanted(watch.onLimit1(), wanted.onLimit1, arm.limit1) &&
-                       asWanted(watch.onLimit2(), wanted.onLimit2, arm.limit2) &&
+                       asWanted(watch.onLimit1(), wanted.onLimit1, arm.onLimit1) &&
+                       asWanted(watch.onLimit2(), wanted.onLimit2, arm.onLimit2) &&
                        asWanted(watch.onPositionError(), wanted.onPositionError, arm.onPositionError) &&
                        asWanted(watch.onCurrentLimit(), wanted.onCurrentLimit, arm.onCurrentLimit);
     return armed || !arm.any() || whyNotArm(arm, asOfPanel(module)) ? std::nullopt : std::optional(arm);
@@ -132,8 +132,8 @@ std::optional<intent::ArmLimitStop> limitStopDue(const ModuleState& module) {
 servo::SetHoming limitStop(const intent::ArmLimitStop& arm) {
     if (!arm.any())
         return {};
-    return stoppingBy(arm.manner, servo::SetHoming{.onLimit1Change = arm.limit1,
-                                                   .onLimit2Change = arm.limit2,
+    return stoppingBy(arm.manner, servo::SetHoming{.onLimit1Change = arm.onLimit1,
+                                                   .onLimit2Change = arm.onLimit2,
                                                    .onPositionError = arm.onPositionError,
                                                    .onCurrentLimit = arm.onCurrentLimit});
 }

@@ -163,15 +163,7 @@ struct FollowPath {
 struct CancelProcedure {};
 /// Uses homing as a safety stop (DS-V 5.2): the chip stops by itself when a chosen limit changes, or when the
 /// position error or the current exceeds its limit. With no condition chosen, it disarms the stop.
-struct ArmLimitStop {
-    bool limit1 = false;
-    bool limit2 = false;
-    HomingRecipe::Stop manner = HomingRecipe::Stop::Abruptly;
-    bool onPositionError = false;
-    bool onCurrentLimit = false;
-
-    [[nodiscard]] bool any() const { return limit1 || limit2 || onPositionError || onCurrentLimit; }
-};
+using ArmLimitStop = ChipStop;
 /// A single command with any data bytes, for users who know the data sheet (directplan.h).
 struct Direct {
     ModuleCommand command;

@@ -140,8 +140,9 @@ void fields(Form& form, T& arrival) {
 }
 
 template <typename Form, As<LimitStopSettings> T>
-void fields(Form& form, T& stop) {
-    auto& [eachMotion, onLimit1, onLimit2, onPositionError, onCurrentLimit, manner] = stop;
+void fields(Form& form, T& limitStop) {
+    auto& [eachMotion, stop] = limitStop;
+    auto& [onLimit1, onLimit2, manner, onPositionError, onCurrentLimit] = stop;
     form.flag("each_motion", eachMotion);
     form.flag("on_limit1", onLimit1);
     form.flag("on_limit2", onLimit2);

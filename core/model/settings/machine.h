@@ -84,14 +84,22 @@ struct ArrivalSettings {
     bool operator==(const ArrivalSettings&) const = default;
 };
 
-/// The limit stop of a PIC-SERVO (intent::ArmLimitStop), as an axis uses it for each of its motions.
-struct LimitStopSettings {
-    bool eachMotion = false;  ///< otherwise it is armed by hand
-    bool onLimit1 = true;
-    bool onLimit2 = true;
+/// What a PIC-SERVO itself stops its motor at, and how (intent::ArmLimitStop).
+struct ChipStop {
+    bool onLimit1 = false;
+    bool onLimit2 = false;
+    StopManner manner = StopManner::Abruptly;
     bool onPositionError = false;
     bool onCurrentLimit = false;
-    HomingRecipe::Stop manner = HomingRecipe::Stop::Abruptly;
+
+    [[nodiscard]] bool any() const { return onLimit1 || onLimit2 || onPositionError || onCurrentLimit; }
+    bool operator==(const ChipStop&) const = default;
+};
+
+/// The limit stop of a PIC-SERVO, as an axis uses it for each of its motions.
+struct LimitStopSettings {
+    bool eachMotion = false;  ///< otherwise it is armed by hand
+    ChipStop stop{.onLimit1 = true, .onLimit2 = true};
 
     bool operator==(const LimitStopSettings&) const = default;
 };
