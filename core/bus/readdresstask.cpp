@@ -25,24 +25,25 @@ bool ReaddressTask::anythingMoves() const {
 }
 
 void ReaddressTask::begin(ModuleIndex module, bool busy) {
-    begin(module, Stage::Address, m_chain.has(module) && m_chain.belief(module).restarted(), busy);
+    begin(module, {}, m_chain.has(module) && m_chain.belief(module).restarted(), busy);
 }
 
 void ReaddressTask::beginReset(ModuleIndex module, const Payload& reset, bool busy) {
-    m_reset = reset;
-    begin(module, Stage::Reset, m_chain.has(module) && m_chain.answers(module), busy);
+    begin(module, reset, m_chain.has(module) && m_chain.answers(module), busy);
 }
 
-void ReaddressTask::begin(ModuleIndex module, Stage stage, bool fits, bool busy) {
+void ReaddressTask::begin(ModuleIndex module, const std::optional<Payload>& reset, bool fits, bool busy) {
     if (!fits || busy || anythingMoves()) {
         m_events.emplace_back(ReaddressFailed{module, ReaddressFailed::Reason::NotNow});
         return;
     }
     m_module = module;
+    m_reset = reset;
     m_to.reset();
     m_looks = 0;
-    m_stage = stage;
+    m_stage = Stage::Alone;
     m_done = false;
+    m_failure = ReaddressFailed::Reason::NoAnswer;
 }
 
 void ReaddressTask::beginMove(ModuleIndex module, BusAddress address, bool busy) {
@@ -88,9 +89,15 @@ void ReaddressTask::fail(ReaddressFailed::Reason reason) {
 Next ReaddressTask::next(TimePoint now) {
     const ModuleInfo& info = m_chain.belief(*m_module).info();
     switch (m_stage) {
+        case Stage::Alone:
+            if (m_line.baud() != kPowerUpBaud)
+                return Line::toRate(kPowerUpBaud);
+            return question(BusAddress(0), encode(ReadStatus{kIdentityItems}), kIdentityItems);
         case Stage::Reset:
+            if (m_line.baud() != m_chain.rate())
+                return Line::toRate(m_chain.rate());
             m_stage = Stage::Forget;
-            return Line::Script{Line::Gap{}, Line::Packet{toPacket({info.address, m_reset})},
+            return Line::Script{Line::Gap{}, Line::Packet{toPacket({info.address, *m_reset})},
                                 Line::Lag{m_config.resetWait}, DiscardInput{}};
         case Stage::Forget:
             m_stage = Stage::Address;
@@ -137,6 +144,9 @@ Line::Script ReaddressTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimeP
         return {};
     const bool right = end.result == ReplyResult::Accepted;
     switch (m_stage) {
+        case Stage::Alone:
+            onAlone(end);
+            break;
         case Stage::Address:
             // Either it was carried out and the answer was lost, or it was not: the query at the address
             // decides (link.md 2.3).
@@ -187,6 +197,20 @@ Line::Script ReaddressTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimeP
     return right ? Line::Script{} : Line::Script{Line::Lag{}, DiscardInput{}};
 }
 
+/// A module that is still to be reset has its address, so nobody may answer without one; otherwise the module
+/// itself must, and alone: the answers of two spoil each other.
+void ReaddressTask::onAlone(const ReplyEnd& end) {
+    const bool silent = end.bytes.empty();
+    const bool alone = m_reset ? silent && m_looks + 1 == kLooks
+                               : end.result == ReplyResult::Accepted &&
+                                     end.report.identity == m_chain.belief(*m_module).info().identity;
+    if (!alone && (!m_reset || silent) && ++m_looks < kLooks)
+        return;
+    m_looks = 0;
+    m_failure = alone || silent ? ReaddressFailed::Reason::NoAnswer : ReaddressFailed::Reason::Unaddressed;
+    m_stage = !alone ? Stage::Rate : m_reset ? Stage::Reset : Stage::Address;
+}
+
 void ReaddressTask::moved() {
     const ModuleIndex module = *std::exchange(m_module, std::nullopt);
     const BusAddress address = *std::exchange(m_to, std::nullopt);
@@ -203,7 +227,7 @@ Ask ReaddressTask::question(BusAddress address, const Payload& payload, StatusIt
 
 void ReaddressTask::end(bool done) {
     if (!done)
-        return fail(ReaddressFailed::Reason::NoAnswer);
+        return fail(m_failure);
     const ModuleIndex module = *std::exchange(m_module, std::nullopt);
     m_events.emplace_back(Readdressed{m_chain.belief(module).info()});
     m_events.emplace_back(ModuleUnresponsive{module, false});

@@ -12,7 +12,8 @@ namespace nmc::bus {
 
 /// Gives a module that restarted its address back, and switches it to the chain's rate; or first resets one
 /// module alone (DS-V 5.2, DS-S 5.1 Hard Reset). The other modules are unaffected; the module itself has lost
-/// everything but its type. Or gives a module that answers another address, while it keeps everything else:
+/// everything but its type. Another module without an address would take this one, so it is verified first
+/// that there is none. Or gives a module that answers another address, while it keeps everything else:
 /// it is verified first that the address is free, and where the module is if its answer was lost (link.md
 /// 2.3). Ends in Readdressed, AddressChanged or ReaddressFailed.
 class ReaddressTask : public Task {
@@ -37,6 +38,7 @@ public:
 
 private:
     enum class Stage : std::uint8_t {
+        Alone,
         Reset,
         Forget,
         Address,
@@ -51,7 +53,8 @@ private:
         Over
     };
     [[nodiscard]] bool anythingMoves() const;
-    void begin(ModuleIndex module, Stage stage, bool fits, bool busy);
+    void begin(ModuleIndex module, const std::optional<Payload>& reset, bool fits, bool busy);
+    void onAlone(const ReplyEnd& end);
     void fail(ReaddressFailed::Reason reason);
     [[nodiscard]] Ask question(BusAddress address, const Payload& payload, StatusItems items) const;
     void end(bool done);
@@ -60,12 +63,13 @@ private:
     const EngineConfig& m_config;
     RestartSearch& m_restarts;
     std::optional<ModuleIndex> m_module;
-    Payload m_reset;                 ///< for Stage::Reset
+    std::optional<Payload> m_reset;  ///< sent to the module first, which still has its address
     std::optional<BusAddress> m_to;  ///< the other address
     unsigned m_moves = 0;            ///< number of times it was sent
-    unsigned m_looks = 0;            ///< queries of the module at its expected address without an answer
+    unsigned m_looks = 0;            ///< queries in a row that have not decided
     Stage m_stage = Stage::Over;
     bool m_done = false;  ///< the result of the stages so far; reported in Over
+    ReaddressFailed::Reason m_failure = ReaddressFailed::Reason::NoAnswer;  ///< if it is not done
 };
 
 }  // namespace nmc::bus

@@ -233,6 +233,24 @@ TEST_P(YIsReset, NotWhileAnythingMoves) {
     EXPECT_NEAR(bus.servo(1).position, 2'000, 3);
 }
 
+/// Y would take the address that Z loses: each axis would drive the other's motor.
+TEST_P(YIsReset, NotWhileAnotherModuleHasNoAddress) {
+    bus.chain.powerCycle(ModuleIndex(1), bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleRestarted>() == 1; }, 10s));
+    ASSERT_EQ(bus.last<ModuleRestarted>()->module, ModuleIndex(1));
+    const std::size_t from = bus.sent.size();
+    bus.engine.resetModule(ModuleIndex(2), bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ReaddressFailed>() == 1; }, 5s));
+    const bool asked = GetParam().baud == 19'200 && !GetParam().deaf;  // otherwise Z does not answer
+    EXPECT_EQ(bus.last<ReaddressFailed>()->reason,
+              asked ? ReaddressFailed::Reason::Unaddressed : ReaddressFailed::Reason::NotNow);
+    bus.runFor(1s);
+    EXPECT_EQ(bus.sends("AA 03 0F", from), 0U);
+    EXPECT_EQ(bus.sends("AA 00 21", from), 0U);
+    EXPECT_EQ(bus.chain.snapshot(ModuleIndex(1), bus.now).address, 0);
+    EXPECT_EQ(bus.chain.snapshot(ModuleIndex(2), bus.now).address, 3);
+}
+
 TEST_P(YIsReset, AndAStopComesFirst) {
     bus.engine.resetModule(ModuleIndex(1), bus.now);
     bus.runFor(5ms);
@@ -244,6 +262,21 @@ TEST_P(YIsReset, AndAStopComesFirst) {
 INSTANTIATE_TEST_SUITE_P(Chains, YIsReset,
                          testing::Values(Case{19'200, false}, Case{19'200, true}, Case{115'200, false},
                                          Case{115'200, true}));
+
+/// The farthest and the nearest module have no address, and both listen: each would take it.
+TEST(AddressOfOne, IsNotGivenWhileTwoWouldTakeIt) {
+    VirtualBus bus({kServo, kServo, kStep});
+    ASSERT_TRUE(bus.connect());
+    bus.chain.powerCycle(ModuleIndex(0), bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleRestarted>() == 1; }, 10s));
+    ASSERT_EQ(bus.last<ModuleRestarted>()->module, ModuleIndex(0));
+    bus.chain.powerCycle(ModuleIndex(2), bus.now);
+    const std::size_t from = bus.sent.size();
+    bus.engine.readdress(ModuleIndex(0), bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ReaddressFailed>() == 1; }, 5s));
+    EXPECT_EQ(bus.last<ReaddressFailed>()->reason, ReaddressFailed::Reason::Unaddressed);
+    EXPECT_EQ(bus.sends("AA 00 21", from), 0U);
+}
 
 }  // namespace
 

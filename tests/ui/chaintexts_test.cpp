@@ -81,6 +81,13 @@ TEST(ChainTexts, AddressThatIsTaken) {
               u"Module 2 now has address 77. Position, gains and group are unchanged."_s);
 }
 
+TEST(ChainTexts, AddressThatAnotherModuleWouldTake) {
+    const Message m = texts::notReaddressed({ModuleIndex(1), bus::ReaddressFailed::Reason::Unaddressed});
+    EXPECT_TRUE(m.body.startsWith(u"A module without an address also answered; it cannot be used yet. "_s))
+        << m.body.toStdString();
+    EXPECT_EQ(m.actions.size(), 2);
+}
+
 TEST(ChainTexts, RateThatAModuleDidNotHear) {
     const Message m = texts::rateNotChanged({RateFailure::NotHeard, 115'200, 19'200, {ModuleIndex(1)}, {}});
     EXPECT_EQ(m.headline,

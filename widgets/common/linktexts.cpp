@@ -308,6 +308,9 @@ Message notReaddressed(const bus::ReaddressFailed& failed) {
                 "Its group is unknown and would change with the address. Set its group first, or none.");
             m.actions.clear();
             break;
+        case Reason::Unaddressed:
+            m.body = unaddressed().headline + u' ' + unaddressed().body;
+            break;
     }
     return m;
 }
