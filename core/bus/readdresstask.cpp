@@ -61,6 +61,7 @@ void ReaddressTask::beginMove(ModuleIndex module, BusAddress address, bool busy)
         m_module = module;
         m_to = address;
         m_moves = 0;
+        m_looks = 0;
         m_stage = Stage::Free;
     }
 }
@@ -169,6 +170,8 @@ Line::Script ReaddressTask::onEnd(const Ask& /*ask*/, const ReplyEnd& end, TimeP
                 m_chain.welcome(*m_module, now);
             break;
         case Stage::Free:
+            if (end.bytes.empty() && ++m_looks < kLooks)
+                break;
             if (!end.bytes.empty())
                 fail(ReaddressFailed::Reason::Taken);
             m_stage = Stage::Move;

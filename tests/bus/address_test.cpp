@@ -111,6 +111,21 @@ TEST_F(Addresses, OfAModuleThatIsNotKnownHereAreTaken) {
     EXPECT_EQ(move(0, 91), std::nullopt);
 }
 
+TEST_F(Addresses, OfAModuleThatIsNotKnownHereAreTakenAlthoughAnswersAreLost) {
+    ASSERT_EQ(move(2, 90), std::nullopt);
+    bus.newHost();
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.last<ChainFound>()->modules.size(), 2U);
+    ASSERT_EQ(bus.put(0, 0xFF).outcome, Outcome::Done);
+    unsigned lost = 0;
+    bus.losesReply = [&](ByteSpan command) {
+        return command.size() > 1 && command[1] == 90 && lost < 2 && ++lost > 0;
+    };
+    EXPECT_EQ(move(0, 90), Reason::Taken);
+    EXPECT_EQ(lost, 2U);
+    EXPECT_EQ(addressOf(0), 1);
+}
+
 TEST_F(Addresses, AreFoundOutWhenTheAnswerIsLost) {
     bus.losesReply = [](ByteSpan command) { return command.size() > 2 && command[2] == 0x21; };
     EXPECT_EQ(move(1, 60), std::nullopt);
