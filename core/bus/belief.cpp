@@ -150,6 +150,7 @@ void Belief::onNotExecuted(const Belief& before) {
     m_servo.loadWaiting = before.m_servo.loadWaiting;
     m_servo.runningVelocity = before.m_servo.runningVelocity;
     m_servo.runningAcceleration = before.m_servo.runningAcceleration;
+    m_outputs.onNotExecuted(before.m_outputs);
 }
 
 void Belief::onStatus(const StatusReport& report, TimePoint latched) {

@@ -15,14 +15,27 @@ void IoOutputs::forget() {
     m_answered.attached();
 }
 
+void IoOutputs::onSent(const io::SetOutput& set) {
+    m_mayBeHigh |= set.outputs;
+    if (m_answered.outputs)
+        *m_answered.outputs &= set.outputs;
+}
+
 void IoOutputs::onSent(const io::SetPwm& set) {
-    m_pwmMayRun = {m_pwmMayRun[0] || set.pwm1 != 0, m_pwmMayRun[1] || set.pwm2 != 0};
+    const std::array<std::uint8_t, 2> values{set.pwm1, set.pwm2};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        m_pwmMayRun[i] = m_pwmMayRun[i] || values[i] != 0;
+        if (m_answered.pwm && (*m_answered.pwm)[i] != values[i])
+            (*m_answered.pwm)[i] = 0;
+    }
 }
 
 void IoOutputs::onSent(const io::SynchOutput& /*synch*/) {
-    const io::SetSynchOutput stored = m_answered.stored.value_or(io::SetSynchOutput{io::kAllPins, 255, 255});
-    onSent(io::SetOutput{stored.outputs});
-    onSent(io::SetPwm{stored.pwm1, stored.pwm2});
+    const auto stored = m_answered.stored;
+    if (!stored)
+        return forget();  // any level may be put out
+    onSent(io::SetOutput{stored->outputs});
+    onSent(io::SetPwm{stored->pwm1, stored->pwm2});
 }
 
 void IoOutputs::onExecuted(const IoCommand& command) {
@@ -33,6 +46,12 @@ void IoOutputs::onExecuted(const IoCommand& command) {
         m_mayBeHigh = *m_answered.outputs;
     if ((synch || std::holds_alternative<io::SetPwm>(command)) && m_answered.pwm)
         m_pwmMayRun = {(*m_answered.pwm)[0] != 0, (*m_answered.pwm)[1] != 0};
+}
+
+void IoOutputs::onNotExecuted(const IoOutputs& before) {
+    m_mayBeHigh = before.m_mayBeHigh;
+    m_pwmMayRun = before.m_pwmMayRun;
+    m_answered = before.m_answered;
 }
 
 std::optional<IoCommand> IoOutputs::stop() const {

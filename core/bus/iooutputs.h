@@ -23,17 +23,21 @@ public:
     void onReset();
     /// The module was found as another host left it: any output may be high.
     void forget();
-    void onSent(const io::SetOutput& set) { m_mayBeHigh |= set.outputs; }
+    void onSent(const io::SetOutput& set);
     void onSent(const io::SetPwm& set);
     void onSent(const io::SynchOutput& synch);
+    void onSent(const io::SetSynchOutput& /*set*/) { m_answered.stored.reset(); }
     void onSent(const auto& /*other*/) {}
     void onExecuted(const IoCommand& command);
+    /// The last command was certainly not carried out. `before`: as it was sent.
+    void onNotExecuted(const IoOutputs& before);
     /// The levels of all pins; outputs are read back.
     void onPins(std::uint16_t pins) { m_pins = pins; }
 
-    /// The outputs stored for Synch Output; empty: none were stored in this connection.
+    /// The outputs stored for Synch Output; empty: none were stored in this connection, or it is unknown
+    /// which.
     [[nodiscard]] const std::optional<io::SetSynchOutput>& stored() const { return m_answered.stored; }
-    /// The levels as answered; empty: unknown.
+    /// The levels as answered, low where an unanswered command may have switched off; empty: unknown.
     [[nodiscard]] std::optional<std::uint16_t> levels() const { return m_answered.outputs; }
 
     void setStopOutputs(const StopOutputs& off) { m_off = off; }
@@ -46,7 +50,9 @@ private:
     StopOutputs m_off;
     std::uint16_t m_mayBeHigh = 0;
     std::array<bool, 2> m_pwmMayRun{};
-    IoRegisters m_answered;  ///< registers as answered
+    /// Registers as answered. A stop must switch nothing on, so what an unanswered command may have switched
+    /// off, or changed to another PWM value, is 0.
+    IoRegisters m_answered;
     std::optional<std::uint16_t> m_pins;
 };
 

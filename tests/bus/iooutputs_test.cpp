@@ -48,6 +48,45 @@ TEST(IoOutputs, WhatWasSentAndNotAnsweredMayBeHigh) {
     EXPECT_EQ(outputs.stop(), pins(0x0001));
 }
 
+/// Stopping the heater must not switch the fan on again.
+TEST(IoOutputs, WhatWasSwitchedOffAndNotAnsweredStaysOff) {
+    IoOutputs outputs = with(kHeater);
+    tell(outputs, io::SetPwm{100, 200});
+    outputs.onSent(io::SetPwm{100, 0});
+    EXPECT_EQ(outputs.stop(), IoCommand(io::SetPwm{0, 0}));
+    IoOutputs pump = with(kPump);
+    tell(pump, io::SetOutput{kPumpAndLamp});
+    pump.onSent(io::SetOutput{0x0004});
+    EXPECT_EQ(pump.stop(), pins(0));
+}
+
+TEST(IoOutputs, APwmOutputThatWasNotToChangeKeepsItsValue) {
+    IoOutputs outputs = with(kHeater);
+    tell(outputs, io::SetPwm{100, 200});
+    outputs.onSent(io::SetPwm{150, 200});
+    EXPECT_EQ(outputs.stop(), IoCommand(io::SetPwm{0, 200}));
+}
+
+TEST(IoOutputs, AreAsBeforeWhenACommandWasNotCarriedOut) {
+    IoOutputs outputs = with(kHeater);
+    tell(outputs, io::SetPwm{100, 200});
+    const IoOutputs before = outputs;
+    outputs.onSent(io::SetPwm{100, 0});
+    outputs.onNotExecuted(before);
+    EXPECT_EQ(outputs.stop(), IoCommand(io::SetPwm{0, 200}));
+}
+
+TEST(IoOutputs, WhatWasStoredAndNotAnsweredMayBeAnything) {
+    IoOutputs outputs = with(kPump);
+    tell(outputs, io::SetOutput{0});
+    tell(outputs, io::SetSynchOutput{0, 0, 0});
+    outputs.onSent(io::SetSynchOutput{kPumpAndLamp, 0, 0});
+    EXPECT_EQ(outputs.stored(), std::nullopt);
+    tell(outputs, io::SynchOutput{});
+    outputs.onPins(kPumpAndLamp);
+    EXPECT_EQ(outputs.stop(), pins(0x0001));
+}
+
 TEST(IoOutputs, LeftByAnotherHostItIsReadFirst) {
     IoOutputs outputs = with(kPump);
     outputs.forget();
