@@ -8683,8 +8683,8 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>ALLES STOPP schaltet diesen Ausgang aus. Ohne Haken bleibt er, wie er ist.</translation>
     </message>
     <message>
-        <source>Another program set the PWM outputs. Enter a value for each: both are sent together.</source>
-        <translation>Ein anderes Programm hat die PWM-Ausgänge gesetzt. Für jeden einen Wert eingeben: beide werden zusammen gesendet.</translation>
+        <source>The PWM values are unknown. Enter one for each output: both are sent together.</source>
+        <translation>Die PWM-Werte sind unbekannt. Für jeden Ausgang einen eingeben: beide werden zusammen gesendet.</translation>
     </message>
 </context>
 <context>

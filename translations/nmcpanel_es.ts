@@ -8683,8 +8683,8 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>PARAR TODO desactiva esta salida. Si está desmarcado, la salida queda como está.</translation>
     </message>
     <message>
-        <source>Another program set the PWM outputs. Enter a value for each: both are sent together.</source>
-        <translation>Otro programa configuró las salidas PWM. Introduzca un valor para cada una: ambos se envían juntos.</translation>
+        <source>The PWM values are unknown. Enter one for each output: both are sent together.</source>
+        <translation>Los valores PWM son desconocidos. Introduzca uno para cada salida: ambos se envían juntos.</translation>
     </message>
 </context>
 <context>

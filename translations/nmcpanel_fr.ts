@@ -8683,8 +8683,8 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>TOUT ARRÊTER coupe cette sortie. Si la case est décochée, la sortie reste telle quelle.</translation>
     </message>
     <message>
-        <source>Another program set the PWM outputs. Enter a value for each: both are sent together.</source>
-        <translation>Un autre programme a réglé les sorties PWM. Saisissez une valeur pour chacune&#xa0;: les deux sont envoyées ensemble.</translation>
+        <source>The PWM values are unknown. Enter one for each output: both are sent together.</source>
+        <translation>Les valeurs PWM sont inconnues. Saisissez-en une pour chaque sortie&#xa0;: les deux sont envoyées ensemble.</translation>
     </message>
 </context>
 <context>

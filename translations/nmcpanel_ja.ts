@@ -8666,8 +8666,8 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>全停止でこの出力をオフにします。チェックを外すと、出力はそのまま残ります。</translation>
     </message>
     <message>
-        <source>Another program set the PWM outputs. Enter a value for each: both are sent together.</source>
-        <translation>別のプログラムがPWM出力を設定しました。それぞれの値を入力してください。両方が一緒に送信されます。</translation>
+        <source>The PWM values are unknown. Enter one for each output: both are sent together.</source>
+        <translation>PWM値が不明です。出力ごとに値を入力してください。両方が一緒に送信されます。</translation>
     </message>
 </context>
 <context>

@@ -112,6 +112,16 @@ void IoRegisters::attached() {
     stored.reset();
 }
 
+void IoRegisters::doubt(CommandCode command) {
+    const bool synch = command == io::SynchOutput::kCode;
+    if (synch || command == io::SetOutput::kCode)
+        outputs.reset();
+    if (synch || command == io::SetPwm::kCode)
+        pwm.reset();
+    if (command == io::SetSynchOutput::kCode)
+        stored.reset();
+}
+
 void IoRegisters::apply(const IoCommand& command) {
     std::visit(Overloaded{
                    [this](const io::SetDirection& set) { inputs = set.inputs; },

@@ -82,6 +82,8 @@ struct IoRegisters {
     void apply(const IoCommand& command);
     /// Call for a module found as another host left it.
     void attached();
+    /// It is unknown whether a command with this code was carried out.
+    void doubt(CommandCode command);
     /// The levels to send for all pins so that outputs stay as they are: those last set if known, otherwise
     /// those read. Empty: unknown.
     [[nodiscard]] std::optional<std::uint16_t> levels(const StatusReport& latest) const {

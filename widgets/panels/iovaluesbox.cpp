@@ -196,7 +196,7 @@ void IoValuesBox::refresh() {
         m_pwm.at(i).field->setPossible(
             reason,
             pwm ? tr("255 is always on. Press Enter to send.")
-                : tr("Another program set the PWM outputs. Enter a value for each: both are sent together."));
+                : tr("The PWM values are unknown. Enter one for each output: both are sent together."));
     }
 }
 

@@ -178,10 +178,13 @@ void BusStore::note(const bus::OperationFinished& finished) {
             awaited.reset();
     if (finished.outcome != bus::Outcome::Done && known(finished.module))
         m_records[finished.module.value()].feed.cancelled();
-    if (finished.outcome == bus::Outcome::Cancelled && known(finished.module))
+    const auto command = static_cast<CommandCode>(finished.commandByte & 0x0FU);
+    if (finished.outcome == bus::Outcome::Cancelled && known(finished.module)) {
         m_records[finished.module.value()].open = true;
+        doubtOutputs(finished.module, command);
+    }
     if (finished.outcome == bus::Outcome::NoAnswer)
-        doubtCommand(finished.module, static_cast<CommandCode>(finished.commandByte & 0x0FU));
+        doubtCommand(finished.module, command);
     for (const ModuleIndex module : finished.unloaded)
         if (known(module))
             m_link.modules[module.value()].forgetLoad();
@@ -198,6 +201,7 @@ void BusStore::doubtCommand(ModuleIndex index, CommandCode command) {
     ScopeFeed& feed = m_records[index.value()].feed;
     feed.doubt();
     doubtMotions({index});
+    doubtOutputs(index, command);
     if (command == CommandCode::ResetPosition || command == CommandCode::SaveAsHome)
         module.home.forget();
     if (command == CommandCode::ResetPosition)
@@ -207,6 +211,12 @@ void BusStore::doubtCommand(ModuleIndex index, CommandCode command) {
         feed.doubtServoRate();
         doubtGains(index);
     }
+}
+
+/// The old values must not be sent with the next one as if they were still set.
+void BusStore::doubtOutputs(ModuleIndex index, CommandCode command) {
+    if (known(index) && m_link.modules[index.value()].isIo())
+        m_link.modules[index.value()].pins.doubt(command);
 }
 
 void BusStore::note(const LineLent& lent) {
@@ -219,16 +229,23 @@ void BusStore::note(const LineLent& lent) {
         module.lent = !over;
 }
 
-/// A member whose answer to a group's Save as Home or Reset Position is missing has its home in doubt.
+/// A member whose answer to a group's Save as Home or Reset Position is missing has its home in doubt, and
+/// its outputs after a start.
 void BusStore::note(const bus::GroupFinished& finished) {
     const auto* command = std::get_if<bus::GroupCommand>(&finished.what);
     using enum bus::GroupCommand::Action;
-    if (command == nullptr || (command->action != SaveAsHome && command->action != ResetPosition))
+    if (command == nullptr)
         return;
-    for (const bus::GroupMember& member : finished.members)
-        if (known(member.module) &&
-            (member.outcome == bus::MemberOutcome::Unknown || member.outcome == bus::MemberOutcome::NoAnswer))
+    for (const bus::GroupMember& member : finished.members) {
+        const bool open =
+            member.outcome == bus::MemberOutcome::Unknown || member.outcome == bus::MemberOutcome::NoAnswer;
+        if (!open || !known(member.module))
+            continue;
+        if (command->action == SaveAsHome || command->action == ResetPosition)
             m_link.modules[member.module.value()].home.forget();
+        else if (command->action == StartMotion)
+            doubtOutputs(member.module, io::SynchOutput::kCode);
+    }
 }
 
 /// Another host may have reset the counters, by so little that it looks like a motion.

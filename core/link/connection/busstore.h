@@ -118,6 +118,8 @@ private:
                           bus::RateChangeFailed, bus::ReaddressFailed, bus::EchoNoticed> auto&) {}
     /// It is unknown whether the module has carried out this command.
     void doubtCommand(ModuleIndex module, CommandCode command);
+    /// The same for a command that sets outputs of a PIC-I/O.
+    void doubtOutputs(ModuleIndex module, CommandCode command);
     void setModules(const bus::ChainFound& chain);
     /// The machine applies to the modules as they are now.
     void useMachine();

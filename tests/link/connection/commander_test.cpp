@@ -227,5 +227,32 @@ TEST_F(CommanderTest, WhoeverHearsOfTheEndOfAProcedureMayBeginTheNext) {
     EXPECT_NEAR(position(), 500, 4);
 }
 
+/// It was carried out although nobody heard the answer: what the pins read back counts from then on.
+TEST(OutputsOfAPicIo, AreReadBackAfterACommandThatWasNotAnswered) {
+    VirtualChain sim{u"io"_s};
+    VirtualConnection connection{sim};
+    connection.open();
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    const auto told = [](const IoCommand& command) { return bus::Order{kModule, command}; };
+    ASSERT_EQ(connection.carryOut({told(io::SetDirection{0x0FF0}), told(io::SetOutput{0x0004}),
+                                   told(io::SetPwm{0, 200}), told(io::SetSynchOutput{0, 0, 0})}),
+              bus::Outcome::Done);
+    const auto isHigh = [&](unsigned pin) {
+        const auto& latest = connection.module(0).latest;
+        return latest && latest->pins && ((unsigned{*latest->pins} >> pin) & 1U) != 0;
+    };
+    ASSERT_TRUE(connection.waitUntil([&] { return isHigh(2); }));
+    sim.tell("fault module 1 silent on=set_output n=3");
+    ASSERT_EQ(connection.carryOut({told(io::SetOutput{0})}), bus::Outcome::NoAnswer);
+    ASSERT_TRUE(connection.waitUntil([&] { return !isHigh(2); }));
+    EXPECT_EQ(connection.module(0).pins.outputs, std::nullopt);
+    const auto orders = plan(iointent::SetOutput{3, true}, connection.module(0));
+    ASSERT_TRUE(orders.has_value());
+    const auto& set = std::get<io::SetOutput>(std::get<IoCommand>(orders->front().command));
+    EXPECT_EQ(set.outputs & 0x000FU, 0x0008U) << "IO3 stays off";
+    EXPECT_TRUE(connection.module(0).pins.pwm) << "nothing was sent to the others";
+    EXPECT_TRUE(connection.module(0).pins.stored);
+}
+
 }  // namespace
 }  // namespace nmc
