@@ -2,6 +2,7 @@
 #include "bus/chain.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "module/commandfacts.h"
@@ -23,6 +24,24 @@ bool Chain::anythingMoves() const {
 
 bool Chain::anyRestarted() const {
     return std::ranges::any_of(m_modules, [](const Module& module) { return module.belief.restarted(); });
+}
+
+/// Modules nearer the host may be cut off with it: it is the farthest, but not one that was already silent
+/// when nobody was without an address, as long as there is another.
+std::optional<ModuleIndex> Chain::restartedOf(const std::vector<ModuleIndex>& silent) const {
+    for (const ModuleIndex module : silent)
+        if (belief(module).restarted())
+            return module;
+    const auto recent =
+        std::ranges::find_if(silent, [this](ModuleIndex module) { return !m_schedule.sought(module); });
+    if (recent == silent.end()) {
+        // The stop that is owed to it would end, although its motor may run.
+        const bool open = silent.empty() || (silent.size() > 1 && at(silent.front()).owed);
+        return open ? std::nullopt : std::optional(silent.front());
+    }
+    // Otherwise the next one may have restarted and cut this one off.
+    const bool alone = recent == silent.begin() || std::prev(recent)->value() + 1 != recent->value();
+    return alone ? std::optional(*recent) : std::nullopt;
 }
 
 void Chain::forgetStates() {

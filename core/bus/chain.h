@@ -137,6 +137,9 @@ public:
     [[nodiscard]] bool answers(ModuleIndex module) const { return !m_schedule.silent(module); }
     [[nodiscard]] bool anythingMoves() const;
     [[nodiscard]] bool anyRestarted() const;
+    /// The one of these silent modules, in the order of the chain, that has restarted if one of them has;
+    /// empty if that is open.
+    [[nodiscard]] std::optional<ModuleIndex> restartedOf(const std::vector<ModuleIndex>& silent) const;
     /// Call when the chain's addresses are assigned again: a module that answers may be unchanged, or may
     /// just have been reset and be off, in which case a stop would switch it on. Each module is therefore
     /// queried before it is sent anything; StopTarget::stop() defines what is sent to one that does not

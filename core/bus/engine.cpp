@@ -596,8 +596,13 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
     found.readOnly = m_config.readOnly;
     found.replyGap = m_line.replyGap();
     const std::vector<ModuleInfo> seen = found.modules;
-    const auto rejoined =
-        found.attached ? rejoin(known, seen, discovery.unaddressedIdentity()) : std::nullopt;
+    const auto unaddressed = discovery.unaddressedIdentity();
+    auto rejoined = found.attached ? rejoin(known, seen, unaddressed) : std::nullopt;
+    if (rejoined && unaddressed && !m_chain.empty()) {
+        rejoined->restarted = m_chain.restartedOf(rejoined->absent);
+        if (rejoined->restarted && m_chain.belief(*rejoined->restarted).info().identity != *unaddressed)
+            rejoined->restarted.reset();
+    }
     if (rejoined) {
         found.modules = rejoined->modules;
         found.absent = rejoined->absent;
@@ -640,6 +645,8 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
             m_restartSearch.setRestarted(module, now);
         else
             m_recovery.lose(module, now);
+    if (!found.unaddressed)
+        m_chain.schedule().noteSought();
     for (const Discovery::Heard& answer : discovery.heard())
         for (const ModuleInfo& info : found.modules)
             if (info.address == seen[answer.module.value()].address)

@@ -111,7 +111,7 @@ void PollSchedule::onTimeout(ModuleIndex index, TimePoint now) {
 
 void PollSchedule::recover(ModuleIndex index, TimePoint now) {
     Module& module = at(index);
-    module.silent = module.retired = false;
+    module.silent = module.sought = module.retired = false;
     module.full = false;
     // Whatever restored this one, for example a cable, may have restored the others: they are probed without
     // waiting while that succeeds.

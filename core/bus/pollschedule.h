@@ -64,6 +64,13 @@ public:
     void hurry(ModuleIndex module, TimePoint now) { at(module).due = std::min(at(module).due, now); }
     /// A silent module answers again.
     void recover(ModuleIndex module, TimePoint now);
+    /// No module without an address answered, so none of those that are silent now has restarted.
+    void noteSought() {
+        for (Module& module : m_modules)
+            module.sought = module.silent;
+    }
+    /// It had not restarted when it was looked for, and has been silent since.
+    [[nodiscard]] bool sought(ModuleIndex module) const { return m_modules[module.value()].sought; }
     /// The module is not polled any more, until it recovers.
     void retire(ModuleIndex module) { at(module).retired = true; }
 
@@ -77,6 +84,7 @@ private:
         bool full = false;
         bool watched = false;
         bool silent = false;
+        bool sought = false;
         bool retired = false;
         std::uint64_t order = 0;  ///< of its last turn
         std::optional<TimePoint> asked;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bus/restartsearch.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace nmc::bus {
@@ -11,7 +10,7 @@ namespace {
 /// Number of probes of silent modules between two queries for one that has restarted.
 constexpr unsigned kLookEvery = 4;
 /// The module may be in the middle of what it took for a packet in the others' bytes, and take the first
-/// query for the rest of that.
+/// query for the rest of that; and an answer may be lost.
 constexpr unsigned kAsks = 3;
 
 }  // namespace
@@ -32,7 +31,7 @@ bool RestartSearch::onChange(const Change& change) {
 void RestartSearch::onProbeFailed() {
     const bool turn = ++m_probes % kLookEvery == 0;
     if (turn && m_chain.rate() == kPowerUpBaud && !m_chain.schedule().allUnresponsive())
-        m_stage = Stage::Ask;
+        begin();
 }
 
 Next RestartSearch::next(TimePoint /*now*/) {
@@ -72,7 +71,7 @@ Next RestartSearch::next(TimePoint /*now*/) {
 
 Line::Script RestartSearch::onEnd(const bus::Ask& ask, const ReplyEnd& end, TimePoint now) {
     if (!ask.module) {
-        const bool again = unanswered(end.result) && m_chain.rate() != kPowerUpBaud && ++m_asks < kAsks;
+        const bool again = unanswered(end.result) && ++m_asks < kAsks;
         if (again)
             m_stage = Stage::Ask;
         else
@@ -92,6 +91,8 @@ Line::Script RestartSearch::onEnd(const bus::Ask& ask, const ReplyEnd& end, Time
 
 void RestartSearch::onUnaddressed(const ReplyEnd& end) {
     m_asks = 0;
+    if (end.result == ReplyResult::Unresponsive)
+        m_chain.schedule().noteSought();
     if (unanswered(end.result) || m_chain.anyRestarted())
         return;
     m_unaddressed = end.report.identity;
@@ -102,16 +103,17 @@ void RestartSearch::onUnaddressed(const ReplyEnd& end) {
             m_others.push_back(module.belief.info().index);
 }
 
-/// Modules nearer the host may be cut off with it: it is the farthest of those that do not answer.
 void RestartSearch::name() {
     const ModuleIdentity identity = *std::exchange(m_unaddressed, std::nullopt);
-    auto& modules = m_chain.modules();
-    const auto restarted = std::ranges::find_if(
-        modules, [&](const Chain::Module& module) { return !m_chain.answers(module.belief.info().index); });
-    if (restarted == modules.end() || restarted->belief.info().identity != identity)
+    std::vector<ModuleIndex> silent;
+    for (const Chain::Module& module : m_chain.modules())
+        if (!m_chain.answers(module.belief.info().index))
+            silent.push_back(module.belief.info().index);
+    const auto restarted = m_chain.restartedOf(silent);
+    if (!restarted || m_chain.belief(*restarted).info().identity != identity)
         return;
     m_quiet = m_chain.rate() != kPowerUpBaud;
-    report(restarted->belief.info().index, m_quiet);
+    report(*restarted, m_quiet);
 }
 
 void RestartSearch::setRestarted(ModuleIndex module, TimePoint now) {

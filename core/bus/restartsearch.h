@@ -11,7 +11,7 @@
 namespace nmc::bus {
 
 /// Determines why a module no longer answers. One that restarted has no address and is at the power-up rate
-/// (faults.md F-15, F-16). No other module is without an address, so a single query shows it; if the chain is
+/// (faults.md F-15, F-16). No other module is without an address, so a query shows it; if the chain is
 /// at another rate, it is not polled in the meantime. Which module it is follows from which one is silent, so
 /// all others are queried first to verify that they still answer.
 class RestartSearch : public Task {

@@ -8,6 +8,7 @@
 #include "tests/bus/scriptedbus.h"
 #include "tests/faults/faultybus.h"
 #include "tests/faults/truth.h"
+#include "tests/support/modules.h"
 
 namespace nmc::test {
 
@@ -84,6 +85,43 @@ TEST(F15_ModulePowerCycledAlone, IsWellAgainAfterARestart) {
     EXPECT_EQ(bus.last<ChainFound>()->modules.size(), 3U);
     bus.runFor(1s);
     EXPECT_EQ(bus.chain.snapshot(ModuleIndex(1), bus.now).address, 2);
+}
+
+/// Module 1 may run, so the stop that is owed to it must go on.
+TEST(F15_ModulePowerCycledBesideASilentOne, IsNotMistakenForThatOne) {
+    for (const ModuleIdentity first : {testing_support::kServo, testing_support::kStep}) {
+        FaultyBus bus({first, testing_support::kServo, testing_support::kServo});
+        ASSERT_TRUE(bus.connectAndEnable());
+        bus.fault("module 1 silent");
+        bus.runFor(3s);
+        ASSERT_TRUE(bus.stopAll());
+        bus.fault("module 3 powercycle");
+        ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleRestarted>() > 0; }, 10s));
+        EXPECT_EQ(bus.last<ModuleRestarted>()->module, ModuleIndex(2));
+        const std::size_t from = bus.sent.size();
+        bus.runFor(2s);
+        EXPECT_EQ(bus.count<ModuleRestarted>(), 1U);
+        if (first == testing_support::kServo) {
+            EXPECT_GT(bus.sends("AA 01 17", from), 0U) << "its stop is owed";
+        }
+        ASSERT_TRUE(bus.connect()) << "a scan finds the same";
+        EXPECT_EQ(bus.last<ModuleRestarted>()->module, ModuleIndex(2));
+    }
+}
+
+/// The module next to the silent one may be cut off by it, or have restarted itself.
+TEST(F15_ModulePowerCycledBesideASilentOne, IsNotNamedWhereEitherMayBeIt) {
+    FaultyBus bus(servos(3));
+    ASSERT_TRUE(bus.connectAndEnable());
+    bus.fault("module 1 silent");
+    bus.runFor(3s);
+    ASSERT_TRUE(bus.stopAll());
+    const std::size_t from = bus.sent.size();
+    bus.fault("module 2 powercycle");
+    bus.runFor(10s);
+    EXPECT_GT(bus.sends(kQueryOfRestarted, from), 0U);
+    EXPECT_EQ(bus.count<ModuleRestarted>(), 0U);
+    EXPECT_GT(bus.sends("AA 01 17", from), 0U);
 }
 
 /// The answer about another module, from before the chain was searched for again, says nothing of this one.
