@@ -112,6 +112,9 @@ public:
         return mayMove() || (!m_restarted && m_last.velocity.value_or(0) != 0);
     }
 
+    /// A status newer than the last command that can move or stop the motor shows that it stands.
+    [[nodiscard]] bool standsStill() const { return fresh() && !moving(); }
+
     /// A Load Trajectory was answered and not used by a start or a stop since.
     [[nodiscard]] std::optional<servo::LoadTrajectory> servoLoad() const {
         return m_servo.loadWaiting ? std::optional(m_servo.load) : std::nullopt;

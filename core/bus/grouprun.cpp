@@ -35,10 +35,6 @@ constexpr unsigned kSilences = 2;
     return std::min(v * ticks, a * ticks * ticks / 2) / 2;  // half of it, to allow for friction
 }
 
-[[nodiscard]] bool standsStill(const Belief& belief) {
-    return belief.fresh() && !belief.moving();
-}
-
 }  // namespace
 
 ModuleCommand commandFor(GroupCommand::Action action, ModuleType type) {
@@ -62,7 +58,7 @@ ModuleCommand commandFor(GroupCommand::Action action, ModuleType type) {
 GroupRun::GroupRun(GroupCommand command, std::vector<Belief> members, TimePoint latched)
     : m_command(command), m_latched(latched) {
     for (Belief& member : members) {
-        const bool stood = standsStill(member);
+        const bool stood = member.standsStill();
         m_members.push_back({std::move(member), stood});
     }
 }

@@ -117,6 +117,7 @@ Next OperationTask::send() {
         ask.refusedBefore = static_cast<std::uint8_t>(m_attempts);
     }
     m_positionBefore = m_chain.belief(order.module).position();
+    m_stoodBefore = m_chain.belief(order.module).standsStill();
     return ask;
 }
 
@@ -172,7 +173,7 @@ void OperationTask::onStepEnd(const Ask& ask, const ReplyEnd& end) {
     const bool looks =
         end.result == ReplyResult::Refused ? isStart(ask) : factsOf(*ask.command).evidence != Evidence::None;
     if (looks && m_chain.answers(*ask.module)) {
-        m_verification = Verification{end, m_positionBefore, m_attempts};
+        m_verification = Verification{end, m_positionBefore, m_stoodBefore, m_attempts};
         return;
     }
     fail(end);

@@ -67,6 +67,7 @@ private:
     GroupWork m_group;
     std::optional<Verification> m_verification;
     std::optional<std::int32_t> m_positionBefore;  ///< at the time of the order in progress
+    bool m_stoodBefore = true;                     ///< likewise: the motor stood
     unsigned m_attempts = 0;                       ///< for the present order, after verifications
 };
 

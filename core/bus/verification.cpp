@@ -17,9 +17,10 @@ constexpr std::int64_t kDistinguishable = 10 * kStillCounts;
     const bool moved =
         belief.position() && verification.position && !samePlace(*belief.position(), *verification.position);
     // Not mayMove(): a run counts as running from the moment its start was sent.
-    if (belief.showsMotion() || moved)
+    if (verification.stood && (belief.showsMotion() || moved))
         return Carried::Out;
-    // It was not carried out, or was a move of no length: the module's reply decides.
+    // It was not carried out, was a move of no length, or does not show in a motion from before: the module's
+    // reply decides.
     return verification.end.result == ReplyResult::Refused ? Carried::NotOut : Carried::Unknown;
 }
 

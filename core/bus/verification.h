@@ -15,6 +15,7 @@ namespace nmc::bus {
 struct Verification {
     ReplyEnd end;                          ///< the result instead of an answer
     std::optional<std::int32_t> position;  ///< before the command
+    bool stood = true;                     ///< the motor, before the command
     unsigned attempts = 0;                 ///< number of retries after a verification
     unsigned looks = 0;
 };

@@ -145,6 +145,22 @@ TEST(Operations, LeaveAStartThatDidNotArriveToTheOperator) {
     EXPECT_NEAR(bus.servo(0).position, 0, 3);
 }
 
+/// It goes on at its old velocity, which is no sign of the new one.
+TEST(Operations, LeaveAStartInMotionThatDidNotArriveToTheOperator) {
+    VirtualBus bus(servos(1));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(0), enable(0), loadVelocity(0, kOnePerTick, true)}), Outcome::Done);
+    bus.runFor(300ms);
+    ASSERT_EQ(bus.perform({loadVelocity(0, 2 * kOnePerTick)}), Outcome::Done);
+    bus.onCommand = [](std::vector<std::uint8_t>& command) {
+        if (has(command, "AA 01 05"))
+            command.clear();
+    };
+    EXPECT_EQ(bus.perform({start(0)}), Outcome::NoAnswer);
+    EXPECT_NEAR(bus.servo(0).commandVelocity, 1.0, 0.01);
+    EXPECT_EQ(bus.sends("AA 01 05"), 1U) << "it is not repeated";
+}
+
 /// What a query of the module can determine is not left open (link.md 2.3).
 TEST(Operations, LookWhetherAResetWasCarriedOut) {
     for (const bool arrives : {true, false}) {

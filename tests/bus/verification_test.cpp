@@ -31,6 +31,11 @@ public:
         m_verification.end.result = ReplyResult::Refused;
         return *this;
     }
+    /// The motor moved before the command.
+    Lost& inMotion() {
+        m_verification.stood = false;
+        return *this;
+    }
     Lost& noPositionBefore() {
         m_verification.position.reset();
         return *this;
@@ -94,6 +99,12 @@ TEST(Verification, TakesAMotorThatMovesForStarted) {
     EXPECT_EQ(Lost(StartMotion{}).looksLike(moves), Carried::Out);
     EXPECT_EQ(Lost(StartMotion{}).looksLike(at(1'500)), Carried::Out) << "it has already reached its goal";
     EXPECT_EQ(Lost(StartMotion{}).refused().looksLike(moves), Carried::Out) << "whatever the module answered";
+}
+
+TEST(Verification, TakesAMotionFromBeforeForNoSignOfAStart) {
+    EXPECT_EQ(Lost(StartMotion{}).inMotion().looksLike(moves), Carried::Unknown);
+    EXPECT_EQ(Lost(StartMotion{}).inMotion().looksLike(at(1'500)), Carried::Unknown);
+    EXPECT_EQ(Lost(StartMotion{}).inMotion().refused().looksLike(moves), Carried::NotOut);
 }
 
 TEST(Verification, NeverCallsAStartNotDoneBySilenceAlone) {
