@@ -135,7 +135,8 @@ bool Engine::haltAtOnce(const Operation& operation, TimePoint now) {
         return false;
     const std::vector<ModuleIndex> stopped = stoppedBy(operation);
     const bool waits = !m_operations.empty() || (m_path.active() && !m_path.isFor(stopped)) ||
-                       m_recovery.resyncing() || m_recovery.wants(now);
+                       m_recovery.resyncing() || m_recovery.wants(now) || m_restartSearch.wants(now) ||
+                       m_rate.active() || m_readdress.active();
     if (!waits && std::ranges::none_of(stopped, [this](ModuleIndex module) { return m_hold.holds(module); }))
         return false;
     for (const Order& order : operation.orders)

@@ -62,15 +62,16 @@ std::optional<RateChangeFailed::Reason> RateTask::obstacle(std::uint32_t baud,
 
 bool RateTask::onChange(const Change& change) {
     using enum Change::Kind;
+    const bool stopsSome = change.kind == Stopped && !change.modules.empty();
     // Something goes before it: everybody is taken back to the old rate (WayBack).
-    if (m_change && (change.kind == StopAll || change.kind == Interrupted))
+    if (m_change && (change.kind == StopAll || change.kind == Interrupted || stopsSome))
         m_abandoned = std::exchange(m_change, std::nullopt);
     if (change.kind == Search || change.kind == GivenUp)
         for (auto* ended : {&m_change, &m_abandoned})
             if (const auto dropped = std::exchange(*ended, std::nullopt))
                 m_events.emplace_back(RateChangeFailed{
                     RateChangeFailed::Reason::Interrupted, dropped->to(), dropped->from(), {}, {}});
-    return false;
+    return stopsSome;
 }
 
 Next RateTask::next(TimePoint /*now*/) {
@@ -122,7 +123,7 @@ Next WayBack::next(TimePoint /*now*/) {
     Line::Script script{Line::Gap{}};
     const auto add = [&](const Line::Script& more) { script.insert(script.end(), more.begin(), more.end()); };
     const std::vector<Order> stops = m_stops.blindStops();
-    if (m_stops.stopping())
+    if (m_stops.stopping() || !stops.empty())
         m_stops.onBlindSent();
     if (!stops.empty()) {
         script.insert(script.end(), {Line::Nulls{}, Line::Pause{kAfterNulls}});

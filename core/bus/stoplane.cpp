@@ -151,11 +151,19 @@ bool StopLane::allSent() const {
 
 std::vector<Order> StopLane::blindStops() const {
     std::vector<Order> stops;
-    if (m_run)
-        for (const Member& member : m_run->members)
-            if (open(member))
-                if (const auto stop = target(member).stop(m_chain.belief(member.module)))
-                    stops.push_back({member.module, *stop});
+    const auto add = [&](const Chain::Module& module) {
+        if (const auto stop = module.owed->target.stop(module.belief))
+            stops.push_back({module.belief.info().index, *stop});
+    };
+    if (!m_run) {
+        for (const Chain::Module& module : m_chain.modules())
+            if (module.owed && module.owed->target.needsStop())
+                add(module);
+        return stops;
+    }
+    for (const Member& member : m_run->members)
+        if (open(member))
+            add(m_chain.at(member.module));
     return stops;
 }
 

@@ -41,7 +41,8 @@ public:
     /// Each module has been sent its stop; what remains is to see them at rest.
     [[nodiscard]] bool allSent() const;
 
-    /// The stops to be sent blindly, for a caller that sends them itself and then calls onBlindSent().
+    /// The stops to be sent blindly, of all modules or else those of single ones that have not been sent, for
+    /// a caller that sends them itself and then calls onBlindSent().
     [[nodiscard]] std::vector<Order> blindStops() const;
     void onBlindSent();
 

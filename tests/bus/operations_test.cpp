@@ -454,6 +454,28 @@ TEST_F(StopOfOne, DoesNotWaitForAQuarantine) {
     expectStopped(id);
 }
 
+TEST_F(StopOfOne, DoesNotWaitForTheSearchForARestartedModule) {
+    bus.chain.powerCycle(ModuleIndex(1), bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends("AA 00 13", from) > 0; }, 5s));
+    const OperationId id = stop();
+    EXPECT_EQ(bus.outcomeOf(id), Outcome::Done);
+    ASSERT_TRUE(isSent());
+    expectStopped(id);
+}
+
+TEST_F(StopOfOne, DoesNotWaitForAnotherModuleToBeReset) {
+    ASSERT_EQ(bus.perform({toServo(0, servo::StopMotor{true, servo::StopManner::Abruptly, {}})}),
+              Outcome::Done);
+    bus.runFor(500ms);
+    from = bus.sent.size();
+    bus.engine.resetModule(ModuleIndex(1), bus.now);
+    const OperationId id = stop();
+    EXPECT_EQ(bus.outcomeOf(id), Outcome::Done);
+    EXPECT_TRUE(isSent());
+    EXPECT_EQ(bus.sends("AA 02 0F", from), 0U);
+    EXPECT_TRUE(bus.runUntil([&] { return bus.count<Readdressed>() == 1; }, 5s));
+}
+
 TEST_F(StopOfOne, IsRepeatedUntilItIsAnswered) {
     bus.onCommand = [](std::vector<std::uint8_t>& command) {
         if (command.size() > 1 && command[1] == 1)

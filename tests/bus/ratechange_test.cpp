@@ -250,6 +250,35 @@ TEST(ChainRate, SendsAStopAtBothRatesAtOnce) {
         }
 }
 
+/// The present exchange ends first.
+TEST(ChainRate, DoesNotHoldUpAStopOfOne) {
+    for (const bool deaf : {false, true})
+        for (int ms = 0; ms < 260; ms += 8) {
+            SCOPED_TRACE(ms);
+            RateBus bus(servos(3), {}, withFaults());
+            makeReady(bus);
+            if (deaf)
+                bus.makeDeaf(1);
+            bus.engine.changeRate(115'200, bus.now);
+            bus.runFor(std::chrono::milliseconds(ms));
+            if (bus.ended())
+                break;
+            const auto stops = [&bus] {
+                return bus.chain.statistics().modules[0].executions(CommandCode::StopMotor);
+            };
+            const auto before = stops();
+            const OperationId id =
+                bus.submit({toServo(0, servo::StopMotor{true, servo::StopManner::Smoothly, {}})});
+            EXPECT_EQ(bus.outcomeOf(id), Outcome::Done);
+            bus.runFor(100ms);
+            EXPECT_GT(stops(), before);
+            ASSERT_TRUE(bus.runUntil([&] { return bus.ended(); }, 5s));
+            EXPECT_EQ(bus.failure().reason, RateChangeFailed::Reason::Interrupted);
+            EXPECT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() == 1; }, 5s));
+            bus.expectRunsAt(19'200);
+        }
+}
+
 TEST(ChainRate, OutlivesStopsInARow) {
     for (int us = 0; us < 60'000; us += 3'100) {
         SCOPED_TRACE(us);

@@ -214,7 +214,8 @@ GROUPS = (
     )),
     Mutant("stop-at-one-rate-only", "link.md 2.6: during a change of rate, modules may listen at either rate", (
         Edit("core/bus/ratetask.cpp",
-             "stops = m_stops.blindStops();\n    if (m_stops.stopping())\n        m_stops.onBlindSent();\n",
+             "stops = m_stops.blindStops();\n"
+             "    if (m_stops.stopping() || !stops.empty())\n        m_stops.onBlindSent();\n",
              "stops{};\n"),
     )),
     Mutant("rate-changed-with-a-leader", "faults.md F-26: the leader's answer would come at the new rate", (
