@@ -128,6 +128,9 @@ Next TrialTask::next(TimePoint now) {
         Ask ask =
             m_chain.command(Purpose::Operation, {index, ServoCommand(back ? trial.net.back : trial.tried)});
         ask.reported = true;
+        // A repeat would follow the stop that has ended the trial meanwhile.
+        if (!back)
+            ask.silentRepeats = 0;
         return ask;
     }
     return Idle{};

@@ -213,6 +213,21 @@ TEST_F(Trials, StopsGoBeforeThem) {
     EXPECT_LT(*stop, *gain);
 }
 
+TEST_F(Trials, AreNotSentAgainAfterTheStopThatEndsThem) {
+    const std::size_t from = bus.sent.size();
+    const auto before = bus.engine.statistics().timeouts;
+    bool lost = false;
+    bus.losesReply = [&](ByteSpan command) { return command.size() > 10 && !std::exchange(lost, true); };
+    id = bus.submit({.id = {}, .orders = {toServo(0, kOther)}, .trial = GainTrial{kGood, 0, 2'000, 10s}});
+    ASSERT_TRUE(bus.runUntil([&] { return bus.engine.statistics().timeouts > before; }, 1s));
+    bus.submit({motorOff(0)});
+    bus.runFor(1s);
+    EXPECT_TRUE(lost);
+    EXPECT_EQ(bus.sends("AA 01 E6 96 00", from), 1U) << "Kp is 150";
+    EXPECT_TRUE(has(kGood));
+    EXPECT_FALSE(bus.servo(0).servoOn);
+}
+
 TEST_F(Trials, WhateverElseIsAskedOfTheModuleEndsThemFirst) {
     beginTrial(kOther);
     ASSERT_EQ(bus.perform({loadMove(0, 500), start(0)}), Outcome::Done);
