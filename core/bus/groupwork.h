@@ -33,7 +33,7 @@ public:
     void onAnswer(const Ask& ask, const ReplyEnd& end);
     /// Returns false if the exchange was not its own.
     [[nodiscard]] bool onEnd(const Ask& ask, const ReplyEnd& end);
-    /// A change of group was not answered.
+    /// A change of group was not answered, or ends before its answer.
     void reportUnknown();
 
 private:

@@ -26,6 +26,7 @@ bool OperationTask::onChange(const Change& change) {
     const bool stopsAll = change.kind == Change::Kind::StopAll || change.kind == Change::Kind::GivenUp;
     if (!stopsAll && !m_commands.empty() && m_commands.group() == nullptr)
         oweStop(m_commands.order());  // it may not have arrived
+    m_group.reportUnknown();
     for (Event& event : m_commands.cancelAll())
         report(std::move(event));
     m_verification.reset();
@@ -35,6 +36,8 @@ bool OperationTask::onChange(const Change& change) {
 
 bool OperationTask::cancelFor(const std::vector<ModuleIndex>& modules) {
     const bool underWay = m_commands.isFor(modules);
+    if (underWay)
+        m_group.reportUnknown();
     for (Event& event : m_commands.cancelFor(modules))
         report(std::move(event));
     if (underWay) {

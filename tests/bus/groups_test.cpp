@@ -122,6 +122,33 @@ TEST(Groups, AreKnownAgainWhenAChangeIsAnsweredLate) {
     EXPECT_EQ(bus.put(1, 0xFF).outcome, Outcome::Done);
 }
 
+TEST(Groups, AreNotKnownWhenAStopCutsTheirChangeOff) {
+    GroupBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    bus.submitGroup(GroupChange{ModuleIndex(1), {0x81, false}});
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends("AA 02 21 02 81") == 1; }, 1s));
+    ASSERT_TRUE(bus.stopAll());
+    ASSERT_TRUE(bus.last<GroupChanged>());
+    EXPECT_EQ(bus.last<GroupChanged>()->module, ModuleIndex(1));
+    EXPECT_FALSE(bus.last<GroupChanged>()->place);
+    EXPECT_EQ(bus.start(0x81).outcome, Outcome::Forbidden) << "it may be in any group";
+}
+
+TEST(Groups, AreKnownAgainWhenTheAnswerComesAfterAStopOfTheirModule) {
+    GroupBus bus(servos(2));
+    ASSERT_TRUE(bus.connect());
+    ASSERT_EQ(bus.perform({gains(1), enable(1)}), Outcome::Done);
+    bus.runFor(200ms);
+    bus.submitGroup(GroupChange{ModuleIndex(1), {0x81, false}});
+    ASSERT_TRUE(bus.runUntil([&] { return bus.sends("AA 02 21 02 81") == 1; }, 1s));
+    bus.submit({enable(1)});
+    bus.runFor(1ms);
+    ASSERT_TRUE(bus.last<GroupChanged>());
+    EXPECT_FALSE(bus.last<GroupChanged>()->place);
+    bus.runFor(200ms);
+    EXPECT_EQ(bus.last<GroupChanged>()->place, (GroupPlace{0x81, false}));
+}
+
 // ---- start ----
 
 TEST(GroupStart, IsLatchedByAllMembersInTheSameTick) {
