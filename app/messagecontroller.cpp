@@ -132,7 +132,7 @@ void MessageController::take(const News& news) {
     const Message message = recorded(news.message);
     if (news.stop) {
         for (const ModuleIndex module : news.stopped)
-            m_stopping[{*news.stop, module}] = message.key;
+            m_stopping[module] = {*news.stop, message.key};
         m_stopMessages[message.key] = message;
     }
     switch (news.until) {
@@ -158,11 +158,12 @@ void MessageController::on(const bus::OperationFinished& finished) {
 }
 
 void MessageController::on(const bus::OwedStopConfirmed& confirmed) {
-    const auto reported = m_stopping.find({confirmed.cause, confirmed.module});
+    const auto reported = m_stopping.find(confirmed.module);
     if (reported == m_stopping.end())
         return;
-    Message& message = m_stopMessages[reported->second];
-    message.headline += u' ' + texts::stopConfirmed(confirmed);
+    const auto& [cause, key] = reported->second;
+    Message& message = m_stopMessages[key];
+    message.headline += u' ' + texts::stopConfirmed({confirmed.module, cause});
     m_window.amendMessage(message);
     m_stopping.erase(reported);
 }

@@ -167,10 +167,12 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
     if (module.owed && !bothWanted)
         manner = firmer(manner, module.owed->target.manner());
     const auto before = std::exchange(module.owed, OwedStop{StopTarget(module.belief, manner), cause});
-    if (before && before->standsAlone()) {
+    if (!before || !before->standsAlone())
+        return;
+    module.owed->outstanding = before->outstanding;
+    const bool fault = !ofOperator(cause) && cause != StopCause::StopAll;
+    if (!fault || !ofOperator(before->cause))
         module.owed->cause = before->cause;
-        module.owed->outstanding = before->outstanding;
-    }
 }
 
 void Chain::hurryOwedStop(ModuleIndex index, TimePoint now) {

@@ -163,9 +163,9 @@ public:
     void noteSent(ModuleIndex module, const ModuleCommand& command, TimePoint latched);
 
     /// Makes a stop owed to the module from now on, unless it has no stop command, or is off because it
-    /// restarted. If one is owed already for a cause of its own, that cause is kept, and so is its manner if
-    /// that is firmer, unless the operator wanted the one and wants the other. On a read-only connection,
-    /// only a stop of all modules can be owed.
+    /// restarted. If one is owed already for a cause of its own, that cause is kept, unless a fault is
+    /// added to what the operator wanted, and so is its manner if that is firmer, unless the operator wanted
+    /// the one and wants the other. On a read-only connection, only a stop of all modules can be owed.
     void owe(ModuleIndex module, StopCause cause, StopManner manner = StopManner::Abruptly);
 
     /// The module was heard again after a silence: the stop owed to it is due at once.

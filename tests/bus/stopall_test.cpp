@@ -468,6 +468,23 @@ TEST(StopAll, StopsASimulatedStepperAndLeavesAnOffOneOff) {
     bus.expectNoViolations();
 }
 
+/// The motor must then be seen at rest before it starts again.
+TEST(OwedStop, IsForAFaultOnceOneIsAddedToWhatTheOperatorWanted) {
+    const ModuleIndex motor(0);
+    const auto after = [motor](StopCause first, StopCause then) {
+        Chain chain({ModuleInfo{motor, BusAddress(1), {ModuleType::Servo, 4}}}, 19'200, false);
+        chain.owe(motor, first);
+        chain.owe(motor, then);
+        return chain.at(motor).owed->cause;
+    };
+    using enum StopCause;
+    EXPECT_EQ(after(HoldReleased, MotionSuspect), MotionSuspect);
+    EXPECT_EQ(after(MotionSuspect, GroupStop), MotionSuspect);
+    EXPECT_EQ(after(LinkGivenUp, MotionSuspect), LinkGivenUp);
+    EXPECT_EQ(after(GroupStop, TravelLimit), GroupStop);
+    EXPECT_EQ(after(GroupStop, StopCause::StopAll), GroupStop);
+}
+
 /// link.md 2.6.
 TEST(OwedStop, IsMadeGentlerOnlyIfTheOperatorWantsBoth) {
     const ModuleIndex motor(0);
