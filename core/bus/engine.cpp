@@ -720,7 +720,7 @@ void Engine::giveUp(const Recovery::GivenUp& what, TimePoint now) {
 void Engine::reinstate(TimePoint now) {
     for (Chain::Module& module : m_chain.modules()) {
         const ModuleIndex index = module.belief.info().index;
-        if (!m_chain.schedule().retired(index))
+        if (!m_chain.schedule().retired(index) || module.belief.restarted())
             continue;
         module.health = {};
         m_chain.schedule().recover(index, now);

@@ -3,6 +3,8 @@
 // link is lost.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/bus/scriptedbus.h"
 
 namespace nmc::test {
@@ -87,6 +89,43 @@ TEST_F(LinkHealthOfOneModule, StaysLost) {
     bus.runFor(5s);
     ASSERT_EQ(bus.count<StopFinished>(), 1U);
     EXPECT_EQ(levels(), (std::vector{LinkHealth::Marginal, LinkHealth::Lost}));
+}
+
+/// What is sent to its address reaches nobody, and may be noise to it.
+TEST(LinkHealthBesideARestartedModule, DoesNotBringThatOneBack) {
+    ScriptedBus bus(3);
+    bus.aux = kServoOn;
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(200ms);
+    bool garbles = false;
+    unsigned answers = 0;
+    bus.answer = [&](ByteSpan packet) {
+        if (packet[1] == 3)
+            return std::vector<std::uint8_t>{};
+        if (packet[1] == 0)  // Read Status of the module that has restarted
+            return bus.reply(StatusItems(packet[3]));
+        auto bytes = bus.likeAServo(packet);
+        if (garbles && packet[1] == 2 && !bytes.empty() && ++answers % 4 == 0)
+            ++bytes.back();
+        return bytes;
+    };
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleRestarted>() == 1; }));
+    const auto reaches = [&](LinkHealth level) {
+        return bus.runUntil([&] {
+            const auto all = bus.all<HealthChanged>();
+            return std::ranges::any_of(all, [&](const HealthChanged& event) {
+                return event.module == ModuleIndex(1) && event.health == level;
+            });
+        });
+    };
+    garbles = true;
+    ASSERT_TRUE(reaches(LinkHealth::Lost));
+    garbles = false;
+    ASSERT_TRUE(reaches(LinkHealth::Good));
+    const std::size_t from = bus.sent.size();
+    bus.runFor(5s);
+    for (std::size_t i = from; i < bus.sent.size(); ++i)
+        EXPECT_FALSE(bus.sent[i].hex.starts_with("AA 03")) << bus.sent[i].hex;
 }
 
 }  // namespace
