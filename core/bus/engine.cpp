@@ -549,12 +549,12 @@ void Engine::takeFindings(TimePoint now) {
     const Recovery::Findings findings = m_recovery.takeFindings();
     if (findings.lost)
         m_restartSearch.onLost();
-    if (findings.allLost)
-        onLinkLost();
     const bool inVain =
         m_again && m_again->ask.module && (findings.allLost || m_again->ask.module == findings.lost);
     if (inVain)  // it will not be answered
         deliver(*std::exchange(m_again, std::nullopt), ReplyEnd{}, now);
+    if (findings.allLost)
+        onLinkLost();
     for (const Recovery::GivenUp& what : findings.givenUp)
         giveUp(what, now);
     if (m_restartSearch.takeQuiet())
@@ -696,8 +696,12 @@ void Engine::onForeignTraffic() {
     m_events.emplace_back(std::move(event));
 }
 
-/// Commands may still get through (faults.md F-11).
+/// Commands may still get through (faults.md F-11). Nothing continues when they are answered again.
 void Engine::onLinkLost() {
+    std::vector<ModuleIndex> stopped;
+    for (const Order& stop : m_chain.stops())
+        stopped.push_back(stop.module);
+    notify({Change::Kind::Stopped, stopped});
     for (const Order& stop : m_chain.stops())
         if (!m_chain.at(stop.module).owed)
             m_chain.owe(stop.module, StopCause::LinkGivenUp);
@@ -709,7 +713,7 @@ void Engine::giveUp(const Recovery::GivenUp& what, TimePoint now) {
         return m_wellAgain.begin(true, now);
     }
     // The module is stopped and no longer queried; the others continue.
-    m_chain.owe(*what.module, StopCause::LinkGivenUp);
+    haltAxes({*what.module}, StopCause::LinkGivenUp, StopManner::Abruptly);
     m_recovery.dropDoubt(*what.module);
     m_recovery.lose(*what.module, now);
     m_chain.schedule().retire(*what.module);

@@ -275,6 +275,24 @@ TEST_F(Hold, DoesNotWaitForAQuarantineToStop) {
     EXPECT_LT(bus.now - released, 15ms);
 }
 
+TEST_F(Hold, EndsWhenTheLinkIsLost) {
+    enableFirst();
+    HoldToMove press = forward(0);
+    holdFor(300ms, press);
+    ASSERT_NE(bus.servo(0).commandVelocity, 0);
+    bus.losesReply = [](ByteSpan) { return true; };
+    for (int i = 0; i < 100 && bus.count<LinkLost>() == 0; ++i)
+        holdFor(100ms, press);
+    ASSERT_EQ(bus.count<LinkLost>(), 1U);
+    bus.losesReply = {};
+    holdFor(10s, press);
+    press.velocity = CountsPerTick(2 * kOnePerTick);
+    holdFor(500ms, press);
+    EXPECT_EQ(bus.servo(0).commandVelocity, 0) << "only another press moves it";
+    holdFor(500ms, forward(0));
+    EXPECT_NE(bus.servo(0).commandVelocity, 0);
+}
+
 TEST_F(Hold, EndsWithAStopOfAllMotors) {
     enableFirst();
     holdFor(300ms, forward(0));
