@@ -925,8 +925,10 @@ void Engine::learn(const Work& work, const ReplyEnd& end) {
         ask.purpose == Purpose::Lent ? std::optional(end.report) : module.trust.confirm(end.report);
     if (trusted)
         module.belief.onStatus(*trusted, end.latched);
-    if (ask.command)
+    if (ask.command) {
         module.belief.onExecuted(*ask.command, &end.report);
+        module.plausibility.onAnswered(*ask.command);
+    }
     if (ask.command && is<servo::SetGain>(*ask.command) && work.task != &m_trials)
         m_trials.forget(*ask.module);
     if (work.task != nullptr)

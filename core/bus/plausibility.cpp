@@ -77,8 +77,10 @@ struct Plausibility::Sent {
         p.jerk(latched, 2 * travelled + kSwing);
     }
     void operator()(const servo::SetGain& gain) const {
-        p.m_divisor = gain.sr;
-        p.m_errorLimit = gain.el;
+        // Until the answer, the old gains may still be in use.
+        if (p.m_divisor)
+            p.m_divisor = std::max(*p.m_divisor, gain.sr);
+        p.m_errorLimit = std::max(p.m_errorLimit.value_or(gain.el), gain.el);
         p.jerk(latched, kSwing);
     }
     /// A path has no acceleration: its speed may change from one point to the next.
@@ -104,6 +106,14 @@ struct Plausibility::Sent {
         p.jerk(latched, kSwing);
     }
 };
+
+void Plausibility::onAnswered(const ModuleCommand& command) {
+    const auto* gain = getIf<servo::SetGain>(command);
+    if (gain == nullptr)
+        return;
+    m_divisor = gain->sr;
+    m_errorLimit = gain->el;
+}
 
 void Plausibility::jerk(TimePoint at, double reach) {
     // A motion that was commanded earlier may have been under way for all of a long time without a reply.

@@ -51,6 +51,8 @@ public:
     /// `command` is sent and will be latched at `latched`: what it may change is not a contradiction. `sent`:
     /// the registers after this command and all before it.
     void onSent(const ModuleCommand& command, const ServoRegisters& sent, TimePoint latched);
+    /// The last command was answered as carried out.
+    void onAnswered(const ModuleCommand& command);
 
     /// Verifies a reply whose sum is right. Returns nothing if it is believed; later replies are then
     /// compared with it.
@@ -126,10 +128,11 @@ private:
     std::optional<Jerk> m_jerk;
     /// The last command that may move the motor, until a later reply shows it at rest.
     std::optional<TimePoint> m_commandedAt;
-    std::optional<std::uint16_t> m_errorLimit;  ///< EL as last sent
+    std::optional<std::uint16_t> m_errorLimit;  ///< the largest EL since the last answered one
     bool m_mayRun = true;  ///< it may run below the velocity item's resolution, until a stop or move
     std::optional<TimePoint> m_mayEnable;  ///< the last command that may have switched the servo on
-    /// SR: velocities are in counts per this many ticks (DS-V 5.2); empty if unknown.
+    /// SR, the largest since the last answered one: velocities are in counts per this many ticks (DS-V 5.2);
+    /// empty if unknown.
     std::optional<std::uint8_t> m_divisor = 1;
 };
 

@@ -348,6 +348,40 @@ TEST(Plausibility, RejectsAVelocityThatNoMotorReaches) {
     EXPECT_EQ(thrown.says({.status = 0x08, .position = 195, .velocity = 20}), std::nullopt);
 }
 
+/// 100 counts a tick are 1 000 in ten ticks (DS-V 5.2, Set Gain); 10 ms are 19.5 ticks.
+TEST(Plausibility, BelievesVelocitiesOfTheOldServoRateUntilTheNewOneIsAnswered) {
+    const auto gainsAt = [](std::uint8_t sr) {
+        return ModuleCommand(
+            ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, 100, sr, std::uint8_t{0}}));
+    };
+    Servo servo;
+    servo.sends(gainsAt(10));
+    servo.plausibility.onAnswered(gainsAt(10));
+    servo.sends(loadVelocity(0, 100 * 65'536, true).command);
+    EXPECT_EQ(servo.says({.status = 0x08, .position = 1'953, .velocity = 1'000}), std::nullopt);
+    servo.sends(gainsAt(1));
+    EXPECT_EQ(servo.says({.status = 0x08, .position = 3'906, .velocity = 1'000}), std::nullopt);
+    servo.plausibility.onAnswered(gainsAt(1));
+    EXPECT_EQ(servo.says({.status = 0x08, .position = 5'859, .velocity = 1'000}), Rejection::VelocityJump)
+        << "no motor reaches 1 000 counts a tick";
+}
+
+/// The error limit is lowered from 1 000 to 100, and the answer is lost.
+TEST(Plausibility, BelievesAHoldingServoWithinItsOldErrorLimitUntilTheNewOneIsAnswered) {
+    const auto gainsOf = [](std::uint16_t el) {
+        return ModuleCommand(
+            ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, el, 1, std::uint8_t{0}}));
+    };
+    Servo servo;
+    servo.sends(gainsOf(1'000));
+    servo.plausibility.onAnswered(gainsOf(1'000));
+    servo.sends(enable(0).command);
+    servo.sends(gainsOf(100));
+    for (int i = 0; i < 60; ++i)
+        EXPECT_EQ(servo.says({}, i % 2 == 0 ? kLong : kShort), std::nullopt);
+    EXPECT_EQ(servo.says({.position = 300}, kLong, 250ms), std::nullopt);
+}
+
 TEST(Plausibility, RejectsAStepperInTwoModes) {
     Stepper stepper;
     EXPECT_EQ(stepper.says({.status = 0x6D, .timer = 60'000}), Rejection::BothModes);
