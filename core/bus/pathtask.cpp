@@ -220,7 +220,7 @@ Next PathTask::lookFirst() {
         if (verdict == Permission::NeedsStatus)
             return look(axis);
         if (verdict != Permission::Allowed || belief.commandPosition() != axis.path->from || axis.left != 0 ||
-            m_chain.at(axis.module()).owed) {
+            m_chain.at(axis.module()).owed || m_chain.at(axis.module()).forbidsStart()) {
             end(PathEnd::NotReady, axis.module());
             return Again{};
         }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/faultspec.h"
+#include "tests/bus/steps.h"
 #include "tests/procedures/pathbench.h"
 
 namespace nmc::test {
@@ -98,6 +99,24 @@ TEST_F(FaultyPath, AModuleThatFallsSilentEndsItForAll) {
     const ProcedureReport report = bench.goOn();
     EXPECT_NE(report.stage, ProcedureStage::Done);
     expectOver();
+}
+
+/// The path ends the trial, but the gains from before do not arrive.
+TEST_F(FaultyPath, DoesNotBeginWithGainsThatAreStillOnTrial) {
+    ASSERT_NO_FATAL_FAILURE(hold());
+    const servo::SetGain before{200, 2'000, 20, 200, 255, 0, 4'000, 1, std::uint8_t{0}};
+    servo::SetGain tried = before;
+    tried.kp = 150;
+    bench.bus.submit(
+        {.id = {}, .orders = {toServo(0, tried)}, .trial = bus::GainTrial{before, 100, 2'000, 60s}});
+    ASSERT_TRUE(bench.bus.runUntil([this] { return bench.bus.servo(0).gains.kp == 150; }, 1s));
+    bench.bus.onCommand = [](std::vector<std::uint8_t>& command) {
+        if (command.size() > 2 && command[1] == 1 && (command[2] & 0x0FU) == 0x06)  // Set Gain
+            command.clear();
+    };
+    const std::size_t since = bench.bus.sent.size();
+    EXPECT_NE(bench.runPath(table, 5.0).stage, ProcedureStage::Done);
+    EXPECT_EQ(bench.frames(since), 0U);
 }
 
 TEST_F(FaultyPath, AStopWhileALineDropsBytesEndsIt) {
