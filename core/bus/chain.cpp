@@ -69,7 +69,7 @@ Ask Chain::command(Purpose purpose, const Order& order) const {
     }
     ask.command = order.command;
     ask.silentRepeats = rule.silentRepeats;
-    ask.repeatAtOnce = rule.afterSilence == AfterSilence::RepeatAtOnce;
+    ask.repeatAtOnce = rule.atOnce;
     ask.refusedAttempts = rule.refusedAttempts;
     return ask;
 }

@@ -110,7 +110,7 @@ bool Engine::takesStopsOnly() const {
 bool Engine::oweStops(const Operation& operation) {
     const bool stopping = m_connected && !m_search.active();
     const auto fits = [&](const Order& order) {
-        return m_chain.has(order.module) && (!stopping || isAsOwed(order));
+        return stopping ? isAsOwed(order) : m_chain.has(order.module);
     };
     if (!takesStopsOnly() || !std::ranges::all_of(operation.orders, fits))
         return false;

@@ -45,8 +45,6 @@ public:
     [[nodiscard]] bool quarantineDue() const { return m_state == LineState::NullsSent; }
     /// A resync is due or in progress, or something is in doubt.
     [[nodiscard]] bool suspect() const { return m_state != LineState::Trusted || m_lost || m_doubt; }
-    /// No module answers.
-    [[nodiscard]] bool lost() const { return m_lost; }
     /// For tasks that do not wait: the nulls that empty partly filled command buffers, if needed. The wait
     /// for late answers follows afterwards.
     [[nodiscard]] std::optional<Line::Script> flush();

@@ -6,9 +6,9 @@ namespace nmc {
 namespace {
 
 constexpr RetryRule kGiveUp{};
-constexpr RetryRule kOnce{AfterSilence::GiveUp, 0, 1};
-constexpr RetryRule kRepeat{AfterSilence::Repeat, 2};
-constexpr RetryRule kRepeatAtOnce{AfterSilence::RepeatAtOnce, 4, 10};
+constexpr RetryRule kOnce{0, 1};
+constexpr RetryRule kRepeat{2};
+constexpr RetryRule kRepeatAtOnce{4, 10, true};
 
 using enum Evidence;
 using enum When;

@@ -7,17 +7,12 @@
 
 namespace nmc {
 
-/// What to do when there is no answer: the command may or may not have been carried out (link.md 2.3).
-enum class AfterSilence : std::uint8_t {
-    GiveUp,        ///< never repeated blindly: it could move twice, or redo what has been undone since
-    Repeat,        ///< after a resync; carrying it out twice is harmless
-    RepeatAtOnce,  ///< a stop: preceded only by nulls
-};
-
 struct RetryRule {
-    AfterSilence afterSilence = AfterSilence::GiveUp;
+    /// When there is no answer, and the command may or may not have been carried out (link.md 2.3). 0: it
+    /// could move twice, or redo what has been undone since.
     std::uint8_t silentRepeats = 0;
     std::uint8_t refusedAttempts = 3;  ///< in total, when the module refuses the command (NAK)
+    bool atOnce = false;               ///< a stop: repeats are preceded only by nulls, not by a resync
     bool operator==(const RetryRule&) const = default;
 };
 

@@ -29,8 +29,7 @@ TEST(CommandFacts, RepeatsQuestionsAndIdenticalSettingsTwice) {
         IoCommand(io::SetSynchOutput{}),
     };
     for (const ModuleCommand& command : commands)
-        EXPECT_EQ(factsOf(command).retry, (RetryRule{AfterSilence::Repeat, 2, 3}))
-            << toHex(payloadOf(command).data);
+        EXPECT_EQ(factsOf(command).retry, (RetryRule{2, 3, false})) << toHex(payloadOf(command).data);
 }
 
 TEST(CommandFacts, NeverRepeatsBlindlyWhatCouldActTwice) {
@@ -49,8 +48,7 @@ TEST(CommandFacts, NeverRepeatsBlindlyWhatCouldActTwice) {
         IoCommand(io::SynchInput{}),
     };
     for (const ModuleCommand& command : commands)
-        EXPECT_EQ(factsOf(command).retry, (RetryRule{AfterSilence::GiveUp, 0, 3}))
-            << payloadOf(command).commandByte();
+        EXPECT_EQ(factsOf(command).retry, (RetryRule{0, 3, false})) << payloadOf(command).commandByte();
 }
 
 TEST(CommandFacts, RepeatsALoadOnlyWithoutStart) {
@@ -61,9 +59,8 @@ TEST(CommandFacts, RepeatsALoadOnlyWithoutStart) {
 }
 
 TEST(CommandFacts, RepeatsAStopAtOnce) {
-    EXPECT_EQ(factsOf(enable(0).command).retry, (RetryRule{AfterSilence::RepeatAtOnce, 4, 10}));
-    EXPECT_EQ(factsOf(StepperCommand(stepper::StopMotor{})).retry,
-              (RetryRule{AfterSilence::RepeatAtOnce, 4, 10}));
+    EXPECT_EQ(factsOf(enable(0).command).retry, (RetryRule{4, 10, true}));
+    EXPECT_EQ(factsOf(StepperCommand(stepper::StopMotor{})).retry, (RetryRule{4, 10, true}));
 }
 
 TEST(CommandFacts, OnlyAMotorStartsAMotion) {
