@@ -79,6 +79,10 @@ struct Belief::Sent {
     void operator()(const servo::SetHoming& homing) const {
         b.m_homingStops = b.m_homingStops && stopsAtHome(homing);
     }
+    void operator()(const servo::SetGain& gain) const {
+        if (b.m_servo.servoRate != int{gain.sr})
+            b.m_servo.servoRate.reset();
+    }
     void operator()(const DefineStatus&) const { b.forgetItems(); }
     void operator()(const SetAddress&) const { b.m_info.group.reset(); }
     void operator()(const AnyOf<servo::IoControl, servo::ScIoControl> auto&) const {

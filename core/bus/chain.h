@@ -67,7 +67,6 @@ public:
         /// The module was found as another host left it: its settings are unknown.
         void attach() {
             belief.attach();
-            sent.servoRate.reset();
             plausibility.attach();
         }
         Belief belief;

@@ -967,7 +967,7 @@ void Engine::publish(ModuleIndex module, const ReplyEnd& end, const StatusReport
         m_events.emplace_back(StoppedBeforeLimit{module});
         haltAxes({module}, StopCause::TravelLimit, *manner);
     }
-    const auto reason = known.watch.onReport(trusted, end.latched, known.sent.servoRate);
+    const auto reason = known.watch.onReport(trusted, end.latched, known.belief.servoRegisters().servoRate);
     if (!reason)
         return;
     m_events.emplace_back(MotionSuspect{module, *reason, trusted.position.value_or(0)});

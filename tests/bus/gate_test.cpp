@@ -385,6 +385,22 @@ TEST(Belief, ExpectsTheFasterMotionAndTheLongerStopUntilAStartIsAnswered) {
     expectRun(50, 10);
 }
 
+/// Either tick may be the module's: the watches then assume the worse one.
+TEST(Belief, DoesNotKnowTheServoRateUntilAnotherOneIsAnswered) {
+    const auto gainsAt = [](std::uint8_t sr) {
+        return toServo(0, servo::SetGain{200, 2000, 20, 200, 255, 0, 4000, sr, std::uint8_t{0}});
+    };
+    Module module = standing();
+    module.executed(gainsAt(10));
+    EXPECT_EQ(module.belief.servoRegisters().servoRate, 10);
+    module.unanswered(gainsAt(10));
+    EXPECT_EQ(module.belief.servoRegisters().servoRate, 10) << "it is the same";
+    module.unanswered(gainsAt(1));
+    EXPECT_EQ(module.belief.servoRegisters().servoRate, std::nullopt);
+    module.executed(gainsAt(1));
+    EXPECT_EQ(module.belief.servoRegisters().servoRate, 1);
+}
+
 // docs/family.md, Path points: 30 and 60 Hz without fast path, 60 and 120 Hz with it.
 
 constexpr std::uint8_t kPathMode = 0x40;
