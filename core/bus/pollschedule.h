@@ -71,8 +71,9 @@ public:
     }
     /// It had not restarted when it was looked for, and has been silent since.
     [[nodiscard]] bool sought(ModuleIndex module) const { return m_modules[module.value()].sought; }
-    /// The module is not polled any more, until it recovers.
-    void retire(ModuleIndex module) { at(module).retired = true; }
+    /// The module is not polled any more, until it recovers. It has answered until now, or is known to have
+    /// restarted.
+    void retire(ModuleIndex module) { at(module).retired = at(module).sought = true; }
 
     [[nodiscard]] bool silent(ModuleIndex module) const { return m_modules[module.value()].silent; }
     [[nodiscard]] bool retired(ModuleIndex module) const { return m_modules[module.value()].retired; }

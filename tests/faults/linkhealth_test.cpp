@@ -91,6 +91,36 @@ TEST_F(LinkHealthOfOneModule, StaysLost) {
     EXPECT_EQ(levels(), (std::vector{LinkHealth::Marginal, LinkHealth::Lost}));
 }
 
+/// It was given up because of errors, so it has not restarted, and is owed its stop.
+TEST(LinkHealthBesideARestartedModule, IsNotTakenForThatOne) {
+    ScriptedBus bus(4);
+    bus.aux = kServoOn;
+    ASSERT_TRUE(bus.connect());
+    bus.runFor(200ms);
+    bool restarted = false;
+    unsigned answers = 0;
+    bus.answer = [&](ByteSpan packet) {
+        if (restarted && packet[1] == 4)
+            return std::vector<std::uint8_t>{};
+        if (restarted && packet[1] == 0)  // Read Status of the module that has restarted
+            return bus.reply(StatusItems(packet[3]));
+        auto bytes = bus.likeAServo(packet);
+        if (packet[1] == 2 && !bytes.empty() && ++answers % 4 == 0)
+            ++bytes.back();
+        return bytes;
+    };
+    ASSERT_TRUE(bus.runUntil([&] {
+        const auto all = bus.all<HealthChanged>();
+        return std::ranges::any_of(all, [](const HealthChanged& event) {
+            return event.module == ModuleIndex(1) && event.health == LinkHealth::Lost;
+        });
+    }));
+    bus.runFor(200ms);
+    restarted = true;
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<ModuleRestarted>() == 1; }));
+    EXPECT_EQ(bus.all<ModuleRestarted>().at(0).module, ModuleIndex(3));
+}
+
 /// What is sent to its address reaches nobody, and may be noise to it.
 TEST(LinkHealthBesideARestartedModule, DoesNotBringThatOneBack) {
     ScriptedBus bus(3);
