@@ -17,6 +17,7 @@ void IoOutputs::forget() {
 
 void IoOutputs::onSent(const io::SetOutput& set) {
     m_mayBeHigh |= set.outputs;
+    m_levelsOpen = m_levelsOpen || m_answered.outputs != set.outputs;
     if (m_answered.outputs)
         *m_answered.outputs &= set.outputs;
 }
@@ -41,8 +42,10 @@ void IoOutputs::onSent(const io::SynchOutput& /*synch*/) {
 void IoOutputs::onExecuted(const IoCommand& command) {
     m_answered.apply(command);
     const bool synch = std::holds_alternative<io::SynchOutput>(command);
+    const bool setsPins = synch || std::holds_alternative<io::SetOutput>(command);
+    m_levelsOpen = m_levelsOpen && !setsPins;
     // What Synch Output may have set from another host's stored outputs was noted when it was sent.
-    if ((synch || std::holds_alternative<io::SetOutput>(command)) && m_answered.outputs)
+    if (setsPins && m_answered.outputs)
         m_mayBeHigh = *m_answered.outputs;
     if ((synch || std::holds_alternative<io::SetPwm>(command)) && m_answered.pwm)
         m_pwmMayRun = {(*m_answered.pwm)[0] != 0, (*m_answered.pwm)[1] != 0};
@@ -52,6 +55,7 @@ void IoOutputs::onNotExecuted(const IoOutputs& before) {
     m_mayBeHigh = before.m_mayBeHigh;
     m_pwmMayRun = before.m_pwmMayRun;
     m_answered = before.m_answered;
+    m_levelsOpen = before.m_levelsOpen;
 }
 
 std::optional<IoCommand> IoOutputs::stop() const {

@@ -37,8 +37,10 @@ public:
     /// The outputs stored for Synch Output; empty: none were stored in this connection, or it is unknown
     /// which.
     [[nodiscard]] const std::optional<io::SetSynchOutput>& stored() const { return m_answered.stored; }
-    /// The levels as answered, low where an unanswered command may have switched off; empty: unknown.
-    [[nodiscard]] std::optional<std::uint16_t> levels() const { return m_answered.outputs; }
+    /// The levels as answered; empty: unknown.
+    [[nodiscard]] std::optional<std::uint16_t> levels() const {
+        return m_levelsOpen ? std::nullopt : m_answered.outputs;
+    }
 
     void setStopOutputs(const StopOutputs& off) { m_off = off; }
     [[nodiscard]] const StopOutputs& stopOutputs() const { return m_off; }
@@ -53,6 +55,7 @@ private:
     /// Registers as answered. A stop must switch nothing on, so what an unanswered command may have switched
     /// off, or changed to another PWM value, is 0.
     IoRegisters m_answered;
+    bool m_levelsOpen = false;  ///< an unanswered command may have changed them
     std::optional<std::uint16_t> m_pins;
 };
 

@@ -58,6 +58,9 @@ TEST(IoOutputs, WhatWasSwitchedOffAndNotAnsweredStaysOff) {
     tell(pump, io::SetOutput{kPumpAndLamp});
     pump.onSent(io::SetOutput{0x0004});
     EXPECT_EQ(pump.stop(), pins(0));
+    EXPECT_EQ(pump.levels(), std::nullopt) << "the lamp may still be on";
+    tell(pump, io::SetOutput{0x0004});
+    EXPECT_EQ(pump.levels(), 0x0004);
 }
 
 TEST(IoOutputs, APwmOutputThatWasNotToChangeKeepsItsValue) {
