@@ -306,6 +306,7 @@ TEST_F(Trigger, WaitsForTheModuleThatIsNamedWhicheverIsSelected) {
     list->setFocus();
     QTest::keyClick(list, Qt::Key_Down);
     ASSERT_EQ(window->selectedModule(), ModuleIndex(1));
+    run(0.5, oneMove);
     EXPECT_EQ(sources->currentText(), u"Module 2: velocity"_s);
     EXPECT_EQ(field(u"triggerLevelField"_s)->value(), 50);
     EXPECT_EQ(state(), u"waiting"_s);
