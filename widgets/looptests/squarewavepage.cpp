@@ -24,7 +24,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 constexpr double kFirstPeriod = 0.6;  ///< s
-constexpr unsigned kFirstRounds = 20;
+constexpr unsigned kFirstWaves = 20;
 constexpr std::int32_t kFirstExcursion = 200;
 
 [[nodiscard]] SquarePlot::Fold drawn(std::span<const ResponseRecord> edges,
@@ -63,7 +63,7 @@ SquareWavePage::SquareWavePage(Requests& requests, QWidget* parent) : QWidget(pa
     period->showValue(kFirstPeriod);
     auto* rounds = m_form->addNumber(u"squareWaveRoundsField"_s, tr("Periods"), tr("Periods to run"), {}, 0);
     rounds->setRange(1, kMaxPeriods);
-    rounds->showValue(kFirstRounds);
+    rounds->showValue(kFirstWaves);
     auto* excursion = m_form->addQuantity(QuantityField::Kind::Distance, u"squareWaveExcursionField"_s,
                                           tr("Excursion"), tr("Excursion"));
     excursion->setNativeRange(1, kLongestStep);
