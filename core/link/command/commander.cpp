@@ -2,6 +2,7 @@
 #include "link/command/commander.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "link/clock.h"
@@ -248,7 +249,7 @@ void Commander::stopBeyondTravel() {
             beyond.push_back(module.info.index);
     }
     for (const ModuleIndex module : beyond)
-        stop(module);
+        std::ignore = stop(module);
 }
 
 /// The bus thread must know them before the stop is requested.
