@@ -126,8 +126,8 @@ TEST_F(Focus, DoesNotComeToADriveByTurningThePage) {
     EXPECT_EQ(intents.size(), 0);
 }
 
-/// By the key bindings of X11, a field takes Ctrl+U to remove its line. Those of the tests' platform have no
-/// such key.
+/// By the key bindings of X11, a field takes Ctrl+U to remove its line, and Ctrl+D to remove a character.
+/// Those of the tests' platform have no such keys.
 class FieldOfX11 : public QLineEdit {
 public:
     using QLineEdit::QLineEdit;
@@ -135,8 +135,10 @@ public:
 protected:
     bool event(QEvent* event) override {
         const bool pressed = event->type() == QEvent::KeyPress;
-        if ((!pressed && event->type() != QEvent::ShortcutOverride) ||
-            static_cast<QKeyEvent*>(event)->key() != Qt::Key_U)
+        if (!pressed && event->type() != QEvent::ShortcutOverride)
+            return QLineEdit::event(event);
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key != Qt::Key_U && key != Qt::Key_D)
             return QLineEdit::event(event);
         if (pressed)
             clear();
@@ -159,6 +161,8 @@ TEST_F(Focus, InAFieldLeavesStopHereToTheModule) {
     QTest::keyClick(window->windowHandle(), Qt::Key_U, Qt::ControlModifier);
     EXPECT_EQ(intents.size(), 1);
     EXPECT_EQ(line->text(), u"1234"_s) << "nor is it emptied while there is nothing to stop";
+    QTest::keyClick(window->windowHandle(), Qt::Key_D, Qt::ControlModifier);
+    EXPECT_EQ(line->text(), u"1234"_s) << "while no move can be loaded";
 }
 
 }  // namespace

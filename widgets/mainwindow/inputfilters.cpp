@@ -106,9 +106,9 @@ private:
     bool m_repeats = false;  ///< the last key event, which may become a shortcut, is a repeat
 };
 
-/// Watches for keys of commands by which fields edit on X11: Ctrl+U removes the line, Ctrl+K its rest, and
-/// Ctrl+E goes to its end. No field gets them, not even while the command is not possible: a press that was
-/// meant to stop a motor would empty it.
+/// Watches for keys of commands by which fields edit on X11: Ctrl+U removes the line, Ctrl+K its rest, Ctrl+D
+/// the next character, and Ctrl+E goes to its end. No field gets them, not even while the command is not
+/// possible: a press that was meant to stop a motor would empty it.
 class CommandKeyFilter : public QObject {
 public:
     using QObject::QObject;
@@ -117,7 +117,8 @@ public:
         if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
             return false;
         const auto* key = static_cast<QKeyEvent*>(event);
-        const bool edits = key->key() == Qt::Key_U || key->key() == Qt::Key_K || key->key() == Qt::Key_E;
+        const bool edits = key->key() == Qt::Key_U || key->key() == Qt::Key_K || key->key() == Qt::Key_D ||
+                           key->key() == Qt::Key_E;
         if (!edits || key->modifiers() != Qt::ControlModifier || !takesText(watched))
             return false;
         event->ignore();
@@ -126,7 +127,8 @@ public:
 
 private:
     static bool takesText(const QObject* watched) {
-        return qobject_cast<const QLineEdit*>(watched) != nullptr ||
+        const auto* box = qobject_cast<const QComboBox*>(watched);
+        return (box != nullptr && box->isEditable()) || qobject_cast<const QLineEdit*>(watched) != nullptr ||
                qobject_cast<const QTextEdit*>(watched) != nullptr ||
                qobject_cast<const QPlainTextEdit*>(watched) != nullptr;
     }
