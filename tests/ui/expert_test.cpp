@@ -168,6 +168,8 @@ TEST_F(Expert, AStopDoesNotWaitForAnAnswer) {
     ASSERT_FALSE(button(u"expertHomingButton"_s)->isEnabled()) << "the module has not answered yet";
     choose(u"expertStopManner"_s, 0);
     EXPECT_FALSE(button(u"expertStopButton"_s)->isEnabled()) << "AMP_EN alone is no stop";
+    choose(u"expertStopManner"_s, 4);
+    EXPECT_FALSE(button(u"expertStopButton"_s)->isEnabled()) << "at a position: that is a move";
     choose(u"expertStopManner"_s, 1);
     EXPECT_TRUE(button(u"expertStopButton"_s)->isEnabled());
     click(u"expertStopButton"_s);

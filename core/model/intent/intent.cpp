@@ -201,8 +201,11 @@ bool isStop(IntentKind kind) {
 }
 
 bool isStop(const Intent& intent) {
-    if (const auto* direct = std::get_if<intent::Direct>(&intent))
-        return stopManner(direct->command).has_value();
+    if (const auto* direct = std::get_if<intent::Direct>(&intent)) {
+        // At any other position than the present one, Here is a move.
+        const auto* stop = getIf<servo::StopMotor>(direct->command);
+        return stopManner(direct->command) && (stop == nullptr || stop->manner != servo::StopManner::Here);
+    }
     return std::visit(
         []<typename T>(const T&) {
             return AnyOf<T, intent::StopSmoothly, intent::StopAbruptly, intent::StopHere, intent::MotorOff>;
