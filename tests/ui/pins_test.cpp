@@ -155,6 +155,21 @@ TEST_F(Pins, OneThatAsksIsMadeAnInputOnlyByTheAnswerWhileItIsHigh) {
     EXPECT_EQ(only<iointent::SetDirection>().inputs, 0x0FFD);
 }
 
+TEST_F(Pins, OneThatAsksIsMadeAHighOutputOnlyByTheAnswer) {
+    settings(2, {"Clamp", true, false});
+    told(io::SetOutput{0x0005});
+    latch(0x0805, 20);
+    auto* direction = find<QComboBox>(u"pin3Direction"_s);
+    direction->setFocus();
+    QTest::keyClick(direction, Qt::Key_Down);
+    EXPECT_EQ(intents.size(), 0);
+    auto* question = window->findChild<QDialog*>(u"outputDialog"_s);
+    ASSERT_NE(question, nullptr);
+    EXPECT_EQ(question->findChild<QLabel*>(u"closeText"_s)->text(), u"Switch Clamp (IO3) on?"_s);
+    QTest::mouseClick(question->findChild<QAbstractButton*>(u"switchOutputButton"_s), Qt::LeftButton);
+    EXPECT_EQ(only<iointent::SetDirection>().inputs, 0x0FF8);
+}
+
 TEST_F(Pins, TheQuestionIsAboutTheOutputThatWasStruckLast) {
     settings(1, {"Pump", true, false});
     PinSettings::in(machine.axes[0].pins->pins, 0) = {"Lamp", true, false};

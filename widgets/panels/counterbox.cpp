@@ -149,10 +149,10 @@ void CounterBox::apply() {
 
 QString CounterBox::questions() const {
     QStringList each;
-    const auto& stored = m_context.state().pins.stored;
-    for (unsigned pin = 0; stored && pin < io::kPins; ++pin)
-        if (PinSettings::of(pinsOf(m_context.settings()).pins, pin).asks)
-            each << PinBox::question(m_context, pin, bitOf(stored->outputs, pin));
+    const IoRegisters& pins = m_context.state().pins;
+    for (unsigned pin = 0; pins.stored && pins.inputs && pin < io::kPins; ++pin)
+        if (!bitOf(*pins.inputs, pin) && PinSettings::of(pinsOf(m_context.settings()).pins, pin).asks)
+            each << PinBox::question(m_context, pin, bitOf(pins.stored->outputs, pin));
     each.removeAll(QString());
     return each.join(u'\n');
 }

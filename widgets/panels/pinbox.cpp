@@ -117,10 +117,13 @@ void PinBox::buildPin(QGridLayout& grid, unsigned number) {
 }
 
 void PinBox::setDirection(unsigned pin, int choice) {
+    const ModuleState& module = m_context.state();
+    // An input drives nothing; an output drives the level that is set, or else the one that is read.
+    const bool high =
+        choice == Output && module.latest && bitOf(module.pins.levels(*module.latest).value_or(0), pin);
     // Neither "unknown" nor the present direction requests anything.
-    if (const auto inputs = m_context.state().pins.inputs;
-        inputs && choice == (bitOf(*inputs, pin) ? Output : Input))
-        switchOutput(pin, false, [this, pin] {  // an input drives nothing
+    if (const auto inputs = module.pins.inputs; inputs && choice == (bitOf(*inputs, pin) ? Output : Input))
+        switchOutput(pin, high, [this, pin] {
             return iointent::SetDirection{
                 static_cast<std::uint16_t>(m_context.state().pins.inputs.value_or(0) ^ (1U << pin))};
         });
@@ -145,7 +148,7 @@ void PinBox::switchOutput(unsigned pin, bool high, const std::function<Intent()>
 }
 
 QString PinBox::question(const ModuleContext& context, unsigned pin, bool high) {
-    if (outputOf(context.state(), pin) != !high)
+    if (outputOf(context.state(), pin).value_or(false) == high)
         return {};
     const auto& pins = pinsOf(context.settings()).pins;
     const QString given = QString::fromStdString(PinSettings::of(pins, pin).name);
