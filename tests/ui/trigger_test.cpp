@@ -312,6 +312,22 @@ TEST_F(Trigger, WaitsForTheModuleThatIsNamedWhicheverIsSelected) {
     EXPECT_EQ(state(), u"waiting"_s);
 }
 
+TEST_F(Trigger, StaysWithItsModuleIfTheSelectedOneHasNoSuchSignal) {
+    ModuleState pins = Servo{.index = 1}.state();
+    pins.info.identity = {ModuleType::Io, 1};
+    window->showLink(connectedTo({Servo{}.state(), pins}));
+    type(u"triggerLevelField"_s, u"50"_s);
+    choose(u"triggerModeBox"_s, u"Normal"_s);
+    auto* list = find<QAbstractItemView>(u"chainList"_s);
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Down);
+    ASSERT_EQ(window->selectedModule(), ModuleIndex(1));
+    run(0.5, oneMove);
+    EXPECT_EQ(find<QComboBox>(u"triggerSourceBox"_s)->currentText(), u"Module 1: position"_s);
+    EXPECT_EQ(field(u"triggerLevelField"_s)->value(), 50);
+    EXPECT_EQ(state(), u"waiting"_s);
+}
+
 TEST_F(Trigger, IsOffOnceWhatItWaitsForIsGone) {
     choose(u"triggerSourceBox"_s, u"Module 2: move_done"_s);
     choose(u"triggerModeBox"_s, u"Normal"_s);

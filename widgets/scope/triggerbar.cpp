@@ -140,15 +140,21 @@ void TriggerBar::listSources() {
         addSources(std::nullopt, m_modules[m_selected->value()]);
     for (std::size_t i = 0; i < m_modules.size(); ++i)
         addSources(ModuleIndex(static_cast<std::uint8_t>(i)), m_modules[i]);
-    const auto again = chosen >= 0 ? std::ranges::find(m_sources, before[static_cast<std::size_t>(chosen)])
-                                   : m_sources.end();
-    const bool found = again != m_sources.end();
-    m_source->setCurrentIndex(found               ? static_cast<int>(again - m_sources.begin())
-                              : m_sources.empty() ? -1
-                                                  : 0);
-    // What the user waits for is gone; nobody has asked to wait for anything else.
-    if (!found && chosen >= 0)
-        m_mode->setCurrentIndex(static_cast<int>(Mode::Off));
+    const auto rowOf = [this](const Source& source) {
+        const auto found = std::ranges::find(m_sources, source);
+        return found != m_sources.end() ? static_cast<int>(found - m_sources.begin()) : -1;
+    };
+    int again = -1;
+    if (chosen >= 0) {
+        const Source& source = before[static_cast<std::size_t>(chosen)];
+        again = rowOf(source);
+        if (again < 0)  // the module that is selected now has no such signal
+            again = rowOf({m_sourceModule, source.what});
+        // What the user waits for is gone; nobody has asked to wait for anything else.
+        if (again < 0)
+            m_mode->setCurrentIndex(static_cast<int>(Mode::Off));
+    }
+    m_source->setCurrentIndex(m_sources.empty() ? -1 : std::max(again, 0));
     takeSourceAgain();
 }
 
@@ -188,6 +194,7 @@ LinearScale TriggerBar::scale() const {
 
 /// The level may now be of another quantity, or have another unit.
 void TriggerBar::takeSource() {
+    m_sourceModule = sourceModule();
     showConditions();
     if (signal() != nullptr) {
         const ScopeModule& module = m_modules[sourceModule()->value()];

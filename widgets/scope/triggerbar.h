@@ -74,8 +74,9 @@ private:
 
     std::vector<ScopeModule> m_modules;
     std::optional<ModuleIndex> m_selected;
-    std::vector<Source> m_sources;  ///< in the order of the box
-    bool m_listed = true;           ///< m_sources are those of m_modules
+    std::vector<Source> m_sources;              ///< in the order of the box
+    bool m_listed = true;                       ///< m_sources are those of m_modules
+    std::optional<ModuleIndex> m_sourceModule;  ///< of the chosen source
     std::optional<LevelOf> m_levelOf;
     FlowLayout* m_layout;
     QComboBox* m_source;
