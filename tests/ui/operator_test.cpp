@@ -361,6 +361,18 @@ TEST_F(BellTest, RingsWhenAProcedureEndsAndNotWhenItIsShownAgain) {
     EXPECT_EQ(rings.size(), 1);
 }
 
+TEST_F(BellTest, IsSilentAtTheEndOfAMoveThatTakesUpBacklash) {
+    showServo();
+    ProcedureReport report;
+    report.module = ModuleIndex(0);
+    report.kind = ProcedureKind::Approach;
+    report.stage = ProcedureStage::Moving;
+    window->showProcedure(report);
+    report.stage = ProcedureStage::Done;
+    window->showProcedure(report);
+    EXPECT_EQ(rings.size(), 0) << "as of any other move";
+}
+
 TEST_F(BellTest, RingsOnceWhenASequenceEndsWellOrNot) {
     SequenceReport report;
     report.places = {{"Main", 0}};

@@ -396,7 +396,9 @@ void MainWindow::showMachine(const Machine& machine) {
 void MainWindow::showProcedure(const ProcedureReport& report) {
     const auto before = m_session.procedures().find(report.module);
     const bool ran = before != m_session.procedures().end() && !before->second.over();
-    if (ran && report.over())
+    using enum ProcedureKind;
+    const bool ofAMove = report.kind == MoveBy || report.kind == Approach || report.kind == ChangeMotion;
+    if (ran && report.over() && !ofAMove)
         m_bell->ring();
     m_session.setProcedure(report);
 }
