@@ -1894,7 +1894,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>A fixed PWM value drives the motor; the servo does not control it. After a loss of motor power, the motor may turn again by itself.</source>
-        <translation>Ein fester PWM-Wert treibt den Motor an; der Servo regelt ihn nicht. Nach einem Ausfall der Motorversorgung kann er sich von selbst wieder drehen.</translation>
+        <translation>Ein fester PWM-Wert treibt den Motor an; der Servo regelt ihn nicht. Nach einem Ausfall der Motorversorgung kann der Motor sich von selbst wieder drehen.</translation>
     </message>
     <message>
         <source>The motor is changing its speed.</source>
@@ -4117,7 +4117,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>The last %1 faults and stops can be shown. A recording keeps everything.</source>
-        <translation>Die letzten %1 Fehler und Stopps können gezeigt werden. Eine Aufzeichnung behält alles.</translation>
+        <translation>Die letzten %1 Störungen und Stopps können angezeigt werden. Eine Aufzeichnung behält alles.</translation>
     </message>
     <message>
         <source>The positions of the axes are not saved.</source>
@@ -6623,7 +6623,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Die serielle Schnittstelle, an der die Module hängen, oder der Simulator.</translation>
     </message>
     <message>
-        <source>The baud rate for a chain without addresses; one that has them keeps its own.</source>
+        <source>The baud rate for a chain without addresses; a chain that has them keeps its rate.</source>
         <translation>Die Baudrate für eine Kette ohne Adressen; eine, die schon welche hat, behält ihre eigene.</translation>
     </message>
     <message>
@@ -9432,7 +9432,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Der Motor springt noch einmal, so weit wie zuvor, und wird aus den letzten Sprüngen bestimmt. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back, but at most by %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, but no farther than %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>Der Motor springt um die Strecke des Sprungs und zurück, dann doppelt so weit und zurück, höchstens aber um %1 und %2 Ink., und wird aus diesen Sprüngen bestimmt. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
     </message>
 </context>
@@ -10284,7 +10284,7 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
     </message>
     <message>
         <source>In motion, stops at once, as Stop abruptly does. At rest, holds the position that the motor has at this moment, without a profile.</source>
-        <translation>In Bewegung: stoppt sofort, wie der Sofort-Stopp. Im Stillstand: hält ohne Profil die Position, die der Motor in diesem Moment hat.</translation>
+        <translation>In Bewegung: stoppt sofort, wie „Sofort stoppen“. Im Stillstand: hält ohne Profil die Position, die der Motor in diesem Moment hat.</translation>
     </message>
     <message>
         <source>Travel limits</source>

@@ -1894,7 +1894,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>A fixed PWM value drives the motor; the servo does not control it. After a loss of motor power, the motor may turn again by itself.</source>
-        <translation>Un valor de PWM fijo acciona el motor; el servo no lo controla. Tras un fallo de la alimentación del motor, puede volver a girar por sí solo.</translation>
+        <translation>Un valor de PWM fijo acciona el motor; el servo no lo controla. Tras un fallo de la alimentación, el motor puede volver a girar por sí solo.</translation>
     </message>
     <message>
         <source>The motor is changing its speed.</source>
@@ -6623,7 +6623,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>El puerto serie de los módulos, o el simulador.</translation>
     </message>
     <message>
-        <source>The baud rate for a chain without addresses; one that has them keeps its own.</source>
+        <source>The baud rate for a chain without addresses; a chain that has them keeps its rate.</source>
         <translation>La velocidad en baudios para una cadena sin direcciones; una que ya las tiene conserva la suya.</translation>
     </message>
     <message>
@@ -9432,7 +9432,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>El motor salta una vez más, tan lejos como antes, y se identifica a partir de los últimos escalones. Asegúrese de que todo lo que acciona puede moverse libremente.</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back, but at most by %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, but no farther than %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>El motor salta la distancia del escalón y vuelve, después el doble y vuelve, pero como máximo %1 y %2 cuentas, y se identifica a partir de estos escalones. Asegúrese de que todo lo que acciona puede moverse libremente.</translation>
     </message>
 </context>
@@ -10284,7 +10284,7 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
     </message>
     <message>
         <source>In motion, stops at once, as Stop abruptly does. At rest, holds the position that the motor has at this moment, without a profile.</source>
-        <translation>En movimiento, se detiene de inmediato, como la parada brusca. En reposo, mantiene la posición que tiene el motor en este momento, sin perfil.</translation>
+        <translation>En movimiento, se detiene de inmediato, como «Parar bruscamente». En reposo, mantiene la posición que tiene el motor en este momento, sin perfil.</translation>
     </message>
     <message>
         <source>Travel limits</source>

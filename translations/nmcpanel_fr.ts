@@ -1894,7 +1894,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>A fixed PWM value drives the motor; the servo does not control it. After a loss of motor power, the motor may turn again by itself.</source>
-        <translation>Une valeur PWM fixe entraîne le moteur&#x202f;; le servo ne le régule pas. Après une coupure de l’alimentation moteur, il peut se remettre à tourner tout seul.</translation>
+        <translation>Une valeur PWM fixe entraîne le moteur&#x202f;; le servo ne le régule pas. Après une coupure de l’alimentation moteur, le moteur peut se remettre à tourner tout seul.</translation>
     </message>
     <message>
         <source>The motor is changing its speed.</source>
@@ -6623,7 +6623,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Port série des modules, ou simulateur.</translation>
     </message>
     <message>
-        <source>The baud rate for a chain without addresses; one that has them keeps its own.</source>
+        <source>The baud rate for a chain without addresses; a chain that has them keeps its rate.</source>
         <translation>Débit pour une chaîne sans adresses&#x202f;; une chaîne qui en a garde le sien.</translation>
     </message>
     <message>
@@ -9432,7 +9432,7 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Le moteur saute encore une fois, aussi loin qu’avant, et est identifié à partir des derniers échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back, but at most by %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, but no farther than %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>Le moteur saute de la distance de l’échelon et revient, puis deux fois plus loin et revient, mais d’au plus %1 et %2 incr., et est identifié à partir de ces échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
     </message>
 </context>

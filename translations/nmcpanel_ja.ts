@@ -4105,7 +4105,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>The last %1 faults and stops can be shown. A recording keeps everything.</source>
-        <translation>最近の障害と停止%1件を表示できます。記録すればすべて残ります。</translation>
+        <translation>最近の異常と停止%1件を表示できます。記録すればすべて残ります。</translation>
     </message>
     <message>
         <source>The positions of the axes are not saved.</source>
@@ -6606,7 +6606,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モジュールのシリアルポート、またはシミュレーターです。</translation>
     </message>
     <message>
-        <source>The baud rate for a chain without addresses; one that has them keeps its own.</source>
+        <source>The baud rate for a chain without addresses; a chain that has them keeps its rate.</source>
         <translation>アドレスのないチェーンに使うボーレートです。アドレスのあるチェーンは、元のボーレートのままです。</translation>
     </message>
     <message>
@@ -9413,7 +9413,7 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>モーターがもう一度、これまでと同じ距離だけ急に動き、最近のステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
     </message>
     <message>
-        <source>The motor jumps by the distance of the step and back, then twice as far and back, but at most by %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
+        <source>The motor jumps by the distance of the step and back, then twice as far and back, but no farther than %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>モーターがステップの距離だけ急に動いて戻り、次にその2倍動いて戻り（ただし最大%1カウントと%2カウント）、これらのステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
     </message>
 </context>

@@ -27,7 +27,7 @@ namespace {
 constexpr int kMaxLength = 32;
 
 /// True for a space of any width between groups of three digits, as this program and others write them. No
-/// group has more digits: two numbers that were pasted are not one.
+/// group has more digits, so "1000 200", two numbers, is not read as one.
 bool separatesGroups(const QString& text, qsizetype at) {
     const auto isDigit = [&text](qsizetype i) {
         return i >= 0 && i < text.size() && text.at(i) >= u'0' && text.at(i) <= u'9';

@@ -216,8 +216,9 @@ void ConnectionBar::showLink(const LinkState& state) {
              : tr("Opens the port and only reads: only status requests are sent. STOP ALL still works."));
     look::setPossible(m_disconnect, open ? QString() : tr("No port is open."), tr("Closes the port."));
     look::setPossible(m_port, whyNot, tr("The serial port of the modules, or the simulator."));
-    look::setPossible(m_baud, whyNot,
-                      tr("The baud rate for a chain without addresses; one that has them keeps its own."));
+    look::setPossible(
+        m_baud, whyNot,
+        tr("The baud rate for a chain without addresses; a chain that has them keeps its rate."));
     m_stop->setEnabled(state.hasChain());
     const auto modules = static_cast<int>(state.modules.size());
     const auto reachable = static_cast<int>(std::ranges::count_if(

@@ -258,7 +258,7 @@ void ModelBox::refreshButtons() {
     look::setPossible(
         m_steps, m_form.whyNotNow(steps),
         one ? tr("The motor jumps once more, as far as before; the model is then found from the recent steps. Make sure that everything it drives can move freely.")
-            : tr("The motor jumps by the distance of the step and back, then twice as far and back, but at most by %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.")
+            : tr("The motor jumps by the distance of the step and back, then twice as far and back, but no farther than %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.")
                   .arg(kLongestStep / 2)
                   .arg(kLongestStep));
 }
