@@ -80,6 +80,7 @@ TEST_F(OtherPrograms, SetGainsWithinATrialOverThoseFromBefore) {
     gains.kp = 250;
     emit panel.window().requests().intent(ModuleIndex(0), intent::TryGains{gains, 10.0});
     ASSERT_TRUE(panel.waitFor([&] { return panel.module().gains->kp == 250; }));
+    ASSERT_NO_FATAL_FAILURE(control(client)) << "the user's trial has ended it";
     EXPECT_EQ(client.call("set_gains", {{"axis", 1}, {"kd", 1'800}})["result"]["accepted"], true);
     gains.kp = 200;
     gains.kd = 1'800;

@@ -238,8 +238,8 @@ protected:
         window->showProcedure(report);
         showServo({.on = on, .millisecond = ++m_millisecond});
     }
-    Wheel wheel;
     std::vector<Intent> asked;
+    Wheel wheel;  // unplugged first, which ends a move
 
 private:
     int m_millisecond = 0;

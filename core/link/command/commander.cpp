@@ -130,6 +130,7 @@ bool Commander::hold(const bus::HoldToMove& wanted) {
     if (m_procedures.stopsLater(wanted.module))
         return false;
     emit aboutToHold(wanted.module);
+    m_held = {wanted.module, monotonicNow()};
     m_worker.hold(*hold);
     return true;
 }
@@ -235,7 +236,8 @@ void Commander::sendTravelLimits() {
 }
 
 /// The bus stops only a motion without an end. A run towards a limit was sent as a move that ends there,
-/// which would pass one that is set nearer meanwhile, as any other move would.
+/// which would pass one that is set nearer meanwhile, as any other move would. A motion that is held ends
+/// with its next call, which has another limit for its goal, and says so.
 void Commander::stopBeyondTravel() {
     const std::vector<bus::TravelLimits> before = std::exchange(m_goalsWithin, m_travelLimits);
     std::vector<ModuleIndex> beyond;
@@ -244,7 +246,9 @@ void Commander::stopBeyondTravel() {
         const bool changed = place >= before.size() || before[place] != m_travelLimits[place];
         const auto position = module.position();
         const auto goal = module.goal();
-        if (changed && module.moving() && position && goal &&
+        const bool held = m_held && m_held->first == module.info.index &&
+                          monotonicNow() - m_held->second < bus::EngineConfig{}.holdTimeout;
+        if (changed && !held && module.moving() && position && goal &&
             beyondTravel(*position, *goal, m_travelLimits[place]))
             beyond.push_back(module.info.index);
     }

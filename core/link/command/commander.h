@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "bus/engineconfig.h"
 #include "link/command/procedurecontroller.h"
 #include "link/command/sequencecontroller.h"
 #include "link/connection/busstore.h"
@@ -83,10 +84,11 @@ private:
     std::uint32_t m_lastOperation = 0;
     std::vector<bus::TravelLimits> m_travelLimits;  ///< as last sent; empty: the bus may have other limits
     std::vector<bus::TravelLimits> m_goalsWithin;   ///< those by which the goals were last judged
-    std::vector<bus::StopOutputs> m_stopOutputs;    ///< as last sent; empty: the bus may have others
-    std::map<ModuleIndex, TimePoint> m_armedAt;     ///< when a limit stop was last sent
-    std::set<ModuleIndex> m_tested;                 ///< by running procedures (isTest)
-    QTimer m_focusTimer;                            ///< renews the focus, which the bus otherwise withdraws
+    std::optional<std::pair<ModuleIndex, TimePoint>> m_held;  ///< the last call of hold(), and its time
+    std::vector<bus::StopOutputs> m_stopOutputs;  ///< as last sent; empty: the bus may have others
+    std::map<ModuleIndex, TimePoint> m_armedAt;   ///< when a limit stop was last sent
+    std::set<ModuleIndex> m_tested;               ///< by running procedures (isTest)
+    QTimer m_focusTimer;                          ///< renews the focus, which the bus otherwise withdraws
 };
 
 }  // namespace nmc
