@@ -641,11 +641,14 @@ void Engine::adopt(ChainFound found, const Discovery& discovery, TimePoint now) 
         if (module.owed)
             found.commandedToStop.push_back(module.belief.info().index);
     m_events.emplace_back(found);
-    for (const ModuleIndex module : found.absent)
+    for (const ModuleIndex module : found.absent) {
         if (rejoined->restarted == module)
             m_restartSearch.setRestarted(module, now);
         else
             m_recovery.lose(module, now);
+        if (before.has(module) && before.schedule().sought(module))
+            m_chain.schedule().noteSought(module);
+    }
     if (!found.unaddressed)
         m_chain.schedule().noteSought();
     for (const Discovery::Heard& answer : discovery.heard())

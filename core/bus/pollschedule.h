@@ -69,6 +69,8 @@ public:
         for (Module& module : m_modules)
             module.sought = module.silent;
     }
+    /// The same was found of this one before.
+    void noteSought(ModuleIndex module) { at(module).sought = true; }
     /// It had not restarted when it was looked for, and has been silent since.
     [[nodiscard]] bool sought(ModuleIndex module) const { return m_modules[module.value()].sought; }
     /// The module is not polled any more, until it recovers. It has answered until now, or is known to have

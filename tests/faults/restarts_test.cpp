@@ -116,12 +116,18 @@ TEST(F15_ModulePowerCycledBesideASilentOne, IsNotNamedWhereEitherMayBeIt) {
     bus.fault("module 1 silent");
     bus.runFor(3s);
     ASSERT_TRUE(bus.stopAll());
-    const std::size_t from = bus.sent.size();
+    std::size_t from = bus.sent.size();
     bus.fault("module 2 powercycle");
     bus.runFor(10s);
     EXPECT_GT(bus.sends(kQueryOfRestarted, from), 0U);
     EXPECT_EQ(bus.count<ModuleRestarted>(), 0U);
     EXPECT_GT(bus.sends("AA 01 17", from), 0U);
+    ASSERT_TRUE(bus.connect());
+    from = bus.sent.size();
+    bus.runFor(20s);
+    EXPECT_GT(bus.sends(kQueryOfRestarted, from), 0U);
+    EXPECT_EQ(bus.count<ModuleRestarted>(), 0U) << "a scan forgets nothing";
+    EXPECT_GT(bus.sends("AA 01 17", from), 0U) << "its stop is owed";
 }
 
 /// The answer about another module, from before the chain was searched for again, says nothing of this one.
