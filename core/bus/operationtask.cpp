@@ -21,11 +21,16 @@ constexpr unsigned kRepeatsAfterLook = 2;
 }  // namespace
 
 bool OperationTask::onChange(const Change& change) {
+    if (change.kind == Change::Kind::Stopped) {
+        if (m_commands.isFor(change.modules) && !m_commands.swings())
+            oweStop();  // it may not have arrived, and be firmer
+        return cancelFor(change.modules);
+    }
     if (!change.cancelsAll())
-        return change.kind == Change::Kind::Stopped && cancelFor(change.modules);
+        return false;
     const bool stopsAll = change.kind == Change::Kind::StopAll || change.kind == Change::Kind::GivenUp;
-    if (!stopsAll && !m_commands.empty() && m_commands.group() == nullptr)
-        oweStop(m_commands.order());  // it may not have arrived
+    if (!stopsAll)
+        oweStop();
     m_group.reportUnknown();
     for (Event& event : m_commands.cancelAll())
         report(std::move(event));
@@ -182,8 +187,12 @@ void OperationTask::onStepEnd(const Ask& ask, const ReplyEnd& end) {
     fail(end);
 }
 
-/// A stop that was not answered is repeated until it is. Not if the servo was off: it would be switched on.
-void OperationTask::oweStop(const Order& order) {
+/// If the present order is a stop, it is repeated until it is answered. Not if the servo was off: it would be
+/// switched on.
+void OperationTask::oweStop() {
+    if (m_commands.empty() || m_commands.group() != nullptr)
+        return;
+    const Order& order = m_commands.order();
     const auto manner = stopManner(order.command);
     if (manner && m_chain.has(order.module) &&
         (*manner == StopManner::Off || m_chain.belief(order.module).on()))
@@ -203,7 +212,7 @@ void OperationTask::fail(const ReplyEnd& end) {
     if (m_commands.group() == nullptr) {
         m_chain.takeUnanswered(m_commands.order().module, end.latched);
         if (!refused)
-            oweStop(m_commands.order());
+            oweStop();
     }
     m_group.reportUnknown();
     report(m_commands.finish(refused ? Outcome::Refused : Outcome::NoAnswer));

@@ -61,7 +61,7 @@ private:
     void onStepEnd(const Ask& ask, const ReplyEnd& end);
     void accept(const ReplyEnd& end);
     void fail(const ReplyEnd& end);
-    void oweStop(const Order& order);
+    void oweStop();
 
     CommandLane m_commands;
     GroupWork m_group;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "tests/bus/scriptedbus.h"
+#include "tests/bus/steps.h"
 
 namespace nmc::test {
 
@@ -23,7 +24,7 @@ protected:
         bus.runFor(200ms);
         bus.answer = [this](ByteSpan packet) {
             auto bytes = bus.likeAServo(packet);
-            if (packet[1] == 2 && !bytes.empty() && ++m_answers % 4 == 0) {
+            if (packet[1] == 2 && !bytes.empty() && ++answers % 4 == 0) {
                 ++bytes.back();
                 ++wrong;
             }
@@ -43,10 +44,8 @@ protected:
     }
 
     ScriptedBus bus{2};
+    unsigned answers = 0;
     unsigned wrong = 0;
-
-private:
-    unsigned m_answers = 0;
 };
 
 // Each round of four answers puts 10 in and takes 3 out: 10, 17, 24, 31; and 94, 101 at the 13th and 14th.
@@ -89,6 +88,19 @@ TEST_F(LinkHealthOfOneModule, StaysLost) {
     bus.runFor(5s);
     ASSERT_EQ(bus.count<StopFinished>(), 1U);
     EXPECT_EQ(levels(), (std::vector{LinkHealth::Marginal, LinkHealth::Lost}));
+}
+
+// The 55th answer is that to a poll; the 56th is the 14th wrong one.
+TEST_F(LinkHealthOfOneModule, IsLostByTheAnswerToItsMotorOffWhichIsStillOwed) {
+    ASSERT_TRUE(bus.runUntil([&] { return answers == 55; }));
+    const std::size_t from = bus.sent.size();
+    bus.engine.submit({OperationId(1), {motorOff(1)}}, bus.now);
+    ASSERT_TRUE(bus.runUntil([&] { return bus.count<OwedStopConfirmed>() == 1; }));
+    EXPECT_EQ(levels(), (std::vector{LinkHealth::Marginal, LinkHealth::Lost}));
+    EXPECT_EQ(bus.all<OperationFinished>().at(0).outcome, Outcome::Cancelled);
+    EXPECT_EQ(bus.all<OwedStopConfirmed>().at(0).cause, StopCause::LinkGivenUp);
+    EXPECT_GE(bus.sends("AA 02 17 02 1B", from), 1U);
+    EXPECT_EQ(bus.sends("AA 02 17 05 1E", from), 0U) << "it would be switched on again";
 }
 
 /// It was given up because of errors, so it has not restarted, and is owed its stop.
