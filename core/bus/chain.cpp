@@ -163,7 +163,8 @@ void Chain::owe(ModuleIndex index, StopCause cause, StopManner manner) {
     if (m_readOnly && cause != StopCause::StopAll)
         return;  // the user did not request it
     // A motor that runs the wrong way would continue with its servo on.
-    const bool bothWanted = module.owed && ofOperator(module.owed->cause) && ofOperator(cause);
+    const bool bothWanted =
+        module.owed && ofOperator(module.owed->cause) && ofOperator(cause) && cause != StopCause::TravelLimit;
     if (module.owed && !bothWanted)
         manner = firmer(manner, module.owed->target.manner());
     const auto before = std::exchange(module.owed, OwedStop{StopTarget(module.belief, manner), cause});

@@ -497,6 +497,7 @@ TEST(OwedStop, IsMadeGentlerOnlyIfTheOperatorWantsBoth) {
     using enum StopManner;
     EXPECT_EQ(after(StopCause::GroupStop, Off, StopCause::GroupStop, Smoothly), Smoothly);
     EXPECT_EQ(after(StopCause::GroupStop, Off, StopCause::LinkGivenUp, Abruptly), Off);
+    EXPECT_EQ(after(StopCause::GroupStop, Off, StopCause::TravelLimit, Smoothly), Off);
     EXPECT_EQ(after(StopCause::MotionSuspect, Off, StopCause::GroupStop, Smoothly), Off);
     EXPECT_EQ(after(StopCause::PathEnded, Smoothly, StopCause::GroupStop, Abruptly), Abruptly);
 }
