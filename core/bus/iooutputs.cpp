@@ -20,6 +20,8 @@ void IoOutputs::onSent(const io::SetOutput& set) {
     m_levelsOpen = m_levelsOpen || m_answered.outputs != set.outputs;
     if (m_answered.outputs)
         *m_answered.outputs &= set.outputs;
+    if (m_pins)
+        *m_pins &= set.outputs;  // until they are read again
 }
 
 void IoOutputs::onSent(const io::SetPwm& set) {

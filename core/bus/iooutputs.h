@@ -55,8 +55,8 @@ private:
     /// Registers as answered. A stop must switch nothing on, so what an unanswered command may have switched
     /// off, or changed to another PWM value, is 0.
     IoRegisters m_answered;
-    bool m_levelsOpen = false;  ///< an unanswered command may have changed them
-    std::optional<std::uint16_t> m_pins;
+    bool m_levelsOpen = false;            ///< an unanswered command may have changed them
+    std::optional<std::uint16_t> m_pins;  ///< as last read, likewise
 };
 
 }  // namespace nmc::bus

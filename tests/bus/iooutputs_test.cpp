@@ -63,6 +63,17 @@ TEST(IoOutputs, WhatWasSwitchedOffAndNotAnsweredStaysOff) {
     EXPECT_EQ(pump.levels(), 0x0004);
 }
 
+/// The levels are known only from the pins, as none has been set in this connection.
+TEST(IoOutputs, WhatWasSwitchedOffAndNotAnsweredStaysOffUntilItIsReadBack) {
+    IoOutputs outputs = with(kPump);
+    outputs.forget();
+    outputs.onPins(kPumpAndLamp);
+    outputs.onSent(io::SetOutput{0x0004});
+    EXPECT_EQ(outputs.stop(), pins(0));
+    outputs.onPins(kPumpAndLamp);
+    EXPECT_EQ(outputs.stop(), pins(0x0001)) << "it was not carried out";
+}
+
 TEST(IoOutputs, APwmOutputThatWasNotToChangeKeepsItsValue) {
     IoOutputs outputs = with(kHeater);
     tell(outputs, io::SetPwm{100, 200});
