@@ -506,6 +506,8 @@ Engine::Turn Engine::take(Task& task, TimePoint now) {
 }
 
 Engine::Turn Engine::repeat(bool atOnce, TimePoint now) {
+    if (m_again && m_again->task == &m_trials && m_trials.isOver(m_again->ask))
+        m_again.reset();
     if (!m_again || m_again->ask.repeatAtOnce != atOnce)
         return Turn::Free;
     if (!m_line.idle())
@@ -887,14 +889,15 @@ void Engine::noteHealth(const Ask& ask, const ReplyEnd& end, TimePoint now) {
 bool Engine::repeats(Work& work, const ReplyEnd& end) {
     if (end.result == ReplyResult::Accepted || work.task == nullptr)
         return false;
+    const bool over = work.task == &m_trials && m_trials.isOver(work.ask);
     if (end.result == ReplyResult::Refused) {
         ++work.refusals;
         const auto attempt = static_cast<std::uint8_t>(work.refusals + work.ask.refusedBefore);
         if (work.ask.module)
             m_events.emplace_back(CommandRefused{*work.ask.module, attempt});
-        return work.refusals < work.ask.refusedAttempts;
+        return !over && work.refusals < work.ask.refusedAttempts;
     }
-    if (work.ask.silentRepeats == 0)
+    if (over || work.ask.silentRepeats == 0)
         return false;
     --work.ask.silentRepeats;
     return true;

@@ -57,6 +57,13 @@ void TrialTask::forget(ModuleIndex module) {
     m_chain.at(module).trial.reset();
 }
 
+bool TrialTask::isOver(const Ask& ask) const {
+    const auto& trial = m_chain.at(*ask.module).trial;
+    const bool returns = trial && trial->phase == Trial::Phase::Returning;
+    return ask.reported &&
+           (!trial || (returns && ask.command != ModuleCommand(ServoCommand(trial->net.back))));
+}
+
 void TrialTask::noteLosses() {
     for (const Chain::Module& module : m_chain.modules()) {
         const ModuleIndex index = module.belief.info().index;
@@ -128,9 +135,6 @@ Next TrialTask::next(TimePoint now) {
         Ask ask =
             m_chain.command(Purpose::Operation, {index, ServoCommand(back ? trial.net.back : trial.tried)});
         ask.reported = true;
-        // A repeat would follow the stop that has ended the trial meanwhile.
-        if (!back)
-            ask.silentRepeats = 0;
         return ask;
     }
     return Idle{};

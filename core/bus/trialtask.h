@@ -29,6 +29,8 @@ public:
     void leave(const std::vector<ModuleIndex>& modules);
     /// The module has other gains, or none.
     void forget(ModuleIndex module);
+    /// The gains that this request of the task sets are not to be tried any more, nor sent again.
+    [[nodiscard]] bool isOver(const Ask& ask) const;
     /// A module that restarted has no gains; one that does not answer gets the previous ones once it does.
     void noteLosses();
     void forgetAll();

@@ -228,6 +228,34 @@ TEST_F(Trials, AreNotSentAgainAfterTheStopThatEndsThem) {
     EXPECT_FALSE(bus.servo(0).servoOn);
 }
 
+TEST_F(Trials, AreNotSentAgainWhenTheyAreRefusedAfterTheStopThatEndsThem) {
+    const std::size_t from = bus.sent.size();
+    bool refused = false;
+    bus.onCommand = [&](std::vector<std::uint8_t>& command) {
+        if (command.size() > 10 && !std::exchange(refused, true))
+            command.back() ^= 0x40U;  // the module flags a communication error
+    };
+    id = bus.submit({.id = {}, .orders = {toServo(0, kOther)}, .trial = GainTrial{kGood, 0, 2'000, 10s}});
+    ASSERT_TRUE(bus.runUntil([&] { return refused; }, 1s));
+    bus.submit({motorOff(0)});
+    bus.runFor(1s);
+    EXPECT_EQ(bus.sends("AA 01 E6 96 00", from), 1U) << "Kp is 150";
+    EXPECT_TRUE(has(kGood));
+    EXPECT_FALSE(bus.servo(0).servoOn);
+}
+
+TEST_F(Trials, GoOnAfterALostAnswer) {
+    const std::size_t from = bus.sent.size();
+    bool lost = false;
+    bus.losesReply = [&](ByteSpan command) { return command.size() > 10 && !std::exchange(lost, true); };
+    id = bus.submit({.id = {}, .orders = {toServo(0, kOther)}, .trial = GainTrial{kGood, 0, 2'000, 10s}});
+    bus.runFor(1s);
+    EXPECT_TRUE(lost);
+    EXPECT_EQ(bus.sends("AA 01 E6 96 00", from), 2U) << "Kp is 150";
+    EXPECT_TRUE(has(kOther));
+    EXPECT_FALSE(finished());
+}
+
 TEST_F(Trials, WhateverElseIsAskedOfTheModuleEndsThemFirst) {
     beginTrial(kOther);
     ASSERT_EQ(bus.perform({loadMove(0, 500), start(0)}), Outcome::Done);
