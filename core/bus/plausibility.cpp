@@ -80,7 +80,8 @@ struct Plausibility::Sent {
         // Until the answer, the old gains may still be in use.
         if (p.m_divisor)
             p.m_divisor = std::max(*p.m_divisor, gain.sr);
-        p.m_errorLimit = std::max(p.m_errorLimit.value_or(gain.el), gain.el);
+        if (p.m_errorLimit)
+            p.m_errorLimit = std::max(*p.m_errorLimit, gain.el);
         p.jerk(latched, kSwing);
     }
     /// A path has no acceleration: its speed may change from one point to the next.

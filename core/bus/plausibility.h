@@ -128,7 +128,8 @@ private:
     std::optional<Jerk> m_jerk;
     /// The last command that may move the motor, until a later reply shows it at rest.
     std::optional<TimePoint> m_commandedAt;
-    std::optional<std::uint16_t> m_errorLimit;  ///< the largest EL since the last answered one
+    std::optional<std::uint16_t>
+        m_errorLimit;      ///< the largest EL since the last answered one; empty if unknown
     bool m_mayRun = true;  ///< it may run below the velocity item's resolution, until a stop or move
     std::optional<TimePoint> m_mayEnable;  ///< the last command that may have switched the servo on
     /// SR, the largest since the last answered one: velocities are in counts per this many ticks (DS-V 5.2);

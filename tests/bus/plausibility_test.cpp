@@ -246,19 +246,29 @@ TEST(Plausibility, TakesAMotionThatSomebodyElseBeganForNoJump) {
 
 /// The servo would have switched off before it reached this position.
 TEST(Plausibility, RejectsAHoldingServoBeyondItsErrorLimit) {
+    const ModuleCommand limit =
+        ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, 100, 1, std::uint8_t{0}});
     Servo servo;
-    servo.sends(ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, 100, 1, std::uint8_t{0}}));
+    servo.sends(limit);
+    servo.plausibility.onAnswered(limit);
     servo.sends(enable(0).command);
     for (int i = 0; i < 60; ++i)
         EXPECT_EQ(servo.says({}, i % 2 == 0 ? kLong : kShort), std::nullopt);
     EXPECT_EQ(servo.says({.position = 190}, kLong, 250ms), std::nullopt)
         << "from one end of its error to the other";
     Servo other;
-    other.sends(ServoCommand(servo::SetGain{200, 2000, 20, 200, 255, 0, 100, 1, std::uint8_t{0}}));
+    other.sends(limit);
+    other.plausibility.onAnswered(limit);
     other.sends(enable(0).command);
     for (int i = 0; i < 60; ++i)
         EXPECT_EQ(other.says({}, i % 2 == 0 ? kLong : kShort), std::nullopt);
     EXPECT_EQ(other.says({.position = 300}, kLong, 250ms), Rejection::PositionJump);
+    Servo unknown;
+    unknown.sends(limit);  // not answered: the one from before may still apply
+    unknown.sends(enable(0).command);
+    for (int i = 0; i < 60; ++i)
+        EXPECT_EQ(unknown.says({}, i % 2 == 0 ? kLong : kShort), std::nullopt);
+    EXPECT_EQ(unknown.says({.position = 300}, kLong, 250ms), std::nullopt);
 }
 
 /// After a command, it may go as far as the command allows, however long it was not queried.
