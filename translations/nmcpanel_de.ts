@@ -4576,6 +4576,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Seine Gruppe ist unbekannt und würde sich mit der Adresse ändern. Zuerst seine Gruppe setzen oder keine.</translation>
     </message>
     <message>
+        <source>Another module without an address would take it. Assign that module&apos;s address first, or restart the network.</source>
+        <translation>Ein anderes Modul ohne Adresse würde sie annehmen. Zuerst diesem Modul seine Adresse geben oder das Netzwerk neu starten.</translation>
+    </message>
+    <message>
         <source>The exact position that the servo holds is unknown. Choose Hold here first, or move the motor.</source>
         <translation>Die genaue Position, die der Servo hält, ist unbekannt. Zuerst „Erst hier halten“ wählen oder den Motor verfahren.</translation>
     </message>

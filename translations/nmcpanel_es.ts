@@ -4576,6 +4576,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Su grupo se desconoce y cambiaría con la dirección. Asígnele primero un grupo, o ninguno.</translation>
     </message>
     <message>
+        <source>Another module without an address would take it. Assign that module&apos;s address first, or restart the network.</source>
+        <translation>Otro módulo sin dirección la tomaría. Asigne primero la dirección de ese módulo o reinicie la red.</translation>
+    </message>
+    <message>
         <source>The exact position that the servo holds is unknown. Choose Hold here first, or move the motor.</source>
         <translation>Se desconoce la posición exacta que mantiene el servo. Elija primero “Mantener aquí” o mueva el motor.</translation>
     </message>

@@ -4576,6 +4576,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Son groupe est inconnu et changerait avec l’adresse. Définissez d’abord son groupe, ou aucun.</translation>
     </message>
     <message>
+        <source>Another module without an address would take it. Assign that module&apos;s address first, or restart the network.</source>
+        <translation>Un autre module sans adresse la prendrait. Attribuez d’abord l’adresse de ce module, ou redémarrez le réseau.</translation>
+    </message>
+    <message>
         <source>The exact position that the servo holds is unknown. Choose Hold here first, or move the motor.</source>
         <translation>La position exacte que maintient le servo est inconnue. Choisissez «&#xa0;Maintenir d’abord ici&#xa0;», ou déplacez le moteur.</translation>
     </message>

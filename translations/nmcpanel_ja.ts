@@ -4564,6 +4564,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>グループが不明で、アドレスとともに変わってしまいます。先にグループを設定するか、「なし」にしてください。</translation>
     </message>
     <message>
+        <source>Another module without an address would take it. Assign that module&apos;s address first, or restart the network.</source>
+        <translation>アドレスのない別のモジュールがこのアドレスを受け取ってしまいます。先にそのモジュールのアドレスを割り当てるか、ネットワークを再起動してください。</translation>
+    </message>
+    <message>
         <source>The exact position that the servo holds is unknown. Choose Hold here first, or move the motor.</source>
         <translation>サーボが保持している正確な位置が不明です。「先にここで保持」を選択するか、モーターを動かしてください。</translation>
     </message>

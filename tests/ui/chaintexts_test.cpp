@@ -83,7 +83,7 @@ TEST(ChainTexts, AddressThatIsTaken) {
 
 TEST(ChainTexts, AddressThatAnotherModuleWouldTake) {
     const Message m = texts::notReaddressed({ModuleIndex(1), bus::ReaddressFailed::Reason::Unaddressed});
-    EXPECT_TRUE(m.body.startsWith(u"A module without an address also answered; it cannot be used yet. "_s))
+    EXPECT_TRUE(m.body.startsWith(u"Another module without an address would take it. "_s))
         << m.body.toStdString();
     EXPECT_EQ(m.actions.size(), 2);
 }

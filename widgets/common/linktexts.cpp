@@ -309,7 +309,8 @@ Message notReaddressed(const bus::ReaddressFailed& failed) {
             m.actions.clear();
             break;
         case Reason::Unaddressed:
-            m.body = unaddressed().headline + u' ' + unaddressed().body;
+            m.body = Texts::tr(
+                "Another module without an address would take it. Assign that module's address first, or restart the network.");
             break;
     }
     return m;
