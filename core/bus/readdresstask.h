@@ -12,8 +12,8 @@ namespace nmc::bus {
 
 /// Gives a module that restarted its address back, and switches it to the chain's rate; or first resets one
 /// module alone (DS-V 5.2, DS-S 5.1 Hard Reset). The other modules are unaffected; the module itself has lost
-/// everything but its type. Another module without an address would take this one, so it is verified first
-/// that there is none. Or gives a module that answers another address, while it keeps everything else:
+/// everything but its type. Another module without an address would take the address, so it is verified
+/// first that there is none. Or gives a module that answers another address, while it keeps everything else:
 /// it is verified first that the address is free, and where the module is if its answer was lost (link.md
 /// 2.3). Ends in Readdressed, AddressChanged or ReaddressFailed.
 class ReaddressTask : public Task {

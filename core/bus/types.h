@@ -433,7 +433,7 @@ struct ReaddressFailed {
         NoAnswer,
         Taken,         ///< another module has that address, or it is outside 1..127
         GroupUnknown,  ///< the group would be changed with the address
-        Unaddressed,   ///< another module without an address would take this one
+        Unaddressed,   ///< another module without an address would take the address
     };
     ModuleIndex module;
     Reason reason = Reason::NotNow;

@@ -8,8 +8,8 @@
 namespace nmc {
 
 struct RetryRule {
-    /// When there is no answer, and the command may or may not have been carried out (link.md 2.3). 0: it
-    /// could move twice, or redo what has been undone since.
+    /// Repeats after silence, when the command may or may not have been carried out (link.md 2.3). 0: a
+    /// repeat could move twice, or redo what has been undone since.
     std::uint8_t silentRepeats = 0;
     std::uint8_t refusedAttempts = 3;  ///< in total, when the module refuses the command (NAK)
     bool atOnce = false;               ///< a stop: repeats are preceded only by nulls, not by a resync
