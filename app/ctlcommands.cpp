@@ -457,7 +457,7 @@ CtlCommands::Exit CtlCommands::gains(const Command& command, const Words& words)
             m_out << text(name) << '=' << shown(value) << '\n';
         return Done;
     }
-    Json parameters{{"axis", axis.at("number")}};
+    Json parameters{{"axis", axisOf(words.values[0])}};
     const auto& fields = command.method->fields;
     for (const QString& word : words.values.mid(1)) {
         const std::string name = word.section(QLatin1Char('='), 0, 0).toLower().toStdString();
@@ -490,20 +490,22 @@ CtlCommands::Exit CtlCommands::request(const api::Method& method, const Json& pa
     if (const auto done = m_client.call(method.name, parameters); !done)
         return report(done.error());
     const bool one = parameters.contains("axis");
+    const QString axis = one ? shown(parameters["axis"]) : QString();
     if (method.name == "stop" && !one)
         m_control = false;  // as for every program
-    if (!one && isOneOf(method.name, std::array{"stop", "wait"}))
-        m_leavesRunning = false;
-    if (!(waits || m_alwaysWaits) || method.access == api::Access::Read) {
-        m_leavesRunning |= method.access == api::Access::Control;
+    if (isOneOf(method.name, std::array{"stop", "wait"}))
+        noteOver(axis);
+    else if (method.access == api::Access::Control)
+        m_underway.insert(axis);
+    if (!(waits || m_alwaysWaits) || method.access == api::Access::Read)
         return Done;
-    }
     const auto rest = m_client.call("wait", one ? Json{{"axis", parameters["axis"]}} : Json::object());
     // A stop of all motors has cancelled what this program had requested before, and they are at rest.
     if (!rest && method.name == "stop" && !one && rest.error().reason == "NotCarriedOut")
         return Done;
     if (!rest)
         return reportEnd(rest.error());
+    noteOver(axis);
     if (one && movesToGoal(method.name) && method.name != "home" && rest->at("on") == false) {
         m_problems << "The motor has gone off." << Qt::endl;
         return NotCarriedOut;
@@ -561,15 +563,22 @@ std::optional<CtlCommands::Exit> CtlCommands::takeControl() {
     return NoControl;
 }
 
+void CtlCommands::noteOver(const QString& axis) {
+    if (axis.isEmpty())
+        m_underway.clear();
+    else
+        m_underway.erase(axis);
+}
+
 CtlCommands::Exit CtlCommands::leaveRunning() {
-    if (!m_leavesRunning)
-        return Done;
-    if (!mayMove()) {  // the user would be asked again
-        m_problems << "Control is lost: what was not waited for may have been stopped." << Qt::endl;
-        return NotCarriedOut;
+    if (mayMove()) {  // otherwise the user would be asked again
+        const auto left = m_client.call("request_control", {{"on_disconnect", "finish"}});
+        return left || m_underway.empty() ? Done : report(left.error());
     }
-    const auto left = m_client.call("request_control", {{"on_disconnect", "finish"}});
-    return left ? Done : report(left.error());
+    if (m_underway.empty())
+        return Done;
+    m_problems << "Control is lost: what was not waited for may have been stopped." << Qt::endl;
+    return NotCarriedOut;
 }
 
 CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {

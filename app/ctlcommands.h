@@ -8,6 +8,7 @@
 #include <QTextStream>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -92,6 +93,8 @@ private:
     [[nodiscard]] ApiClient::Or<std::optional<Json>> next(const QDeadlineTimer& until);
     /// Whether it still has control after what has been notified of until now, which is dropped.
     [[nodiscard]] bool mayMove();
+    /// It was stopped or waited for; without an axis, everything was.
+    void noteOver(const QString& axis);
     void warnOfLimits(const QString& axis);
     void showPlace(const Json& axis);
     /// Whether all of the output is; says so if it is not.
@@ -106,7 +109,7 @@ private:
     QTextStream& m_out;
     QTextStream& m_problems;
     bool m_control = false;        ///< mayMove() knows better
-    bool m_leavesRunning = false;  ///< something was begun and not waited for
+    std::set<QString> m_underway;  ///< axes, as written, begun and not waited for; empty: a sequence
 };
 
 }  // namespace nmc

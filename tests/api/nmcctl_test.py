@@ -416,9 +416,17 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
 
     def test_says_that_what_it_left_running_is_stopped_because_control_is_lost(self):
         lost = ("control_lost", {"reason": "The user has commanded a motor."})
-        for script, expected in (("move 1 500\nmove 2 5 --wait\n", NOT_CARRIED_OUT), ("move 1 500\nwait\n", DONE)):
+        for method, script, expected in (
+                ("wait", "move 1 500\nmove 2 5 --wait\n", NOT_CARRIED_OUT), ("wait", "move 1 500\nwait\n", DONE),
+                ("wait", "run-sequence A\nmove 1 500 --wait\n", NOT_CARRIED_OUT),
+                ("wait", "move 1 500\nrun-sequence A --wait\n", DONE),
+                ("state", "move 1 500\nwait 1\nstate 1\n", DONE), ("state", "move 1 500\nstop 1\n", DONE),
+                ("state", "enable 1\nmove 1 500 --wait\n", DONE),
+                ("state", "gains X --set kp=1\nmove X 500 --wait\n", DONE),
+                ("state", "move 1 500\nwait 2\nstate 1\n", NOT_CARRIED_OUT),
+                ("state", "move 1 500\nwait 1\nmove 1 0\nstate 1\n", NOT_CARRIED_OUT)):
             with self.subTest(script):
-                code, _, problems = PanelAsWritten(self, news={"wait": (lost,)}).ctl("-", text=script)
+                code, _, problems = PanelAsWritten(self, news={method: (lost,)}).ctl("-", text=script)
                 self.assertEqual(code, expected)
                 self.assertEqual("Control is lost" in problems, expected != DONE, problems)
 
