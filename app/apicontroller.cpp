@@ -508,22 +508,25 @@ void ApiController::run(Client client, const api::Method& method, const Json& pa
     answer(client, id, {{"accepted", true}});
 }
 
-/// What the bus has ended goes on with another press only. Whatever just expires is no longer held here
-/// either.
+/// What the bus has ended goes on with another press only, also where the last call was in time by the clock
+/// of this thread but not by that of the bus.
 void ApiController::endJogs(const StoreEvent& event) {
-    const auto* expired = std::get_if<bus::HoldExpired>(&event);
-    if (!endsHold(event) || (expired != nullptr && expired->reason == bus::HoldExpired::Reason::Expired))
+    if (!endsHold(event))
         return;
-    const auto only =
-        std::visit(Overloaded{
-                       [](const AnyOf<bus::HoldExpired, bus::MotionSuspect, bus::HealthChanged> auto& news) {
-                           return std::optional<ModuleIndex>(news.module);
-                       },
-                       [](const auto&) { return std::optional<ModuleIndex>(); },
-                   },
-                   event);
+    const auto ends = [&event](const bus::HoldToMove& held) {
+        return std::visit(
+            Overloaded{
+                [&held](const bus::HoldExpired& expired) { return expired.press == held.press; },
+                [&held](const AnyOf<bus::MotionSuspect, bus::HealthChanged> auto& news) {
+                    const std::optional<ModuleIndex> only = news.module;
+                    return !only || *only == held.module;
+                },
+                [](const auto&) { return true; },
+            },
+            event);
+    };
     for (auto& [client, session] : m_sessions)
-        if (isHeld(session) && (!only || session.held.module == *only))
+        if (isHeld(session) && ends(session.held))
             session.stopped = true;
 }
 

@@ -69,7 +69,7 @@ void HoldTask::expire(TimePoint now) {
         return;
     // If there is nothing to stop, nothing had been started.
     if (m_sent)
-        m_events.emplace_back(HoldExpired{m_wanted->module});
+        m_events.emplace_back(HoldExpired{.module = m_wanted->module, .press = m_wanted->press});
     end(StopCause::HoldExpired);
 }
 
@@ -187,7 +187,7 @@ Next HoldTask::sendOrder(const Order& order) {
 
 void HoldTask::giveUp(HoldExpired::Reason reason) {
     if (m_wanted)
-        m_events.emplace_back(HoldExpired{m_wanted->module, reason, m_sent || m_loaded});
+        m_events.emplace_back(HoldExpired{m_wanted->module, reason, m_sent || m_loaded, m_wanted->press});
     end(StopCause::HoldExpired);
 }
 

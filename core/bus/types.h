@@ -492,7 +492,8 @@ struct HoldExpired {
     };
     ModuleIndex module;
     Reason reason = Reason::Expired;
-    bool started = true;  ///< or perhaps started, or loaded: its module is sent a stop
+    bool started = true;      ///< or perhaps started, or loaded: its module is sent a stop
+    std::uint32_t press = 0;  ///< see HoldToMove: it is over
 };
 
 /// Events that only show in the state of the modules and the link.

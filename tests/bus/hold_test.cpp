@@ -64,12 +64,14 @@ TEST_F(Hold, BeginsBehindAStopThatWasAskedForBefore) {
 
 TEST_F(Hold, EndsByItselfWhenTheEvidenceStopsComing) {
     enableFirst();
-    bus.engine.hold(forward(0), bus.now);
+    const HoldToMove press = forward(0);
+    bus.engine.hold(press, bus.now);
     const TimePoint last = bus.now;
     ASSERT_TRUE(bus.runUntil([&] { return bus.count<HoldExpired>() == 1; }, 1s));
     EXPECT_EQ(bus.now - last, Duration(250ms));
     EXPECT_EQ(bus.last<HoldExpired>()->module, ModuleIndex(0));
     EXPECT_EQ(bus.last<HoldExpired>()->reason, HoldExpired::Reason::Expired);
+    EXPECT_EQ(bus.last<HoldExpired>()->press, press.press);
     bus.runFor(300ms);
     EXPECT_EQ(bus.sends(kSmoothStop, from), 1U);
     EXPECT_EQ(bus.servo(0).commandVelocity, 0);
@@ -241,9 +243,11 @@ TEST_F(Hold, StopsWhenItsStartIsNotAnswered) {
 TEST_F(Hold, SaysThatItsStartWasNotAnsweredAlthoughItIsStillHeld) {
     enableFirst();
     bus.losesReply = [](ByteSpan command) { return command.size() > 2 && command[2] == 0x94; };
-    holdFor(500ms, forward(0));
+    const HoldToMove press = forward(0);
+    holdFor(500ms, press);
     ASSERT_EQ(bus.count<HoldExpired>(), 1U);
     EXPECT_EQ(bus.last<HoldExpired>()->reason, HoldExpired::Reason::NoAnswer);
+    EXPECT_EQ(bus.last<HoldExpired>()->press, press.press);
     EXPECT_TRUE(bus.last<HoldExpired>()->started) << "it may have been: its module was sent a stop";
     EXPECT_EQ(bus.servo(0).commandVelocity, 0);
 }

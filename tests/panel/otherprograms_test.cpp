@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "model/intent/jog.h"
 #include "tests/panel/otherprograms.h"
 #include "widgets/common/requests.h"
 #include "widgets/common/words.h"
@@ -779,6 +780,24 @@ TEST_F(OtherPrograms, AreToldThatAnotherTravelLimitHasEndedTheirJog) {
         answer = client.call("jog", jog);
     }
     EXPECT_EQ(answer["error"]["data"]["reason"], "NotCarriedOut") << answer.dump();
+    EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
+}
+
+/// The bus ends a press by its own clock, perhaps just before a call that is in time by the panel's.
+TEST_F(OtherPrograms, AreToldThatTheirJogHasExpiredBeforeACallThatWasInTime) {
+    OtherProgram client(panel, path());
+    ASSERT_NO_FATAL_FAILURE(ready(client));
+    const Json jog{{"axis", 1}, {"velocity", 0.5}};
+    ASSERT_EQ(client.call("jog", jog)["result"]["accepted"], true);
+    const std::uint32_t press = nextPress() - 1;
+    const auto expire = [&](std::uint32_t which) {
+        emit const_cast<BusStore&>(panel.composition().store())
+            .happened(bus::HoldExpired{.module = ModuleIndex(0), .press = which});
+    };
+    expire(press - 1);
+    EXPECT_EQ(client.call("jog", jog)["result"]["accepted"], true) << "that was an earlier press";
+    expire(press);
+    EXPECT_EQ(client.call("jog", jog)["error"]["data"]["reason"], "NotCarriedOut");
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
 }
 
