@@ -384,11 +384,15 @@ void ApiController::carryOut(Client client, const api::Method& method, const Jso
         noteCall(client, method, parameters);
     if (method.make == nullptr)
         return run(client, method, parameters, id);
-    LinkState link = m_store.link();
-    for (ModuleState& module : link.modules)
-        if (const auto before = m_commander.procedures().gainsBefore(module.info.index))
-            module.gains = before;  // what set_gains leaves out is not taken from a trial
-    const auto call = api::callOf(method, parameters, link, m_store.machine());
+    const LinkState& link = m_store.link();
+    std::optional<LinkState> beforeTrial;  // what set_gains leaves out is not taken from a trial
+    for (const ModuleState& module : link.modules)
+        if (const auto gains = m_commander.procedures().gainsBefore(module.info.index)) {
+            if (!beforeTrial)
+                beforeTrial = link;
+            beforeTrial->modules[module.info.index.value()].gains = gains;
+        }
+    const auto call = api::callOf(method, parameters, beforeTrial ? *beforeTrial : link, m_store.machine());
     if (!call)
         return refuse(client, id, call.error());
     if (const auto* hold = std::get_if<bus::HoldToMove>(&call->what))
