@@ -268,6 +268,7 @@ struct OperationFinished {
     std::vector<ModuleIndex> unloaded{};  ///< their loads are forgotten: a start would run none of them
     SineRecord sine{};                    ///< for Operation::sine
     std::optional<TrialEnd> trial{};      ///< for Operation::trial, with Done
+    bool sent = true;                     ///< false with Cancelled: that order certainly was not
 };
 
 enum class MemberOutcome : std::uint8_t {

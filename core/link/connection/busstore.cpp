@@ -181,7 +181,8 @@ void BusStore::note(const bus::OperationFinished& finished) {
     const auto command = static_cast<CommandCode>(finished.commandByte & 0x0FU);
     if (finished.outcome == bus::Outcome::Cancelled && known(finished.module)) {
         m_records[finished.module.value()].open = true;
-        doubtOutputs(finished.module, command);
+        if (finished.sent)
+            doubtOutputs(finished.module, command);
     }
     if (finished.outcome == bus::Outcome::NoAnswer)
         doubtCommand(finished.module, command);

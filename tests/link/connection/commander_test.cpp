@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "tests/link/connection/virtualconnection.h"
 #include "tests/support/gains.h"
@@ -227,16 +228,23 @@ TEST_F(CommanderTest, WhoeverHearsOfTheEndOfAProcedureMayBeginTheNext) {
     EXPECT_NEAR(position(), 500, 4);
 }
 
-/// It was carried out although nobody heard the answer: what the pins read back counts from then on.
-TEST(OutputsOfAPicIo, AreReadBackAfterACommandThatWasNotAnswered) {
+class OutputsOfAPicIo : public testing::Test {
+protected:
+    void SetUp() override {
+        connection.open();
+        ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+        ASSERT_EQ(connection.carryOut({told(io::SetDirection{0x0FF0}), told(io::SetOutput{0x0004}),
+                                       told(io::SetPwm{0, 200}), told(io::SetSynchOutput{0, 0, 0})}),
+                  bus::Outcome::Done);
+    }
+    [[nodiscard]] static bus::Order told(const IoCommand& command) { return {kModule, command}; }
+
     VirtualChain sim{u"io"_s};
     VirtualConnection connection{sim};
-    connection.open();
-    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
-    const auto told = [](const IoCommand& command) { return bus::Order{kModule, command}; };
-    ASSERT_EQ(connection.carryOut({told(io::SetDirection{0x0FF0}), told(io::SetOutput{0x0004}),
-                                   told(io::SetPwm{0, 200}), told(io::SetSynchOutput{0, 0, 0})}),
-              bus::Outcome::Done);
+};
+
+/// It was carried out although nobody heard the answer: what the pins read back counts from then on.
+TEST_F(OutputsOfAPicIo, AreReadBackAfterACommandThatWasNotAnswered) {
     const auto isHigh = [&](unsigned pin) {
         const auto& latest = connection.module(0).latest;
         return latest && latest->pins && ((unsigned{*latest->pins} >> pin) & 1U) != 0;
@@ -252,6 +260,23 @@ TEST(OutputsOfAPicIo, AreReadBackAfterACommandThatWasNotAnswered) {
     EXPECT_EQ(set.outputs & 0x000FU, 0x0008U) << "IO3 stays off";
     EXPECT_TRUE(connection.module(0).pins.pwm) << "nothing was sent to the others";
     EXPECT_TRUE(connection.module(0).pins.stored);
+}
+
+/// The first command is repeated until it is answered, so the others are not sent before the stop.
+TEST_F(OutputsOfAPicIo, AreAsBeforeWhereACommandOnlyWaitedForItsTurn) {
+    sim.tell("fault module 1 silent on=set_output n=3");
+    connection.forgetNews();
+    connection.submit({told(io::SetOutput{0})});
+    connection.submit({told(io::SetPwm{100, 0})});
+    connection.submit({told(io::SetSynchOutput{0, 50, 50})});
+    connection.freeze(std::chrono::milliseconds(20));
+    connection.worker().stopAll();
+    ASSERT_TRUE(connection.waitUntil([this] { return connection.count<bus::OperationFinished>() == 3; }));
+    connection.forEach<bus::OperationFinished>(
+        [](const bus::OperationFinished& finished) { EXPECT_EQ(finished.outcome, bus::Outcome::Cancelled); });
+    EXPECT_EQ(connection.module(0).pins.outputs, std::nullopt) << "this one was sent";
+    EXPECT_EQ(connection.module(0).pins.pwm, (std::array<std::uint8_t, 2>{0, 200}));
+    EXPECT_EQ(connection.module(0).pins.stored, (io::SetSynchOutput{0, 0, 0}));
 }
 
 }  // namespace
