@@ -162,6 +162,10 @@ void MessageController::on(const bus::OwedStopConfirmed& confirmed) {
     if (reported == m_stopping.end())
         return;
     const auto& [cause, key] = reported->second;
+    // A fault takes the place of what the user wanted, so its confirmation is that of both; any other stop
+    // that the user wanted came later, and is not reported.
+    if (bus::ofOperator(confirmed.cause) && confirmed.cause != cause)
+        return;
     Message& message = m_stopMessages[key];
     message.headline += u' ' + texts::stopConfirmed({confirmed.module, cause});
     m_window.amendMessage(message);

@@ -63,5 +63,20 @@ TEST(TravelLimits, ALimitThatIsSetNearerEndsARunTowardsTheOneBefore) {
     EXPECT_EQ(sim.violations(), "");
 }
 
+/// The user had it move again before that stop was confirmed, and has let go of it since.
+TEST(TravelLimits, AReleaseThatFollowsConfirmsNoStopAtALimit) {
+    VirtualChain sim{u"servo"_s};
+    VirtualPanel panel;
+    ASSERT_NO_FATAL_FAILURE(panel.startAt(sim.terminal()));
+    auto& store = const_cast<BusStore&>(panel.composition().store());
+    emit store.happened(bus::StoppedBeforeLimit{ModuleIndex(0)});
+    ASSERT_TRUE(panel.waitFor([&] { return panel.count(u"just before its travel limit"_s) == 1; }));
+    emit store.happened(bus::OwedStopConfirmed{ModuleIndex(0), bus::StopCause::HoldReleased});
+    ASSERT_TRUE(panel.answersFor(0.1));
+    EXPECT_EQ(panel.count(u"It has stopped."_s), 0);
+    emit store.happened(bus::OwedStopConfirmed{ModuleIndex(0), bus::StopCause::TravelLimit});
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(u"It has stopped."_s) == 1; }));
+}
+
 }  // namespace
 }  // namespace nmc
