@@ -517,6 +517,34 @@ TEST_F(Sequences, WhatIsInFlightIsStoppedAgainAtItsEnd) {
     EXPECT_EQ(bench.run->report().stage, SequenceStage::Over);
 }
 
+/// One reply says that X is off, so its stop waits for the next one; meanwhile the others are sent theirs
+/// once, and again only when what is in flight to them has ended.
+TEST_F(Sequences, AStopThatWaitsForAReplyRepeatsNoOther) {
+    bench.start("Main");
+    ASSERT_EQ(sent(), 1U) << "the move of all three";
+    bench.sayOff(0);
+    ASSERT_TRUE(bench.modules[0].maybeOff());
+    bench.run->stop();
+    EXPECT_EQ(sent(), 2U) << "the stops of the other two";
+    EXPECT_EQ(sent(), 0U) << "the results are awaited";
+    for (int order = 0; order < 3; ++order) {
+        EXPECT_EQ(sent(), 0U);
+        bench.run->onFinished(kY, bus::Outcome::Done);
+    }
+    EXPECT_EQ(sent(), 2U);
+    for (int stop = 0; stop < 2; ++stop)
+        bench.run->onFinished(kY, bus::Outcome::Done);
+    EXPECT_EQ(sent(), 0U);
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Stopping);
+    bench.bus.runFor(100ms);
+    bench.take();
+    ASSERT_FALSE(bench.modules[0].maybeOff());
+    EXPECT_EQ(sent(), 1U);
+    bench.run->onFinished(kX, bus::Outcome::Done);
+    EXPECT_EQ(sent(), 0U);
+    EXPECT_EQ(bench.run->report().stage, SequenceStage::Over);
+}
+
 TEST_F(Sequences, APauseFinishesTheRowAndChangesNothingElse) {
     bench.start("Main");
     bench.turns(10);

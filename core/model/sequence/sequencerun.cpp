@@ -178,19 +178,20 @@ SequenceRun::Next SequenceRun::finishEnding(const Modules& modules) {
     const bool inProcedure = m_procedure && !m_procedureEnd;
     if (inProcedure && !m_saysNothingMore && !std::exchange(m_cancelled, true))
         return Ask{*m_procedure, intent::CancelProcedure{}};
-    if (!m_saysNothingMore && (!std::exchange(m_stopsSent, true) || m_inFlight == 0)) {
+    if (!m_saysNothingMore) {
+        const bool all = !std::exchange(m_stopsSent, true) || m_inFlight == 0;
         std::vector<std::vector<bus::Order>> stops;
         for (auto& [index, move] : m_moves) {
+            const bool due = std::exchange(move.stopWaits, false) || all;
             // What is in flight to this motor may start it after this stop, so another one follows.
             const bool again = m_inFlight > 0 && !move.since;
             const ModuleState* module = moduleAt(index, modules);
-            if (!move.toStop || module == nullptr || m_leftAlone.contains(index))
+            if (!due || !move.toStop || module == nullptr || m_leftAlone.contains(index))
                 continue;
-            if (module->maybeOff()) {
-                // To a motor that is off, no stop is sent; the next reply decides whether it is.
-                m_stopsSent = false;
+            // To a motor that is off, no stop is sent; the next reply decides whether it is.
+            move.stopWaits = module->maybeOff();
+            if (move.stopWaits)
                 continue;
-            }
             move.toStop = again;
             if (auto steps = stopOf(*module); !steps.empty())
                 stops.push_back(std::move(steps));
@@ -198,7 +199,8 @@ SequenceRun::Next SequenceRun::finishEnding(const Modules& modules) {
         if (!stops.empty())
             return send(std::move(stops));
     }
-    if (!m_saysNothingMore && (inProcedure || m_inFlight > 0 || !m_stopsSent))
+    const bool waits = std::ranges::any_of(m_moves, [](const auto& entry) { return entry.second.stopWaits; });
+    if (!m_saysNothingMore && (inProcedure || m_inFlight > 0 || waits))
         return Wait{};
     m_report.stage = SequenceStage::Over;
     return Wait{};

@@ -142,6 +142,7 @@ private:
         std::optional<Leg> then{};          ///< follows when this one has arrived (PointMove)
         bool turns = false;                 ///< it has, and the next one is due
         bool toStop = true;                 ///< when the run ends, it still has to be sent a stop
+        bool stopWaits = false;             ///< for the reply that decides whether the motor is off
         std::optional<TimePoint> since{};   ///< only later statuses show the result of the move
         Arrival arrival{};
     };
@@ -183,7 +184,7 @@ private:
     std::optional<ProcedureReport> m_procedureEnd;
     bool m_saysNothingMore = false;  ///< the motors are taken care of elsewhere
     bool m_cancelled = false;
-    bool m_stopsSent = false;           ///< all of them once; what follows waits for the results
+    bool m_stopsSent = false;           ///< those that need not wait; what follows waits for the results
     std::set<ModuleIndex> m_leftAlone;  ///< not sent the final stop: something else controls them
     Row m_row;
 };
