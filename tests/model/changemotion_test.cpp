@@ -130,6 +130,26 @@ TEST_F(ChangingMotion, TakesUpTheBacklashOutOfARun) {
     bus.onTime = {};
 }
 
+/// It turns back at 1 000 steps or more, and is on its way to -1 040 when the limit is set.
+TEST_F(ChangingMotion, EndsOnTheWayToWhereItTurnsIfALimitIsSetNearer) {
+    module.backlash = {40, false};
+    perform(intent::Move{kRunForward});
+    bus.runFor(1s);
+    takeNews();
+    module.home.declare(module.latestTime);
+    onTurn = [&](Procedure& procedure) {
+        if (procedure.report().stage == ProcedureStage::TakingUpBacklash)
+            module.travel.lowest = -100;
+    };
+    ChangeMotion change(ModuleIndex(0), steppermotion::Trapezoid{-1'000, false, 40, 10});
+    EXPECT_EQ(run(change).failure, ProcedureFailure::SoftLimit);
+    bus.runFor(3s);
+    EXPECT_FALSE(truth().moving);
+    EXPECT_GT(truth().position, -100);
+    EXPECT_TRUE(truth().ampEnabled);
+    bus.expectNoViolations();
+}
+
 TEST_F(ChangingMotion, CountsARelativeGoalFromWhereItHasStopped) {
     perform(intent::Move{kRunForward});
     bus.runFor(1s);

@@ -30,6 +30,8 @@ Procedure::Next ChangeMotion::waitForStandstill(const ModuleState& module, TimeP
         return fail(ProcedureFailure::WentOff);
     if (m_report.stage == ProcedureStage::Stopping && now - m_began > kStopLimit)
         return fail(ProcedureFailure::TimeLimit);
+    if (m_turn && passesNewLimit(*m_turn, module))
+        return fail(ProcedureFailure::SoftLimit);
     if (!m_stoppedAt)
         m_stoppedAt = module.latestTime;
     if (module.latestTime <= *m_stoppedAt || module.latestTime == m_stoodAt)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/procedure/goalmoves.h"
 
-#include <utility>
-
 #include "model/intent/backlash.h"
 #include "model/intent/homingplan.h"
 #include "model/intent/stepperplan.h"
@@ -59,10 +57,7 @@ std::optional<GoalMoves::Next> GoalMoves::underWay(const ModuleState& module, Ti
         cancel();
         return Wait{};
     }
-    // A limit may have been set nearer.
-    const auto travel = travelRange(module);
-    if (travel != std::exchange(m_travel, travel) && travel && module.position() &&
-        beyondTravel(*module.position(), m_heading, *travel))
+    if (passesNewLimit(m_heading, module))
         return fail(ProcedureFailure::SoftLimit);
     if (!m_rest.over(module, now))
         return Wait{};

@@ -27,8 +27,7 @@ private:
     /// Returns nothing when the motor has arrived.
     [[nodiscard]] std::optional<Next> underWay(const ModuleState& module, TimePoint now);
 
-    std::int32_t m_heading = 0;                 ///< goal of the current move
-    std::optional<bus::TravelLimits> m_travel;  ///< those by which that goal was last judged
+    std::int32_t m_heading = 0;  ///< goal of the current move
     bool m_moves = false;
     StandstillWait m_rest;
 };

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "model/intent/travel.h"
+
 namespace nmc {
 
 Procedure::Procedure(ModuleIndex module, ProcedureKind kind) {
@@ -95,6 +97,12 @@ Procedure::Next Procedure::follow(std::vector<bus::Order> starts, std::shared_pt
 
 Procedure::Next Procedure::tryOut(bus::Order gains, const bus::GainTrial& trial) {
     return start({.id = {}, .orders = {std::move(gains)}, .trial = trial}, true);
+}
+
+bool Procedure::passesNewLimit(std::int64_t goal, const ModuleState& module) {
+    const auto travel = travelRange(module);
+    return travel != std::exchange(m_travel, travel) && travel && module.position() &&
+           beyondTravel(*module.position(), goal, *travel);
 }
 
 Procedure::Next Procedure::finish() {

@@ -196,6 +196,9 @@ protected:
     /// The results of the last sine and the last trial.
     [[nodiscard]] const bus::SineRecord& swung() const { return m_swung; }
     [[nodiscard]] std::optional<bus::TrialEnd> tried() const { return m_tried; }
+    /// True if the travel limits have changed since a goal was last judged, and this one is beyond them: one
+    /// may have been set nearer.
+    [[nodiscard]] bool passesNewLimit(std::int64_t goal, const ModuleState& module);
     /// The goal has been reached.
     [[nodiscard]] Next finish();
     /// Ends the procedure with this failure; next() then gives up at once. Only the first failure counts.
@@ -204,6 +207,7 @@ protected:
     ProcedureReport m_report;
     /// The procedure may have started the motor, and nothing else has stopped it or switched it off since.
     bool m_mayRun = false;
+    std::optional<bus::TravelLimits> m_travel;  ///< those by which a goal was last judged
 
 private:
     [[nodiscard]] Next start(Send operation, bool lasts);
