@@ -216,6 +216,8 @@ void Composition::wireConnection() {
 
 void Composition::wireMachine() {
     connect(&m_commander, &Commander::refused, &m_messages, &MessageController::refused);
+    connect(&m_commander, &Commander::stoppedBeyondTravel, &m_messages,
+            &MessageController::stoppedBeyondTravel);
     connect(&m_commander, &Commander::sent, &m_machine, &MachineController::noteSent);
     connect(&m_actions, &MessageActions::intentRequested, this, &Composition::carryOut);
     connect(&m_machine, &MachineController::intentRequested, this, &Composition::carryOut);

@@ -74,6 +74,13 @@ void MessageController::refused(ModuleIndex index, Refusal refusal, const Intent
     reportOf(texts::notPossible(index, texts::refusal(refusal, intent, module, scaleOf(module))));
 }
 
+void MessageController::stoppedBeyondTravel(ModuleIndex module) {
+    showEnd({.module = module,
+             .kind = ProcedureKind::Approach,
+             .stage = ProcedureStage::Failed,
+             .failure = ProcedureFailure::SoftLimit});
+}
+
 void MessageController::look() {
     const LinkState& link = m_store.link();
     const std::vector<Message> all = texts::standing(

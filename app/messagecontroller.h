@@ -44,6 +44,8 @@ public:
     void reportOfChain(const Message& message);
     /// A precondition of the intent was not met.
     void refused(ModuleIndex module, Refusal refusal, const Intent& intent);
+    /// A move was sent a stop, because a travel limit was set nearer.
+    void stoppedBeyondTravel(ModuleIndex module);
     void end(const QString& key) { m_window.endMessage(key); }
 
 signals:

@@ -60,6 +60,9 @@ TEST(TravelLimits, ALimitThatIsSetNearerEndsARunTowardsTheOneBefore) {
     EXPECT_TRUE(panel.waitFor([&] { return !moves(sim); }));
     EXPECT_LT(position(), 5'000);
     EXPECT_TRUE(panel.module().servoOn());
+    ASSERT_TRUE(panel.answersFor(0.5));
+    EXPECT_EQ(panel.count(u"Module 1 did not finish its moves."_s), 1);
+    EXPECT_NE(panel.standing(u"did not finish its moves"_s), nullptr) << "its own stop does not end it";
     EXPECT_EQ(sim.violations(), "");
 }
 

@@ -2,7 +2,6 @@
 #include "link/command/commander.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "link/clock.h"
@@ -107,16 +106,20 @@ std::optional<bus::OperationId> Commander::carryOut(ModuleIndex index, const Int
 }
 
 bool Commander::stop(ModuleIndex index) {
+    return sendStop(index).has_value();
+}
+
+std::optional<bus::OperationId> Commander::sendStop(ModuleIndex index) {
     const ModuleState* module = m_store.module(index);
     Orders orders = module != nullptr ? stopOf(*module) : Orders();
     m_sequences.takeOver(index, true);
     if (orders.empty()) {
         m_procedures.cancel(index);
-        return false;
+        return std::nullopt;
     }
-    submit({.id = {}, .orders = std::move(orders)});
+    const bus::OperationId id = submit({.id = {}, .orders = std::move(orders)});
     m_procedures.overtake(index);
-    return true;
+    return id;
 }
 
 bool Commander::hold(const bus::HoldToMove& wanted) {
@@ -183,17 +186,21 @@ void Commander::opened() {
 }
 
 bool Commander::take(const StoreEvent& event) {
-    const bool ends = std::holds_alternative<bus::OperationFinished>(event);
+    const auto* finished = std::get_if<bus::OperationFinished>(&event);
     if (std::holds_alternative<bus::ChainFound>(event))
         m_travelLimits.clear();
-    if (ends || std::holds_alternative<bus::GroupFinished>(event)) {
+    if (finished != nullptr || std::holds_alternative<bus::GroupFinished>(event)) {
         // The operation may have set a counter, in which case the bus has dropped the limits of that axis.
         m_travelLimits.clear();
         sendTravelLimits();
     }
     const bool ofProcedure = m_procedures.take(event);
     const bool ofSequence = m_sequences.take(event);
-    return ends && (ofProcedure || ofSequence);
+    if (finished == nullptr)
+        return false;
+    const bool ofTravel =
+        std::erase(m_travelStops, finished->id) > 0 && finished->outcome == bus::Outcome::Done;
+    return ofProcedure || ofSequence || ofTravel;
 }
 
 bus::OperationId Commander::submit(bus::Operation operation) {
@@ -253,7 +260,10 @@ void Commander::stopBeyondTravel() {
             beyond.push_back(module.info.index);
     }
     for (const ModuleIndex module : beyond)
-        std::ignore = stop(module);
+        if (const auto id = sendStop(module)) {
+            m_travelStops.push_back(*id);
+            emit stoppedBeyondTravel(module);
+        }
 }
 
 /// The bus thread must know them before the stop is requested.

@@ -54,7 +54,7 @@ public:
     /// outputs yet: it may send a stop before this thread hears of the chain.
     void opened();
     /// Must be called first for every event. Returns true if the operation that ended belongs to a procedure
-    /// or a sequence, which reports the outcome.
+    /// or a sequence, which reports the outcome, or is a stop that stoppedBeyondTravel() has reported.
     [[nodiscard]] bool take(const StoreEvent& event);
 
 signals:
@@ -65,9 +65,13 @@ signals:
     /// group command follows.
     void aboutToMove(nmc::bus::OperationId id, const std::vector<nmc::ModuleIndex>& modules);
     void aboutToHold(nmc::ModuleIndex module);
+    /// A move has been sent a stop, because its goal is beyond a travel limit that was set nearer.
+    void stoppedBeyondTravel(nmc::ModuleIndex module);
 
 private:
     bus::OperationId submit(bus::Operation operation);
+    /// Empty if nothing is on that could be stopped.
+    [[nodiscard]] std::optional<bus::OperationId> sendStop(ModuleIndex module);
     bus::OperationId nextId() { return bus::OperationId(++m_lastOperation); }
     void look();
     void sendTravelLimits();
@@ -84,6 +88,7 @@ private:
     std::uint32_t m_lastOperation = 0;
     std::vector<bus::TravelLimits> m_travelLimits;  ///< as last sent; empty: the bus may have other limits
     std::vector<bus::TravelLimits> m_goalsWithin;   ///< those by which the goals were last judged
+    std::vector<bus::OperationId> m_travelStops;    ///< those of stopBeyondTravel() under way
     std::optional<std::pair<ModuleIndex, TimePoint>> m_held;  ///< the last call of hold(), and its time
     std::vector<bus::StopOutputs> m_stopOutputs;  ///< as last sent; empty: the bus may have others
     std::map<ModuleIndex, TimePoint> m_armedAt;   ///< when a limit stop was last sent
