@@ -111,13 +111,13 @@ struct ServoPlanner : MotorPlanner {
     }
 
     Plan operator()(const intent::StopHere&) const {
+        const auto refusal = whyNot(IntentKind::StopHere, module);
         // A motor in motion has left the reported position, and would be driven back to it.
-        if (module.moving())
-            return as(IntentKind::StopHere,
-                      servo::StopMotor{module.amplifierKept(), servo::StopManner::Abruptly, {}});
+        if (!refusal && module.moving())
+            return stop(StopManner::Abruptly);
         const std::int32_t here = module.position().value_or(0);
-        return as(IntentKind::StopHere,
-                  servo::StopMotor{module.amplifierKept(), servo::StopManner::Here, Counts(here)});
+        return unless(refusal,
+                      servo::StopMotor{module.amplifierKept(), servo::StopManner::Here, Counts(here)});
     }
 
     Plan operator()(const intent::DrivePwm& drive) const {
