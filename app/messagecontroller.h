@@ -82,8 +82,8 @@ private:
     };
     std::map<QString, Standing> m_standing;                  ///< present conditions, by key
     std::map<QString, std::optional<ModuleIndex>> m_events;  ///< empty: concerns the chain
-    /// The message that reports the last stop of a module, and its text, which is amended. Another stop of
-    /// the same module may be confirmed with it, for another cause.
+    /// The message that reports the last stop of a module, and its text, which is amended. A stop
+    /// of the same module for a fault may be confirmed in its place.
     std::map<ModuleIndex, std::pair<bus::StopCause, QString>> m_stopping;
     std::map<QString, Message> m_stopMessages;
     bool m_guardianMissed = false;  ///< the message about it has been shown
