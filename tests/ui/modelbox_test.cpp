@@ -142,7 +142,7 @@ TEST_F(ModelPage, SaysThatItStepsFourTimesBeforeItDoes) {
     EXPECT_EQ(steps->text(), u"Step 4 times and find model"_s);
     EXPECT_TRUE(steps->accessibleName().startsWith(steps->text()));
     EXPECT_TRUE(steps->toolTip().contains(u"twice as far"_s));
-    EXPECT_TRUE(steps->toolTip().contains(u"at most by 1000 and 2000 counts"_s));
+    EXPECT_TRUE(steps->toolTip().contains(u"no farther than 1000 and 2000 counts"_s));
     EXPECT_EQ(intents.size(), 0);
     type(u"responseDistanceField"_s, u"150"_s);
     type(u"responseRecordField"_s, u"0.4"_s);
