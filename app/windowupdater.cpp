@@ -59,11 +59,11 @@ void WindowUpdater::take(const StoreEvent& event) {
 /// Statuses arrive faster than numbers can be read, but changes of a module's activity and requests are shown
 /// at once, because controls depend on them.
 void WindowUpdater::showLinkSoon() {
-    const bool due = !m_linkShown.isValid() || m_linkShown.elapsed() >= kReadableMs;
-    if (due || m_shown != Shown(m_store.link()))
+    const qint64 since = m_linkShown.isValid() ? m_linkShown.elapsed() : kReadableMs;
+    if (since >= kReadableMs || m_shown != Shown(m_store.link()))
         showLink();
     else if (!m_linkTimer.isActive())
-        m_linkTimer.start(kReadableMs - static_cast<int>(m_linkShown.elapsed()));
+        m_linkTimer.start(kReadableMs - static_cast<int>(since));
 }
 
 void WindowUpdater::showLink() {
