@@ -108,7 +108,7 @@ public:
 
     /// True during a trapezoidal move, when Reset Position and a new trapezoid are forbidden.
     [[nodiscard]] bool inTrapezoid() const;
-    /// With the servo off, it follows the motor.
+    /// While the servo is off, it follows the velocity of the motor.
     [[nodiscard]] std::int64_t commandVelocity() const { return m_profile.velocity(); }
     [[nodiscard]] bool isServoOn() const { return m_servoOn; }
 

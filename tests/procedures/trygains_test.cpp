@@ -102,7 +102,7 @@ TEST_F(TriedGains, StayWhenTheyAreKept) {
     EXPECT_TRUE(hasGains(kOther));
 }
 
-/// With their lower output limit, they are not what the user had before.
+/// Gains on trial have a lower output limit, so they are not what the user had before.
 TEST_F(TriedGains, AreNotTheGainsBefore) {
     ASSERT_TRUE(hold());
     const auto good = bench.module().gains;

@@ -20,7 +20,7 @@ Q_LOGGING_CATEGORY(requestLog, "nmc.link.requests", QtWarningMsg)
 
 namespace {
 
-/// A line under construction. Of an enum, it contains the number, except for those that are put by name.
+/// A line under construction. An enum appears as its number, except for the three that have names here.
 struct Line {
     std::string text{};
 

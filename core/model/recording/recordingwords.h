@@ -40,7 +40,7 @@ inline constexpr std::string_view kGains = "gains of module ";
 inline constexpr std::string_view kUnknown = " unknown";
 inline constexpr std::string_view kAt = " at ";
 inline constexpr std::string_view kSeconds = " s: ";
-// Of the names of gains (servo::forEachGain()), that which may be missing, and that which always is.
+// Two names of servo::forEachGain(): a recording may lack the first, and always lacks the second.
 inline constexpr std::string_view kDeadband = "db";
 inline constexpr std::string_view kNotRecorded = "sm";
 

@@ -27,8 +27,8 @@ struct CustomSignal {
 struct SignalSource {
     const ModuleHistory* samples = nullptr;
     ScopeSignal signal = ScopeSignal::Position;
-    /// Of a derived signal: changes whenever its values are recomputed, because the new ones may have the
-    /// address of the old ones.
+    /// For a derived signal, a number that changes whenever its values are recomputed: the new ones may be at
+    /// the same address.
     std::uint64_t number = 0;
     bool operator==(const SignalSource&) const = default;
 };

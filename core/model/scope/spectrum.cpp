@@ -190,8 +190,7 @@ double highest(const std::vector<Weighted>& samples, double low, double high) {
 
 }  // namespace
 
-/// With up to this many intervals, the mesh is no larger than for the greatest number of samples, a few of
-/// which are missing.
+/// Up to this many intervals, the mesh is no larger than for a full record with a few samples missing.
 bool hasLongGap(const std::vector<SignalPoint>& points) {
     constexpr double kMostIntervals = 2 * kMostSpectrumSamples;
     const double usual = usualInterval(points);
