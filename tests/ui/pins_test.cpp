@@ -240,6 +240,21 @@ TEST_F(Pins, APwmOutputThatIsUnknownIsNotSwitchedOffWithTheOther) {
     EXPECT_EQ(set.other, std::uint8_t{128});
 }
 
+TEST_F(Pins, AnOperatorWithOutputsSetsThePwmAndNothingElseOfItsPage) {
+    told(io::SetPwm{0, 0});
+    module.rights = OperatorRights{.outputs = true};
+    show();
+    for (const char* locked :
+         {"ioPwm1Name", "ioPwm1OffAtStop", "analog1Name", "analog1Unit", "analog1PerCount", "analog1AtZero"})
+        EXPECT_FALSE(find(QLatin1String(locked))->isEnabled()) << locked;
+    type(u"ioPwm1Field"_s, u"7"_s);
+    QTest::keyClick(field(u"ioPwm1Field"_s), Qt::Key_Return);
+    EXPECT_EQ(only<iointent::SetPwm>().value, 7);
+    module.rights->outputs = false;
+    show();
+    EXPECT_FALSE(field(u"ioPwm1Field"_s)->isEnabled());
+}
+
 TEST_F(Pins, TheTimerCountsFiveMillionASecond) {
     find<QComboBox>(u"timerModeBox"_s)->setFocus();
     QTest::keyClick(find<QComboBox>(u"timerModeBox"_s), Qt::Key_Down);

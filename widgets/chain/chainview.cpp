@@ -47,6 +47,12 @@ void ChainView::currentChanged(const QModelIndex& current, const QModelIndex& pr
         emit moduleSelected(ModuleIndex(static_cast<std::uint8_t>(current.row())));
 }
 
+/// QListView would place all rows again after each change of one, although their heights never change.
+void ChainView::dataChanged(const QModelIndex& topLeft, const QModelIndex& bottomRight,
+                            const QList<int>& roles) {
+    QAbstractItemView::dataChanged(topLeft, bottomRight, roles);
+}
+
 void ChainView::paintEvent(QPaintEvent* event) {
     QListView::paintEvent(event);
     if (m_model->rowCount() > 0)

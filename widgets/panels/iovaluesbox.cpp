@@ -45,15 +45,13 @@ QLineEdit* IoValuesBox::newText(const QString& objectName, const QString& access
     return edit;
 }
 
-NumberField* IoValuesBox::newNumber(const QString& objectName, const QString& accessibleName,
-                                    const QString& meaning) {
+NumberField* IoValuesBox::newNumber(const QString& objectName, const QString& accessibleName) {
     return form::newNumber({.name = objectName,
                             .accessible = accessibleName,
                             .min = -kLargestScale,
                             .max = kLargestScale,
                             .decimals = 6,
-                            .digits = kValueDigits,
-                            .meaning = meaning},
+                            .digits = kValueDigits},
                            this);
 }
 
@@ -70,14 +68,11 @@ void IoValuesBox::buildAnalog(QGridLayout& grid, int row) {
         input.value = new QLabel(this);
         look::nameText(input.value, u"analog%1Value"_s.arg(number), tr("Value of %1").arg(label));
         input.value->setFont(look::tabular(font()));
-        input.perCount = newNumber(u"analog%1PerCount"_s.arg(number), tr("%1 per count").arg(label),
-                                   tr("The value of one A/D count."));
-        input.atZero = newNumber(u"analog%1AtZero"_s.arg(number), tr("%1 at 0").arg(label),
-                                 Common::tr("The value at an A/D reading of 0."));
+        input.perCount = newNumber(u"analog%1PerCount"_s.arg(number), tr("%1 per count").arg(label));
+        input.atZero = newNumber(u"analog%1AtZero"_s.arg(number), tr("%1 at 0").arg(label));
         input.unit = form::newText({.name = u"analog%1Unit"_s.arg(number),
                                     .accessible = tr("Unit of %1").arg(label),
                                     .maxLength = kLongestAnalogUnit,
-                                    .meaning = tr("The unit of the value."),
                                     .example = u"V"_s},
                                    this);
         input.unit->setMaximumWidth(look::gridUnit(this) * 5);
@@ -122,12 +117,10 @@ void IoValuesBox::buildPwm(QGridLayout& grid, int row) {
                                         .digits = kValueDigits,
                                         .meaning = tr("255 is always on. Press Enter to send.")},
                                        this);
-        output.offAtStop = form::newCheck(
-            {.name = u"ioPwm%1OffAtStop"_s.arg(number),
-             .text = {},
-             .accessible = tr("Switch %1 off on STOP ALL").arg(label),
-             .meaning = tr("STOP ALL switches this output off. If cleared, the output stays as it is.")},
-            this);
+        output.offAtStop = form::newCheck({.name = u"ioPwm%1OffAtStop"_s.arg(number),
+                                           .text = {},
+                                           .accessible = tr("Switch %1 off on STOP ALL").arg(label)},
+                                          this);
         const int line = row + 1 + static_cast<int>(i);
         grid.addWidget(form::newLabel(label, output.field), line, 0);
         grid.addWidget(output.name, line, 1);
@@ -166,17 +159,27 @@ void IoValuesBox::sendPwm(unsigned output) {
 
 void IoValuesBox::showModule() {
     const PinSettings& settings = pinsOf(m_context.settings());
+    const QString locked = m_context.whyLocked();
     for (std::size_t i = 0; i < m_analog.size(); ++i) {
         const AnalogInput input = PinSettings::of(settings.analog, i);
-        showUnlessTyped(m_analog.at(i).name, input.name);
-        showUnlessTyped(m_analog.at(i).unit, input.scale.unit);
-        showUnlessTyped(m_analog.at(i).perCount, input.scale.perCount);
-        showUnlessTyped(m_analog.at(i).atZero, input.scale.atZero);
+        const Analog& shown = m_analog.at(i);
+        showUnlessTyped(shown.name, input.name);
+        showUnlessTyped(shown.unit, input.scale.unit);
+        showUnlessTyped(shown.perCount, input.scale.perCount);
+        showUnlessTyped(shown.atZero, input.scale.atZero);
+        setNameLocked(shown.name, locked);
+        look::setPossible(shown.unit, locked, tr("The unit of the value."));
+        shown.perCount->setPossible(locked, tr("The value of one A/D count."));
+        shown.atZero->setPossible(locked, Common::tr("The value at an A/D reading of 0."));
     }
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {
         const OutputSettings output = PinSettings::of(settings.pwm, i);
-        showUnlessTyped(m_pwm.at(i).name, output.name);
-        m_pwm.at(i).offAtStop->setChecked(output.offAtStop);
+        const Pwm& shown = m_pwm.at(i);
+        showUnlessTyped(shown.name, output.name);
+        shown.offAtStop->setChecked(output.offAtStop);
+        setNameLocked(shown.name, locked);
+        look::setPossible(shown.offAtStop, locked,
+                          tr("STOP ALL switches this output off. If cleared, the output stays as it is."));
     }
     refresh();
 }

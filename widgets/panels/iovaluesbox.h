@@ -40,7 +40,7 @@ private:
     void buildAnalog(QGridLayout& grid, int row);
     void buildPwm(QGridLayout& grid, int row);
     QLineEdit* newText(const QString& objectName, const QString& accessibleName);
-    NumberField* newNumber(const QString& objectName, const QString& accessibleName, const QString& meaning);
+    NumberField* newNumber(const QString& objectName, const QString& accessibleName);
     void editAnalog(std::size_t number, const std::function<void(AnalogInput&)>& change);
     void editPwm(std::size_t number, const std::function<void(OutputSettings&)>& change);
     void sendPwm(unsigned output);

@@ -24,6 +24,7 @@
 #include "widgets/panels/detailsbox.h"
 #include "widgets/panels/holdbutton.h"
 #include "widgets/panels/homingbox.h"
+#include "widgets/panels/iovaluesbox.h"
 #include "widgets/panels/movebybox.h"
 #include "widgets/panels/stagedform.h"
 #include "widgets/panels/stepperiobox.h"
@@ -238,7 +239,8 @@ void ModulePage::lockPages() {
     const auto mayUse = [&rights](const QWidget& page) {
         if (page.findChild<const HomingBox*>() != nullptr)
             return rights->homing;
-        if (page.findChild<const StepperIoBox*>() != nullptr)
+        if (page.findChild<const StepperIoBox*>() != nullptr ||
+            page.findChild<const IoValuesBox*>() != nullptr)
             return rights->outputs;
         return page.findChild<const DetailsBox*>() != nullptr;
     };
