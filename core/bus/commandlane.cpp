@@ -15,7 +15,6 @@ namespace {
 
 OperationFinished rejected(const Operation& operation, Outcome outcome) {
     OperationFinished event{operation.id, outcome, {}, 0};
-    event.sent = false;
     if (!operation.orders.empty()) {
         event.module = operation.orders.front().module;
         event.commandByte = payloadOf(operation.orders.front().command).commandByte();
@@ -129,7 +128,7 @@ Event CommandLane::finish(Outcome outcome) {
     const Order& last = order();
     OperationFinished event{m_waiting.front().id, outcome, last.module,
                             payloadOf(last.command).commandByte()};
-    event.sent = m_begun || m_sine;
+    event.sent = m_begun;
     if (outcome != Outcome::Done)
         event.unloaded = loaded();
     if (isLoad(last) && (outcome == Outcome::Refused || outcome == Outcome::NoAnswer))

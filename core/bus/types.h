@@ -268,7 +268,7 @@ struct OperationFinished {
     std::vector<ModuleIndex> unloaded{};  ///< their loads are forgotten: a start would run none of them
     SineRecord sine{};                    ///< for Operation::sine
     std::optional<TrialEnd> trial{};      ///< for Operation::trial, with Done
-    bool sent = true;                     ///< false with Cancelled: that order certainly was not
+    bool sent = false;                    ///< with Cancelled: that order may have been carried out
 };
 
 enum class MemberOutcome : std::uint8_t {

@@ -178,14 +178,10 @@ void BusStore::note(const bus::OperationFinished& finished) {
             awaited.reset();
     if (finished.outcome != bus::Outcome::Done && known(finished.module))
         m_records[finished.module.value()].feed.cancelled();
-    const auto command = static_cast<CommandCode>(finished.commandByte & 0x0FU);
-    if (finished.outcome == bus::Outcome::Cancelled && known(finished.module)) {
-        m_records[finished.module.value()].open = true;
-        if (finished.sent)
-            doubtOutputs(finished.module, command);
-    }
-    if (finished.outcome == bus::Outcome::NoAnswer)
-        doubtCommand(finished.module, command);
+    // What was in flight when something cancelled it is as uncertain as what was never answered.
+    if (finished.outcome == bus::Outcome::NoAnswer ||
+        (finished.outcome == bus::Outcome::Cancelled && finished.sent))
+        doubtCommand(finished.module, static_cast<CommandCode>(finished.commandByte & 0x0FU));
     for (const ModuleIndex module : finished.unloaded)
         if (known(module))
             m_link.modules[module.value()].forgetLoad();
@@ -242,6 +238,7 @@ void BusStore::note(const bus::GroupFinished& finished) {
             member.outcome == bus::MemberOutcome::Unknown || member.outcome == bus::MemberOutcome::NoAnswer;
         if (!open || !known(member.module))
             continue;
+        m_records[member.module.value()].feed.doubt();
         if (command->action == SaveAsHome || command->action == ResetPosition)
             m_link.modules[member.module.value()].home.forget();
         else if (command->action == StartMotion)

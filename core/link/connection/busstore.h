@@ -75,8 +75,7 @@ signals:
 private:
     struct Record {
         ScopeFeed feed;
-        /// An operation was cancelled or everything was stopped since the last answered command: it is
-        /// unknown what else was executed.
+        /// Everything was stopped since the last answered command: it is unknown what else was executed.
         bool open = false;
         std::uint64_t samples = 0;
         std::uint64_t samplesPulled = 0;  ///< value at the last pullFigures()

@@ -194,6 +194,26 @@ TEST_F(BusStoreTest, KeepsWhatModulesWereToldThatAreFoundAgain) {
     EXPECT_EQ(history->last()->command(), 500);
 }
 
+/// Nobody finds out whether the module has carried out what a stop of all motors overtook.
+TEST_F(BusStoreTest, AStopOvertakesAStopHereAndTheScopeDoesNotClaimToKnowTheError) {
+    connection.open();
+    ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
+    ASSERT_EQ(connection.carryOut(gainsAndEnable(0)), bus::Outcome::Done);
+    const ModuleHistory* history = connection.store().history().module(ModuleIndex(0));
+    ASSERT_TRUE(connection.waitUntil([&] { return history->count() > 0 && history->last()->errorKnown(); }));
+    sim.tell("fault module 1 silent on=stop_motor n=1");
+    connection.forgetNews();
+    connection.submit(
+        {{ModuleIndex(0), ServoCommand(servo::StopMotor{true, servo::StopManner::Here, Counts(100)})}});
+    connection.freeze(15ms);
+    connection.worker().stopAll();
+    ASSERT_TRUE(connection.waitFor<bus::StopFinished>());
+    ASSERT_TRUE(connection.waitUntil([&] { return std::abs(history->last()->position - 100) <= 5; }));
+    ASSERT_TRUE(connection.waitUntil([&] { return !connection.module(0).moving(); }));
+    EXPECT_TRUE(!history->last()->errorKnown() || std::abs(history->last()->error) <= 5)
+        << history->last()->error;
+}
+
 TEST_F(BusStoreTest, FiguresAreRatesSinceTheLastPull) {
     connection.open();
     ASSERT_TRUE(connection.waitFor<bus::ChainFound>());
