@@ -543,6 +543,19 @@ TEST(ModuleState, AVelocityThatGoesOnUnheardIsMotion) {
     EXPECT_TRUE(module.moving());
 }
 
+/// A program at the lent line may ask for the position only.
+TEST(ModuleState, AVelocityThatGoesOnUnheardShowsInThePositionAlone) {
+    ModuleState module = holdingServo();
+    module.doubtMotion();  // nobody answers a group command
+    for (int i = 0; i <= 5; ++i) {
+        bus::Sample sample = sampleOf(1.0 + i * 0.1, kPower | kMoveDone, 0, i * 20);
+        sample.report.aux.reset();
+        module.apply(sample);
+    }
+    EXPECT_EQ(module.activity(), Activity::AtSpeed);
+    EXPECT_TRUE(module.moving());
+}
+
 TEST(ModuleState, AConfirmedStopIsBelievedAtOnce) {
     ModuleState module = holdingServo();
     module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));

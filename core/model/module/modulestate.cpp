@@ -58,8 +58,10 @@ void ModuleState::apply(const bus::Sample& sample) {
     }
     endAtLimit();
     watchLimits(wasMoving, watchBefore, endedBefore);
-    if (!isServo() || !sample.report.aux)
+    if (!isServo() || !latest->aux)
         return;
+    if (!sample.report.aux)  // another program may not ask for it
+        return watchDrift(sample, wasOn);
     if (sample.report.position && m_held) {
         const std::int64_t off = countsBetween(m_held->stood, *sample.report.position);
         if (servoOn() && std::abs(off) <= m_held->within)
