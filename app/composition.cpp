@@ -4,7 +4,6 @@
 #include <QApplication>
 #include <QDateTime>
 #include <QDir>
-#include <QFileInfo>
 
 #include "app/guardianplace.h"
 #include "link/clock.h"
@@ -77,10 +76,7 @@ void Composition::show(const Start& start) {
     m_settings.sync();
     if (!m_settings.isWritable() || m_settings.status() == QSettings::AccessError)
         m_messages.report(texts::settingsNotSaved(m_settings.fileName()));
-    m_machine.start();
-    m_runs.open({}, m_machine.machine());
-    if (start.machine)
-        m_machine.openAtStart(QFileInfo(*start.machine).absoluteFilePath());
+    m_machine.start(start.machine);
     m_window.connectionBar().showPorts(m_ports.ports());
     if (start.programs != Start::Programs::KeptOut)
         m_api.letIn(true);

@@ -23,6 +23,8 @@ namespace {
 constexpr int kKeepUnsavedAfterMs = 3'000;
 constexpr qsizetype kRecentFiles = 8;
 const QString kRecent = QStringLiteral("machine/recent");
+/// The file of the machine in operator mode; empty: it has none.
+const QString kOperatorFile = QStringLiteral("machine/operatorFile");
 
 QString folderOr(const QString& folder, const QSettings& settings) {
     return folder.isEmpty() ? QFileInfo(settings.fileName()).absoluteDir().filePath(QStringLiteral("unsaved"))
@@ -75,18 +77,29 @@ MachineController::~MachineController() {
     keepUnsaved();
 }
 
-void MachineController::start() {
+/// An operator may neither restore nor open anything, and must not work with an empty machine instead of the
+/// one with which operator mode was left: its axes would count otherwise, and have no travel limits.
+void MachineController::start(const std::optional<QString>& file) {
     m_window.showMachine(m_machine);
     showFile();
-    if (!m_unsaved.left())
-        return;
-    const auto work = parseMachine(m_unsaved.left()->content);
-    if (!work) {
-        m_window.showMessage(texts::unsavedWorkDamaged(work.error()));
-        return;
+    emit taken(m_path);
+    const bool goesOn = locked() && !file;
+    const QString last = m_settings.value(kOperatorFile).toString();
+    if (m_unsaved.left()) {
+        const auto work = leftWork();
+        if (work && goesOn && work->path == last)
+            return take(*work, work->content.machine, true);
+        if (!work)
+            m_window.showMessage(texts::unsavedWorkDamaged(work.error()));
+        else
+            m_window.showMessage(texts::unsavedWorkLeft(
+                MachineFile{work->path, QString::fromStdString(work->content.machine.name), true, {}}
+                    .title()));
     }
-    const MachineFile left{m_unsaved.left()->file, QString::fromStdString(work->machine.name), true, {}};
-    m_window.showMessage(texts::unsavedWorkLeft(left.title()));
+    if (file)
+        openAtStart(QFileInfo(*file).absoluteFilePath());
+    else if (goesOn && !last.isEmpty())
+        openAtStart(last);
 }
 
 bool MachineController::locked() const {
@@ -155,6 +168,7 @@ void MachineController::nameGroup(quint8 group, const QString& name) {
 }
 
 void MachineController::setOperatorRights(const OperatorRights& rights) {
+    m_settings.setValue(kOperatorFile, m_path);
     if (rights == m_machine.operatorRights.value_or(OperatorRights{}))
         return;
     m_machine.operatorRights = rights;
@@ -223,16 +237,22 @@ void MachineController::openAtStart(const QString& path) {
 void MachineController::restoreWork() {
     if (!m_unsaved.left() || locked())
         return;
-    auto content = parseMachine(m_unsaved.left()->content);
-    if (!content)
+    const auto work = leftWork();
+    if (!work)
         return;
-    const Pending work{m_unsaved.left()->file, std::move(*content), true, {}, {}, m_unsaved.left()->fileHash};
     if (m_machine == Machine{} && modules().empty()) {
-        take(work, work.content.machine, true);
+        take(*work, work->content.machine, true);
         return;
     }
-    m_pending = work;
+    m_pending = *work;
     showPending();
+}
+
+tl::expected<MachineController::Pending, FileProblem> MachineController::leftWork() const {
+    auto content = parseMachine(m_unsaved.left()->content);
+    if (!content)
+        return tl::unexpected(content.error());
+    return Pending{m_unsaved.left()->file, std::move(*content), true, {}, {}, m_unsaved.left()->fileHash};
 }
 
 void MachineController::copy(const AxisCopy& copy) {
@@ -418,6 +438,8 @@ void MachineController::dropRestored() {
 void MachineController::changed() {
     if (!m_keepTimer.isActive())
         m_keepTimer.start();
+    if (locked())
+        m_settings.setValue(kOperatorFile, m_path);  // it may have been saved when the window was closed
     // The window must know this machine before the link's updates that follow.
     m_window.showMachine(m_machine);
     showFile();

@@ -29,8 +29,9 @@ public:
 
     [[nodiscard]] const Machine& machine() const { return m_machine; }
 
-    /// Shows the machine, and offers the unsaved work of an earlier session.
-    void start();
+    /// Shows the machine, offers the unsaved work of an earlier session, and opens `file`. Without a file,
+    /// operator mode goes on with the machine with which it was left, and its unsaved work is restored.
+    void start(const std::optional<QString>& file);
     /// The user has changed an axis in its panel.
     void edit(ModuleIndex module, const AxisSettings& settings);
     void editProgram(const Program& program);
@@ -40,6 +41,7 @@ public:
     /// The user has moved a module to another group, or out of all groups.
     void noteGroup(const bus::GroupChange& change);
     void nameGroup(quint8 group, const QString& name);
+    /// Operator mode begins, with this machine.
     void setOperatorRights(const OperatorRights& rights);
     /// Makes these modules the expected ones (withModules()); those in `gone`, which no row of a sequence
     /// uses, are out of the chain. Also in operator mode, which may have begun since the user asked for it:
@@ -51,8 +53,6 @@ public:
 
     /// Shows what the file would change.
     void open(const QString& path);
-    /// The same for the file of the command line; in operator mode, it is loaded whole.
-    void openAtStart(const QString& path);
     /// Shows what the copy would change.
     void copy(const AxisCopy& copy);
 
@@ -81,6 +81,10 @@ private:
 
     /// Empty if the file cannot be read, which the window then shows.
     [[nodiscard]] std::optional<Pending> read(const QString& path);
+    /// Shows what the file would change; in operator mode, loads it whole.
+    void openAtStart(const QString& path);
+    /// The unsaved work of an earlier session, which there must be.
+    [[nodiscard]] tl::expected<Pending, FileProblem> leftWork() const;
     void beginNew();
     /// `before`: hash of the only text of the file that may be replaced; empty: any.
     void save(const QString& path, const QString& before);

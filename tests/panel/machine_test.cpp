@@ -575,6 +575,77 @@ TEST_F(MachineFiles, InOperatorModeThatOfTheCommandLineIsLoadedWholeAndSendsNoth
     EXPECT_EQ(executed(sim, 1, "set_gain") + executed(sim, 1, "io_control"), 0);
 }
 
+/// Otherwise the operator would jog in counts, the other way round and beyond the limits.
+TEST_F(MachineFiles, OperatorModeGoesOnWithTheUnsavedMachineOfTheSessionBefore) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    AxisSettings reversed;
+    reversed.unit = {UnitKind::Degrees, -100.0, ""};
+    reversed.travel = {-9'000, 9'000, 0.0};
+    reversed.gains = kGains;
+    const ModuleIndex second(1);
+    {
+        VirtualPanel panel(settings);
+        panel.start();
+        emit panel.window().requests().axisEdited(second, reversed);
+        ASSERT_NO_FATAL_FAILURE(lock(panel));
+    }
+    VirtualChain sim(QStringLiteral("servo,servo"));
+    for (const int starts : {1, 2}) {
+        VirtualPanel panel(settings);
+        connectTo(panel, sim);
+        EXPECT_EQ(panel.composition().machine().axis(second), reversed) << starts;
+        EXPECT_EQ(panel.module(1).travel, reversed.travel);
+        EXPECT_EQ(panel.count(QStringLiteral("nsaved changes")), 0) << "nothing is left to be chosen";
+        EXPECT_TRUE(panel.window().isWindowModified());
+        EXPECT_EQ(table(panel), nullptr);
+        ASSERT_TRUE(panel.answersFor(0.3));
+        EXPECT_EQ(executed(sim, 2, "set_gain"), 0);
+    }
+    EXPECT_EQ(sim.violations(), "");
+}
+
+/// The work that was left is that of another machine.
+TEST_F(MachineFiles, OperatorModeGoesOnWithTheMachineThatItWasBegunWith) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    {
+        VirtualPanel panel(settings);
+        panel.start();
+        rename(panel, "Another");
+    }
+    {
+        VirtualPanel panel(settings);
+        panel.start();
+        open(panel, file);
+        click(panel, "applyDifferencesButton");
+        ASSERT_NO_FATAL_FAILURE(lock(panel));
+    }
+    VirtualPanel panel(settings);
+    panel.start();
+    EXPECT_EQ(panel.composition().machine(), twoServos());
+    EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel - mill[*]"));
+    EXPECT_FALSE(panel.window().isWindowModified());
+    EXPECT_EQ(table(panel), nullptr);
+    EXPECT_EQ(panel.count(QStringLiteral("nsaved changes")), 1) << "whoever has the PIN may restore it";
+}
+
+TEST_F(MachineFiles, OperatorModeThatWasBegunWithoutAMachineOpensNone) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    {
+        VirtualPanel panel(settings);
+        panel.start();
+        open(panel, file);
+        click(panel, "applyDifferencesButton");
+    }
+    {
+        VirtualPanel panel(settings);
+        panel.start();
+        ASSERT_NO_FATAL_FAILURE(lock(panel));
+    }
+    VirtualPanel panel(settings);
+    panel.start();
+    EXPECT_EQ(panel.composition().machine(), Machine{});
+}
+
 // ---- unsaved work ----
 
 TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
