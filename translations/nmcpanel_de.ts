@@ -2762,12 +2762,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Seit die Tabelle angezeigt wurde, haben sich Module oder Einstellungen geändert; sie ist nun auf dem neuesten Stand. Die Tabelle prüfen, dann erneut anwenden.</translation>
     </message>
     <message>
-        <source>Unsaved changes to %1 were recovered.</source>
-        <translation>Nicht gespeicherte Änderungen an %1 wurden wiederhergestellt.</translation>
+        <source>An earlier session left unsaved changes to %1.</source>
+        <translation>Eine frühere Sitzung hinterließ nicht gespeicherte Änderungen an %1.</translation>
     </message>
     <message>
-        <source>An earlier session ended before they were saved. Restoring them sends nothing.</source>
-        <translation>Eine frühere Sitzung endete, bevor gespeichert wurde. Das Wiederherstellen sendet nichts.</translation>
+        <source>If modules are connected, Restore shows what would change. Nothing is sent before you choose Apply.</source>
+        <translation>Wenn Module verbunden sind, zeigt „Wiederherstellen“, was sich ändern würde. Vor „Anwenden“ wird nichts gesendet.</translation>
     </message>
     <message>
         <source>Discard: the changes are lost</source>

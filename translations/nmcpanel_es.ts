@@ -2762,12 +2762,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Los módulos o los ajustes han cambiado desde que se mostró la tabla, por lo que esta se actualizó. Compruébela y aplique de nuevo.</translation>
     </message>
     <message>
-        <source>Unsaved changes to %1 were recovered.</source>
-        <translation>Se recuperaron cambios sin guardar de %1.</translation>
+        <source>An earlier session left unsaved changes to %1.</source>
+        <translation>Una sesión anterior dejó cambios sin guardar de %1.</translation>
     </message>
     <message>
-        <source>An earlier session ended before they were saved. Restoring them sends nothing.</source>
-        <translation>Una sesión anterior terminó antes de guardarlos. Restaurarlos no envía nada.</translation>
+        <source>If modules are connected, Restore shows what would change. Nothing is sent before you choose Apply.</source>
+        <translation>Si hay módulos conectados, «Restaurar» muestra qué cambiaría. No se envía nada antes de «Aplicar».</translation>
     </message>
     <message>
         <source>Discard: the changes are lost</source>

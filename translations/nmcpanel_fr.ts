@@ -2762,12 +2762,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Des modules ou des réglages ont changé depuis l’affichage du tableau, qui a donc été mis à jour. Vérifiez-le, puis appliquez de nouveau.</translation>
     </message>
     <message>
-        <source>Unsaved changes to %1 were recovered.</source>
-        <translation>Des modifications non enregistrées de %1 ont été récupérées.</translation>
+        <source>An earlier session left unsaved changes to %1.</source>
+        <translation>Une session antérieure a laissé des modifications non enregistrées de %1.</translation>
     </message>
     <message>
-        <source>An earlier session ended before they were saved. Restoring them sends nothing.</source>
-        <translation>Une session antérieure s’est terminée avant leur enregistrement. Les rétablir n’envoie rien.</translation>
+        <source>If modules are connected, Restore shows what would change. Nothing is sent before you choose Apply.</source>
+        <translation>Si des modules sont connectés, «&#xa0;Rétablir&#xa0;» montre ce qui changerait. Rien n’est envoyé avant «&#xa0;Appliquer&#xa0;».</translation>
     </message>
     <message>
         <source>Discard: the changes are lost</source>

@@ -2756,12 +2756,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>表を表示した後にモジュールまたは設定が変わったため、表を更新しました。確認してから、もう一度適用してください。</translation>
     </message>
     <message>
-        <source>Unsaved changes to %1 were recovered.</source>
-        <translation>%1の未保存の変更を回復しました。</translation>
+        <source>An earlier session left unsaved changes to %1.</source>
+        <translation>以前のセッションで%1の変更が保存されていません。</translation>
     </message>
     <message>
-        <source>An earlier session ended before they were saved. Restoring them sends nothing.</source>
-        <translation>保存する前に、以前のセッションが終了しました。復元しても何も送信されません。</translation>
+        <source>If modules are connected, Restore shows what would change. Nothing is sent before you choose Apply.</source>
+        <translation>モジュールが接続されている場合、「復元」で変更される内容が表示されます。「適用」を選ぶまで何も送信されません。</translation>
     </message>
     <message>
         <source>Discard: the changes are lost</source>

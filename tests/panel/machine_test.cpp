@@ -595,7 +595,7 @@ TEST_F(MachineFiles, OperatorModeGoesOnWithTheUnsavedMachineOfTheSessionBefore) 
         connectTo(panel, sim);
         EXPECT_EQ(panel.composition().machine().axis(second), reversed) << starts;
         EXPECT_EQ(panel.module(1).travel, reversed.travel);
-        EXPECT_EQ(panel.count(QStringLiteral("nsaved changes")), 0) << "nothing is left to be chosen";
+        EXPECT_EQ(panel.count(QStringLiteral("unsaved changes")), 0) << "nothing is left to be chosen";
         EXPECT_TRUE(panel.window().isWindowModified());
         EXPECT_EQ(table(panel), nullptr);
         ASSERT_TRUE(panel.answersFor(0.3));
@@ -625,7 +625,7 @@ TEST_F(MachineFiles, OperatorModeGoesOnWithTheMachineThatItWasBegunWith) {
     EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel - mill[*]"));
     EXPECT_FALSE(panel.window().isWindowModified());
     EXPECT_EQ(table(panel), nullptr);
-    EXPECT_EQ(panel.count(QStringLiteral("nsaved changes")), 1) << "whoever has the PIN may restore it";
+    EXPECT_EQ(panel.count(QStringLiteral("unsaved changes")), 1) << "whoever has the PIN may restore it";
 }
 
 TEST_F(MachineFiles, OperatorModeThatWasBegunWithoutAMachineOpensNone) {
@@ -661,10 +661,11 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
     {
         VirtualPanel panel(settings);
         panel.start();
-        EXPECT_EQ(panel.headlines().first(), QStringLiteral("Unsaved changes to \"mill\" were recovered."));
+        EXPECT_EQ(panel.headlines().first(),
+                  QStringLiteral("An earlier session left unsaved changes to \"mill\"."));
         EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel"))
             << "nothing is restored before the user requests it";
-        ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Restore")));
+        ASSERT_TRUE(panel.press(QStringLiteral("unsaved changes"), QStringLiteral("Restore")));
         EXPECT_EQ(panel.window().windowTitle(), QStringLiteral("NMC Panel - mill[*]"));
         EXPECT_TRUE(panel.window().isWindowModified());
         EXPECT_EQ(texts::moduleName(ModuleIndex(0)), QStringLiteral("Module 1 \"Unsaved\""));
@@ -674,7 +675,7 @@ TEST_F(MachineFiles, UnsavedWorkIsOfferedAtTheNextStartAndRestored) {
     }
     VirtualPanel panel(settings);
     panel.start();
-    EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), 0) << "it has been saved";
+    EXPECT_EQ(panel.count(QStringLiteral("unsaved changes")), 0) << "it has been saved";
 }
 
 TEST_F(MachineFiles, RestoredWorkDoesNotReplaceWhatSomeoneElseHasChangedMeanwhile) {
@@ -692,7 +693,7 @@ TEST_F(MachineFiles, RestoredWorkDoesNotReplaceWhatSomeoneElseHasChangedMeanwhil
     write("mill.json", theirs);
     VirtualPanel panel(settings);
     panel.start();
-    ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Restore")));
+    ASSERT_TRUE(panel.press(QStringLiteral("unsaved changes"), QStringLiteral("Restore")));
     save(panel);
     EXPECT_EQ(readFile(file, kMaxMachineFile).value(), theirs);
     EXPECT_NE(panel.standing(QStringLiteral("Could not save \"mill.json\".")), nullptr);
@@ -704,15 +705,15 @@ TEST_F(MachineFiles, UnsavedWorkThatIsDiscardedIsGone) {
     for (const int starts : {1, 2}) {
         VirtualPanel panel(settings);
         panel.start();
-        EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), starts - 1);
+        EXPECT_EQ(panel.count(QStringLiteral("unsaved changes")), starts - 1);
         if (starts == 1)
             rename(panel, "Z");
         else
-            EXPECT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Discard")));
+            EXPECT_TRUE(panel.press(QStringLiteral("unsaved changes"), QStringLiteral("Discard")));
     }
     VirtualPanel panel(settings);
     panel.start();
-    EXPECT_EQ(panel.count(QStringLiteral("Unsaved changes")), 0);
+    EXPECT_EQ(panel.count(QStringLiteral("unsaved changes")), 0);
 }
 
 TEST_F(MachineFiles, UnsavedWorkIsKeptAFewSecondsAfterTheChange) {
@@ -742,7 +743,11 @@ TEST_F(MachineFiles, RestoringToAChainThatIsConnectedShowsTheTableAndSendsNothin
     VirtualPanel panel(settings);
     connectTo(panel, sim);
     const std::string before = told(sim);
-    ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Restore")));
+    const MessageRow* offer = panel.standing(QStringLiteral("unsaved changes"));
+    ASSERT_NE(offer, nullptr);
+    EXPECT_TRUE(offer->message().body.contains(QStringLiteral("Nothing is sent before you choose Apply.")))
+        << offer->message().body.toStdString();
+    ASSERT_TRUE(panel.press(QStringLiteral("unsaved changes"), QStringLiteral("Restore")));
     ASSERT_NE(table(panel), nullptr);
     tickOnly(panel, {QStringLiteral("Module 1: Name")});
     click(panel, "applyDifferencesButton");
@@ -764,7 +769,7 @@ TEST_F(MachineFiles, UnsavedWorkForOtherHardwareIsOfferedAgainAtTheNextStart) {
         VirtualChain sim(QStringLiteral("servo,servo@3"));
         VirtualPanel panel(settings);
         connectTo(panel, sim);
-        ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes"), QStringLiteral("Restore")));
+        ASSERT_TRUE(panel.press(QStringLiteral("unsaved changes"), QStringLiteral("Restore")));
         ASSERT_NE(table(panel), nullptr);
         tickOnly(panel, {QStringLiteral("Module 1: Name")});
         click(panel, "applyDifferencesButton");
@@ -773,7 +778,7 @@ TEST_F(MachineFiles, UnsavedWorkForOtherHardwareIsOfferedAgainAtTheNextStart) {
     }
     VirtualPanel panel(settings);
     panel.start();
-    ASSERT_TRUE(panel.press(QStringLiteral("Unsaved changes to \"mill\""), QStringLiteral("Restore")));
+    ASSERT_TRUE(panel.press(QStringLiteral("unsaved changes to \"mill\""), QStringLiteral("Restore")));
     EXPECT_EQ(panel.composition().machine().axis(ModuleIndex(1)), twoServos().axes[1])
         << "the other module took nothing of it";
 }

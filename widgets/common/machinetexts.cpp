@@ -242,8 +242,9 @@ Message unsavedWorkLeft(const QString& machine) {
     return {
         .key = key::kUnsavedWork,
         .severity = Severity::Attention,
-        .headline = Texts::tr("Unsaved changes to %1 were recovered.").arg(machineOrFile(machine)),
-        .body = Texts::tr("An earlier session ended before they were saved. Restoring them sends nothing."),
+        .headline = Texts::tr("An earlier session left unsaved changes to %1.").arg(machineOrFile(machine)),
+        .body = Texts::tr(
+            "If modules are connected, Restore shows what would change. Nothing is sent before you choose Apply."),
         .actions = {{MessageAction::RestoreWork, Common::tr("Restore")},
                     {MessageAction::DiscardWork, Texts::tr("Discard: the changes are lost")}}};
 }
