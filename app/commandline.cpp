@@ -58,7 +58,7 @@ void declareOptions(QCommandLineParser& parser) {
         {kServe,
          CommandLine::tr(
              "Let other programs in from the start. With =control, one of them may move motors without the user being asked."),
-         QStringLiteral("control")},
+         kControl},
         {kEnableFaults, CommandLine::tr("Allow control lines to inject faults into the built-in simulator.")},
         {kListPorts, CommandLine::tr("List the serial ports of this computer.")},
         {{QStringLiteral("h"), kHelp}, CommandLine::tr("Show this help.")},
@@ -83,7 +83,9 @@ QStringList withOptionalValues(const QStringList& arguments) {
             argument += QLatin1Char('=') + (given ? next : QString::fromUtf8(sim::kDefaultChain));
             i += given ? 1 : 0;
         } else if (argument == QStringLiteral("--") + kServe) {
-            argument += QLatin1Char('=');
+            const bool given = arguments.value(i + 1) == kControl;
+            argument += QLatin1Char('=') + (given ? kControl : QString());
+            i += given ? 1 : 0;
         }
         all << argument;
     }
@@ -168,7 +170,7 @@ std::variant<Start, Say> readCommandLine(const QStringList& arguments,
     if (parser.isSet(kServe)) {
         const QString what = parser.value(kServe);
         if (!what.isEmpty() && what != kControl)
-            return Say{texts::unknownOption(QStringLiteral("serve=") + what), kBadArguments};
+            return Say{texts::badServe(), kBadArguments};
         start.programs = what.isEmpty() ? Start::Programs::LetIn : Start::Programs::MayMove;
     }
     if (const auto say = readPort(parser, ports, start))

@@ -3770,6 +3770,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Diese Module überwachen die Verbindung nicht: Wird das Kabel durchtrennt, hängt der Adapter oder verliert dieser Rechner seine Stromversorgung, so läuft ein laufender Motor weiter, und kein Programm kann ihn stoppen. ALLES STOPP und Esc wirken nur, solange die Verbindung besteht. Ein Wächter stoppt die Motoren, wenn dieses Programm gewaltsam beendet wird, abstürzt oder hängt.</translation>
     </message>
     <message>
+        <source>--serve takes nothing or =control.</source>
+        <translation>--serve steht allein oder mit =control.</translation>
+    </message>
+    <message>
         <source>--read-only requires --port or --simulator.</source>
         <translation>--read-only braucht --port oder --simulator.</translation>
     </message>

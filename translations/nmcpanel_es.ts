@@ -3770,6 +3770,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Estos módulos no vigilan el enlace: si se corta el cable, se bloquea el adaptador o este equipo se queda sin corriente, un motor en marcha sigue en marcha y ningún programa puede pararlo. PARAR TODO y Esc solo funcionan mientras funcione el enlace. Un guardián detiene los motores si este programa se termina a la fuerza, falla o se cuelga.</translation>
     </message>
     <message>
+        <source>--serve takes nothing or =control.</source>
+        <translation>--serve se usa solo o con =control.</translation>
+    </message>
+    <message>
         <source>--read-only requires --port or --simulator.</source>
         <translation>--read-only requiere --port o --simulator.</translation>
     </message>

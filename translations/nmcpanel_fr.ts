@@ -3770,6 +3770,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Ces modules n’ont pas de chien de garde de liaison&#xa0;: si le câble est coupé, si l’adaptateur se bloque ou si cet ordinateur n’est plus alimenté, un moteur en mouvement continue, et aucun programme ne peut l’arrêter. TOUT ARRÊTER et Esc n’agissent que tant que la liaison fonctionne. Un gardien arrête les moteurs si ce programme est fermé de force, plante ou se bloque.</translation>
     </message>
     <message>
+        <source>--serve takes nothing or =control.</source>
+        <translation>--serve s’emploie seul ou avec =control.</translation>
+    </message>
+    <message>
         <source>--read-only requires --port or --simulator.</source>
         <translation>--read-only exige --port ou --simulator.</translation>
     </message>

@@ -3760,6 +3760,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>これらのモジュールには通信監視（ウォッチドッグ）がありません。ケーブルの切断、アダプターのハング、このコンピューターの電源断が起きても、運転中のモーターは動き続け、どのプログラムでも停止できません。全停止とEscが効くのは、通信できる間だけです。このプログラムの強制終了、クラッシュ、ハングのときは、監視プログラムがモーターを停止します。</translation>
     </message>
     <message>
+        <source>--serve takes nothing or =control.</source>
+        <translation>--serveには何も付けないか、=controlを付けます。</translation>
+    </message>
+    <message>
         <source>--read-only requires --port or --simulator.</source>
         <translation>--read-onlyには--portまたは--simulatorが必要です。</translation>
     </message>

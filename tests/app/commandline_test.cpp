@@ -87,6 +87,22 @@ TEST(CommandLine, ASpaceAndAnEqualsSignBeforeTheChainMeanTheSame) {
     EXPECT_EQ(said(QStringLiteral("--simulator gizmo")).text, said(QStringLiteral("--simulator=gizmo")).text);
 }
 
+TEST(CommandLine, ProgramsMayMoveMotorsOnlyIfItSaysControl) {
+    EXPECT_TRUE(said(QStringLiteral("--help")).text.contains(QStringLiteral("--serve <control>")));
+    EXPECT_EQ(started(QString()).programs, Start::Programs::KeptOut);
+    const Start alone = started(QStringLiteral("--serve mill.json"));
+    EXPECT_EQ(alone.programs, Start::Programs::LetIn);
+    EXPECT_EQ(alone.machine, QStringLiteral("mill.json"));
+    for (const char* words : {"--serve=control mill.json", "--serve control mill.json"}) {
+        const Start start = started(QLatin1String(words));
+        EXPECT_EQ(start.programs, Start::Programs::MayMove) << words;
+        EXPECT_EQ(start.machine, QStringLiteral("mill.json")) << words;
+    }
+    const Say say = said(QStringLiteral("--serve=foo"));
+    EXPECT_EQ(say.exitCode, 2);
+    EXPECT_EQ(say.text, QStringLiteral("--serve takes nothing or =control."));
+}
+
 TEST(CommandLine, TakesOneMachineFile) {
     QTemporaryFile file;
     ASSERT_TRUE(file.open());

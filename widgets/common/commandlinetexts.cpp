@@ -31,6 +31,10 @@ QString unknownOption(const QString& option) {
     return Texts::tr("Unknown option \"%1\". Use --help for a list.").arg(option);
 }
 
+QString badServe() {
+    return Texts::tr("--serve takes nothing or =control.");
+}
+
 QString readOnlyWithoutPort() {
     return Texts::tr("--read-only requires --port or --simulator.");
 }

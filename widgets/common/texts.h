@@ -245,6 +245,7 @@ namespace texts {
 [[nodiscard]] QString badBaud(const QString& text);
 [[nodiscard]] QString badChain(const QString& chain, const QString& reason);
 [[nodiscard]] QString unknownOption(const QString& option);
+[[nodiscard]] QString badServe();
 [[nodiscard]] QString readOnlyWithoutPort();
 [[nodiscard]] QString noDisplay();
 
