@@ -1845,6 +1845,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Keine Antwort</translation>
     </message>
     <message>
+        <source>Not asked</source>
+        <translation>Nicht abgefragt</translation>
+    </message>
+    <message>
         <source>No motor power</source>
         <translation>Versorgung fehlt</translation>
     </message>
@@ -1883,6 +1887,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The module does not answer. Motor state unknown.</source>
         <translation>Das Modul antwortet nicht. Motorzustand unbekannt.</translation>
+    </message>
+    <message>
+        <source>Sending has stopped because another module restarted, so what this one does now is not known. Scan again, or restart the network.</source>
+        <translation>Weil ein anderes Modul neu gestartet ist, wird nichts mehr gesendet; was dieses jetzt tut, ist daher nicht bekannt. Erneut suchen oder das Netzwerk neu starten.</translation>
     </message>
     <message>
         <source>The motor is free to turn. This is normal: the servo is switched off.</source>
@@ -2011,6 +2019,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>Connection to %1 lost, motor state unknown</source>
         <translation>Verbindung zu %1 verloren, Motorzustand unbekannt</translation>
+    </message>
+    <message>
+        <source>Sending to %1 has stopped: module %2 restarted</source>
+        <translation>An %1 wird nichts mehr gesendet: Modul %2 ist neu gestartet</translation>
     </message>
     <message numerus="yes">
         <source>%n modules</source>
@@ -3601,6 +3613,13 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>
             <numerusform>Modul %1 antwortet nicht</numerusform>
             <numerusform>Die Module %1 antworten nicht</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Modules %1 are off after a restart.</source>
+        <translation>
+            <numerusform>Modul %1 ist nach einem Neustart aus.</numerusform>
+            <numerusform>Die Module %1 sind nach einem Neustart aus.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -66,6 +66,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>Modules %1 are off after a restart.</source>
+        <translation>
+            <numerusform>Module %1 is off after a restart.</numerusform>
+            <numerusform>Modules %1 are off after a restart.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Modules %1 were commanded to stop but were not seen at rest</source>
         <translation>
             <numerusform>Module %1 was commanded to stop but was not seen at rest</numerusform>

@@ -1845,6 +1845,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Sin respuesta</translation>
     </message>
     <message>
+        <source>Not asked</source>
+        <translation>Sin consultar</translation>
+    </message>
+    <message>
         <source>No motor power</source>
         <translation>Motor sin tensión</translation>
     </message>
@@ -1883,6 +1887,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>The module does not answer. Motor state unknown.</source>
         <translation>El módulo no responde. Estado del motor desconocido.</translation>
+    </message>
+    <message>
+        <source>Sending has stopped because another module restarted, so what this one does now is not known. Scan again, or restart the network.</source>
+        <translation>Ya no se envía nada porque otro módulo se reinició, así que no se sabe qué hace este ahora. Vuelva a buscar o reinicie la red.</translation>
     </message>
     <message>
         <source>The motor is free to turn. This is normal: the servo is switched off.</source>
@@ -2011,6 +2019,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>Connection to %1 lost, motor state unknown</source>
         <translation>Se perdió la conexión con %1; estado de los motores desconocido</translation>
+    </message>
+    <message>
+        <source>Sending to %1 has stopped: module %2 restarted</source>
+        <translation>Ya no se envía nada a %1: el módulo %2 se reinició</translation>
     </message>
     <message numerus="yes">
         <source>%n modules</source>
@@ -3601,6 +3613,13 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>
             <numerusform>El módulo %1 no responde</numerusform>
             <numerusform>Los módulos %1 no responden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Modules %1 are off after a restart.</source>
+        <translation>
+            <numerusform>El módulo %1 está apagado tras reiniciarse.</numerusform>
+            <numerusform>Los módulos %1 están apagados tras reiniciarse.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -1845,6 +1845,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Pas de réponse</translation>
     </message>
     <message>
+        <source>Not asked</source>
+        <translation>Non interrogé</translation>
+    </message>
+    <message>
         <source>No motor power</source>
         <translation>Moteur non alimenté</translation>
     </message>
@@ -1883,6 +1887,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>The module does not answer. Motor state unknown.</source>
         <translation>Le module ne répond pas. État du moteur inconnu.</translation>
+    </message>
+    <message>
+        <source>Sending has stopped because another module restarted, so what this one does now is not known. Scan again, or restart the network.</source>
+        <translation>Plus rien n’est envoyé car un autre module a redémarré&#xa0;; on ne sait donc pas ce que fait celui-ci maintenant. Relancez la recherche, ou redémarrez le réseau.</translation>
     </message>
     <message>
         <source>The motor is free to turn. This is normal: the servo is switched off.</source>
@@ -2011,6 +2019,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Connection to %1 lost, motor state unknown</source>
         <translation>Connexion à %1 perdue, état des moteurs inconnu</translation>
+    </message>
+    <message>
+        <source>Sending to %1 has stopped: module %2 restarted</source>
+        <translation>Plus rien n’est envoyé à %1&#xa0;: le module %2 a redémarré</translation>
     </message>
     <message numerus="yes">
         <source>%n modules</source>
@@ -3601,6 +3613,13 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>
             <numerusform>Le module %1 ne répond pas</numerusform>
             <numerusform>Les modules %1 ne répondent pas</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Modules %1 are off after a restart.</source>
+        <translation>
+            <numerusform>Le module %1 est arrêté après un redémarrage.</numerusform>
+            <numerusform>Les modules %1 sont arrêtés après un redémarrage.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -1842,6 +1842,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>応答なし</translation>
     </message>
     <message>
+        <source>Not asked</source>
+        <translation>問い合わせ停止</translation>
+    </message>
+    <message>
         <source>No motor power</source>
         <translation>モーター電源なし</translation>
     </message>
@@ -1880,6 +1884,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>The module does not answer. Motor state unknown.</source>
         <translation>モジュールが応答しません。モーターの状態は不明です。</translation>
+    </message>
+    <message>
+        <source>Sending has stopped because another module restarted, so what this one does now is not known. Scan again, or restart the network.</source>
+        <translation>別のモジュールが再起動したため送信を中止しました。このモジュールの現在の動作は不明です。再スキャンするか、ネットワークを再起動してください。</translation>
     </message>
     <message>
         <source>The motor is free to turn. This is normal: the servo is switched off.</source>
@@ -2008,6 +2016,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>Connection to %1 lost, motor state unknown</source>
         <translation>%1との接続が切れました。モーターの状態は不明です</translation>
+    </message>
+    <message>
+        <source>Sending to %1 has stopped: module %2 restarted</source>
+        <translation>%1への送信を中止しました：モジュール%2が再起動しました</translation>
     </message>
     <message numerus="yes">
         <source>%n modules</source>
@@ -3593,6 +3605,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <source>Modules %1 do not answer</source>
         <translation>
             <numerusform>モジュール%1が応答しません</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Modules %1 are off after a restart.</source>
+        <translation>
+            <numerusform>モジュール%1は再起動したためオフです。</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -18,6 +18,12 @@ TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces)
     (void)sim.control(QStringLiteral("power-cycle 2"));
     const QString restarted = QStringLiteral("Module 2 restarted");
     ASSERT_TRUE(panel.waitFor([&] { return panel.standing(restarted) != nullptr; }));
+    EXPECT_TRUE(store.link().quiet);
+    EXPECT_TRUE(panel.waitFor([&] {
+        return panel.count(QStringLiteral("Module 2 is off after a restart.")) == 1;
+    })) << panel.headlines().join(QLatin1Char('\n')).toStdString();
+    EXPECT_EQ(panel.count(QStringLiteral("use the hardware stop")), 0);
+    EXPECT_FALSE(store.link().modules[1].stopUnconfirmed);
 
     ASSERT_TRUE(panel.press(restarted, QStringLiteral("Scan again")));
     const auto found = [&] {
@@ -26,6 +32,7 @@ TEST(OneModuleRestarted, GetsItsAddressBackByAButtonAndTheOthersKeepTheirPlaces)
     ASSERT_TRUE(panel.waitFor(found)) << panel.headlines().join(QLatin1Char('\n')).toStdString();
     EXPECT_EQ(store.link().modules[2].info.address, BusAddress(3));
     EXPECT_TRUE(store.link().modules[2].isStepper()) << "Z is in its old place";
+    EXPECT_FALSE(store.link().quiet);
     EXPECT_TRUE(store.link().modules[1].silent) << "STOP ALL does not reach it";
 
     // Before it has been watched, a chain that was left running may be moving, and no address is assigned.

@@ -102,6 +102,25 @@ TEST_F(ChainList, ALostLinkStrikesOutEverythingAtOnce) {
     }
 }
 
+/// This has happened: modules that were stopped, and that nobody asked any more, seemed not to answer.
+TEST_F(ChainList, ModulesThatAreNotAskedAnyMoreAreNotSaidNotToAnswer) {
+    LinkState link = connectedTo({Servo{}.state(), Servo{.index = 1}.state(), Servo{.index = 2}.state()});
+    link.phase = LinkPhase::Lost;
+    link.quiet = true;
+    link.modules[0].restarted();
+    link.modules[0].silent = true;
+    link.modules[2].silent = true;
+    window->showLink(link);
+    EXPECT_EQ(at(0, ChainModel::ActivityText).toString(), u"Restarted"_s);
+    EXPECT_EQ(at(1, ChainModel::ActivityText).toString(), u"Not asked"_s);
+    EXPECT_EQ(at(2, ChainModel::ActivityText).toString(), u"No answer"_s) << "it did not before either";
+    EXPECT_EQ(text(u"linkLabel"_s), u"Sending to /dev/ttyUSB0 has stopped: module 1 restarted"_s);
+    link.quiet = false;
+    window->showLink(link);
+    EXPECT_EQ(at(1, ChainModel::ActivityText).toString(), u"No answer"_s);
+    EXPECT_EQ(text(u"linkLabel"_s), u"Connection to /dev/ttyUSB0 lost, motor state unknown"_s);
+}
+
 /// Scan again only queries: motors that turn keep turning, and can be stopped.
 TEST_F(ChainList, LookingAgainIsNoFaultOfTheChain) {
     QSignalSpy intents(&window->requests(), &Requests::intent);

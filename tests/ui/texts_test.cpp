@@ -209,7 +209,7 @@ TEST(Texts, AStopThatIsNotConfirmedSendsToTheHardwareStop) {
     const ModuleIndex two(1);
     const ModuleIndex three(2);
     const auto said = [](const bus::StopFinished& finished) {
-        EXPECT_FALSE(texts::allStopped(finished));
+        EXPECT_FALSE(texts::allStopped(finished, {}));
         const Message message = texts::stopResult(finished, {});
         EXPECT_EQ(message.severity, Severity::Fault);
         EXPECT_EQ(message.key, texts::key::kStop);
@@ -230,6 +230,29 @@ TEST(Texts, AStopThatIsNotConfirmedSendsToTheHardwareStop) {
         said({{}, {}, {one}, {}}),
         u"No stop was confirmed. Module 1 was commanded to stop but was not seen at rest: use the hardware stop."_s);
     EXPECT_EQ(said({}), u"No stop was confirmed. No module is known: use the hardware stop."_s);
+}
+
+/// This has happened: the panel knew that the module had restarted, and sent the user to the hardware stop.
+TEST(Texts, AModuleThatHasRestartedIsNotMissingAfterAStop) {
+    const ModuleIndex one(0);
+    const ModuleIndex two(1);
+    const ModuleIndex three(2);
+    std::vector<ModuleState> modules{Servo{}.state(), Servo{.index = 1}.state(),
+                                     Servo{.index = 2, .on = false}.state()};
+    modules[0].restarted();
+    const bus::StopFinished stop{{two, three}, {one}, {}, {}, fromSeconds(0.412), {three}};
+    EXPECT_TRUE(texts::allStopped(stop, modules));
+    const Message message = texts::stopResult(stop, modules);
+    EXPECT_EQ(message.headline,
+              u"1 stopped and holding, 1 was off, 412 ms. Module 1 is off after a restart."_s);
+    EXPECT_EQ(message.severity, Severity::Normal) << "the message about the restart comes first";
+    const bus::StopFinished alone{{}, {one}, {}, {}, {}};
+    EXPECT_EQ(texts::stopResult(alone, modules).headline, u"Module 1 is off after a restart."_s);
+    const bus::StopFinished worse{{two}, {one, three}, {}, {}, {}};
+    EXPECT_FALSE(texts::allStopped(worse, modules));
+    EXPECT_EQ(texts::stopResult(worse, modules).headline,
+              u"1 of 3 stopped. Module 1 is off after a restart. Module 3 does not answer: use the "
+              u"hardware stop."_s);
 }
 
 TEST(Texts, NothingHasStoppedBeforeItIsConfirmed) {

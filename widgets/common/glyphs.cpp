@@ -98,6 +98,10 @@ void paintMark(MarkPainter mark, Activity activity) {
             for (double x : {0.15, 0.5, 0.85})
                 mark.disc({x, 0.5}, 0.12);
             break;
+        case Activity::NotAsked:
+            for (double x : {0.3, 0.7})
+                mark.disc({x, 0.5}, 0.12);
+            break;
         case Activity::NoPower:
         case Activity::PowerLost:
             mark.polygon({{0.62, 0.0}, {0.18, 0.58}, {0.45, 0.58}, {0.36, 1.0}, {0.82, 0.40}, {0.54, 0.40}});

@@ -91,8 +91,8 @@ std::optional<Message> unheard(const LinkState& link, const ModuleState& module,
     const auto answering = std::count_if(link.modules.begin(), link.modules.end(), answers);
     const ModuleIndex index = module.info.index;
     if (module.hasRestarted)
-        return withRecord(
-            restarted({index, link.phase == LinkPhase::Lost}, static_cast<int>(link.modules.size())));
+        return withRecord(restarted({index, link.phase == LinkPhase::Lost && link.quiet},
+                                    static_cast<int>(link.modules.size())));
     if (isMissing(module))
         return moduleMissing(index, static_cast<int>(answering));
     // One text for one cause: if the whole link is lost, that is reported instead.

@@ -9,12 +9,24 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// Which modules are not known to have stopped, and why; empty if all are.
-QStringList missing(const bus::StopFinished& finished) {
+/// The modules that did not answer the stop because they have restarted, which has switched their motors
+/// off; or the others that did not answer.
+std::vector<ModuleIndex> unreached(const bus::StopFinished& finished, const std::vector<ModuleState>& modules,
+                                   bool restarted) {
+    std::vector<ModuleIndex> some;
+    for (const ModuleIndex index : finished.unreached) {
+        const ModuleState* module = moduleAt(index, modules);
+        if ((module != nullptr && module->hasRestarted) == restarted)
+            some.push_back(index);
+    }
+    return some;
+}
+
+/// Which modules are not known to be at rest, and why; empty if all are.
+QStringList missing(const bus::StopFinished& finished, const std::vector<ModuleState>& modules) {
     QStringList parts;
-    if (!finished.unreached.empty())
-        parts << Texts::tr("Modules %1 do not answer", nullptr, howMany(finished.unreached))
-                     .arg(listOfModules(finished.unreached));
+    if (const auto silent = unreached(finished, modules, false); !silent.empty())
+        parts << Texts::tr("Modules %1 do not answer", nullptr, howMany(silent)).arg(listOfModules(silent));
     if (!finished.unconfirmed.empty())
         parts << Texts::tr("Modules %1 were commanded to stop but were not seen at rest", nullptr,
                            howMany(finished.unconfirmed))
@@ -32,7 +44,7 @@ QString howStopped(const bus::StopFinished& finished, const std::vector<ModuleSt
     int wereOff = 0;
     int io = 0;
     for (const ModuleIndex index : finished.stopped) {
-        const ModuleState* module = index.value() < modules.size() ? &modules[index.value()] : nullptr;
+        const ModuleState* module = moduleAt(index, modules);
         if (module != nullptr && module->isIo())
             ++io;
         else if (module != nullptr && module->driveOn())
@@ -91,28 +103,36 @@ Words wordsFor(const bus::HoldExpired& expired) {
 
 }  // namespace
 
-bool allStopped(const bus::StopFinished& finished) {
-    return !finished.stopped.empty() && missing(finished).isEmpty();
+bool allStopped(const bus::StopFinished& finished, const std::vector<ModuleState>& modules) {
+    return !finished.reachedNobody() && missing(finished, modules).isEmpty();
 }
 
 Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleState>& modules) {
     const QString stopped = QString::number(finished.stopped.size());
     const QString all = QString::number(finished.stopped.size() + finished.unreached.size() +
                                         finished.unconfirmed.size() + finished.noStopKnown.size());
-    if (allStopped(finished)) {
+    QStringList sentences;
+    if (const auto off = unreached(finished, modules, true); !off.empty())
+        sentences << Texts::tr("Modules %1 are off after a restart.", nullptr, howMany(off))
+                         .arg(listOfModules(off));
+    if (allStopped(finished, modules)) {
         const auto ms = std::llround(toSeconds(finished.took) * 1000);
+        if (!finished.stopped.empty())
+            sentences.prepend(
+                Texts::tr("%1, %2 ms.").arg(howStopped(finished, modules), QString::number(ms)));
         // A separate key, so that a successful stop does not count as a repeat of one that failed.
-        return {.key = key::kStopped,
-                .headline = Texts::tr("%1, %2 ms.").arg(howStopped(finished, modules), QString::number(ms)),
-                .relation = Message::Relation::Repeat};
+        return {
+            .key = key::kStopped, .headline = sentences.join(u' '), .relation = Message::Relation::Repeat};
     }
-    QStringList parts = missing(finished);
+    QStringList parts = missing(finished, modules);
     if (parts.isEmpty())
         parts << Texts::tr("No module is known");
     parts.last() += Texts::tr(": use the hardware stop.");
     const QString first = finished.stopped.empty() ? Texts::tr("No stop was confirmed.")
                                                    : Texts::tr("%1 of %2 stopped.").arg(stopped, all);
-    return {.key = key::kStop, .severity = Severity::Fault, .headline = first + u' ' + parts.join(u". "_s)};
+    sentences.prepend(first);
+    sentences << parts.join(u". "_s);
+    return {.key = key::kStop, .severity = Severity::Fault, .headline = sentences.join(u' ')};
 }
 
 Message stopWaits() {

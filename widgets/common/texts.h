@@ -150,8 +150,8 @@ namespace texts {
 [[nodiscard]] Message stopWaits();
 /// "1 stopped and holding, 2 were off, 22 ms." `modules`: their present state.
 [[nodiscard]] Message stopResult(const bus::StopFinished& finished, const std::vector<ModuleState>& modules);
-/// True if there were modules, and each is known to have stopped.
-[[nodiscard]] bool allStopped(const bus::StopFinished& finished);
+/// True if there were modules, and each is known to have stopped, or is off because it has restarted.
+[[nodiscard]] bool allStopped(const bus::StopFinished& finished, const std::vector<ModuleState>& modules);
 /// "Modules 1, 2 were commanded to stop."
 [[nodiscard]] QString commandedToStop(const std::vector<ModuleIndex>& modules);
 /// Appended to the headline of the message that reported the stop: "It has stopped."

@@ -2,6 +2,7 @@
 #include "widgets/common/words.h"
 
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 
 #include "link/ports/linktypes.h"
@@ -32,6 +33,11 @@ ActivityTexts textsOf(Activity activity) {
             return {Texts::tr("Unknown"), Texts::tr("No status received from this module yet.")};
         case Activity::Unresponsive:
             return {Texts::tr("No answer"), Texts::tr("The module does not answer. Motor state unknown.")};
+        case Activity::NotAsked:
+            return {
+                Texts::tr("Not asked"),
+                Texts::tr(
+                    "Sending has stopped because another module restarted, so what this one does now is not known. Scan again, or restart the network.")};
         case Activity::Restarted:
             return {
                 Texts::tr("Restarted"),
@@ -329,6 +335,10 @@ QString link(const LinkState& state) {
         case LinkPhase::Lost:
             if (state.modules.empty())
                 return Texts::tr("%1 is open, but no module is usable").arg(port);
+            if (const auto restarted = std::ranges::find(state.modules, true, &ModuleState::hasRestarted);
+                state.quiet && restarted != state.modules.end())
+                return Texts::tr("Sending to %1 has stopped: module %2 restarted")
+                    .arg(port, moduleNumber(restarted->info.index));
             return Texts::tr("Connection to %1 lost, motor state unknown").arg(port);
     }
     return {};

@@ -461,7 +461,7 @@ void MainWindow::requestStop() {
 void MainWindow::showStopResult(const bus::StopFinished& finished, unsigned record) {
     Message result = texts::stopResult(finished, m_session.link().modules);
     m_bar->showStopResult(result.headline);
-    const bool all = texts::allStopped(finished);
+    const bool all = texts::allStopped(finished, m_session.link().modules);
     if (all)
         endMessage(texts::key::kStop);
     result.record = record;

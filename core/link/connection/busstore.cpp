@@ -319,7 +319,12 @@ void BusStore::note(const bus::ForeignMotion& motion) {
 
 void BusStore::note(const bus::HealthChanged& changed) {
     if (changed.health == bus::LinkHealth::Lost && !changed.module)
-        m_link.phase = LinkPhase::Lost;
+        lost(false);
+}
+
+void BusStore::lost(bool quiet) {
+    m_link.phase = LinkPhase::Lost;
+    m_link.quiet = quiet;
 }
 
 /// Nothing that was reported by or sent to the module before is valid any more.
@@ -336,7 +341,7 @@ void BusStore::note(const bus::Readdressed& readdressed) {
 
 void BusStore::note(const bus::ModuleRestarted& restarted) {
     if (restarted.quiet)
-        m_link.phase = LinkPhase::Lost;
+        lost(true);
     if (!known(restarted.module))
         return;
     m_link.modules[restarted.module.value()].silent = true;
@@ -371,8 +376,8 @@ void BusStore::note(const bus::StopFinished& stopped) {
     for (const auto* missing : {&stopped.unreached, &stopped.unconfirmed, &stopped.noStopKnown}) {
         doubtMotions(*missing);
         for (const ModuleIndex module : *missing)
-            if (known(module))
-                m_link.modules[module.value()].stopUnconfirmed = true;
+            if (known(module))  // no stop is repeated for one that has restarted
+                m_link.modules[module.value()].stopUnconfirmed = !m_link.modules[module.value()].hasRestarted;
     }
     for (Record& record : m_records)
         record.open = true;
@@ -490,6 +495,7 @@ void BusStore::closed(const PortClosed& closed) {
 void BusStore::forgetChain() {
     m_link.modules.clear();
     m_link.found = 0;
+    m_link.quiet = false;
     m_records.clear();
 }
 

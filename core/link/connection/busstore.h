@@ -107,7 +107,7 @@ private:
             m_link.modules[changed.module.value()].info.address = changed.address;
     }
     void note(const bus::RateChanged& changed) { m_link.baud = changed.baud; }
-    void note(const AnyOf<bus::ConnectFailed, bus::LinkLost> auto&) { m_link.phase = LinkPhase::Lost; }
+    void note(const AnyOf<bus::ConnectFailed, bus::LinkLost> auto&) { lost(false); }
     void note(const bus::StopFinished& stopped);
     void note(const bus::OwedStopConfirmed& confirmed);
     void note(const bus::ForeignMotion& motion);
@@ -120,6 +120,8 @@ private:
     /// The same for a command that sets outputs of a PIC-I/O.
     void doubtOutputs(ModuleIndex module, CommandCode command);
     void setModules(const bus::ChainFound& chain);
+    /// `quiet`: LinkState::quiet.
+    void lost(bool quiet);
     /// The machine applies to the modules as they are now.
     void useMachine();
     /// It is unknown whether these modules received the last commands; from here on, only their positions

@@ -12,6 +12,7 @@ Severity severityOf(Activity activity) {
         case Activity::Overheated:
         case Activity::WentOff:
             return Severity::Fault;
+        case Activity::NotAsked:
         case Activity::NoPower:
         case Activity::PwmMode:
         case Activity::MaybeOff:

@@ -9,6 +9,7 @@ namespace nmc {
 enum class Activity : std::uint8_t {
     Unknown,       ///< no status yet, or a module that no data sheet here covers
     Unresponsive,  ///< does not answer; whether it moves is unknown
+    NotAsked,      ///< nothing is sent to it any more, since another module restarted
     Restarted,     ///< it restarted by itself: it is off, and has lost its address and all settings
     NoPower,       ///< motor power is off, so the motor is off
     ServoOff,      ///< not a fault: it was never switched on, or was switched off

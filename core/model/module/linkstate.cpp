@@ -50,6 +50,7 @@ LinkState asShown(LinkState link) {
     for (ModuleState& module : link.modules) {
         module.lookedFor = looking;
         if (link.phase != LinkPhase::Connected && !looking) {
+            module.notAsked = link.phase == LinkPhase::Lost && link.quiet && !module.silent;
             module.silent = true;
             module.repliesPerSecond = 0;
         }

@@ -35,6 +35,9 @@ struct LinkState {
     /// Only queries and a stop of all modules are sent: another host is responsible for what moves (faults.md
     /// H-02).
     bool readOnly = false;
+    /// While the link is lost: it is because a module restarted, which would misread what is sent to the
+    /// others. So nobody is asked any more, and nothing is sent except a stop of all modules.
+    bool quiet = false;
     /// Nothing is sent except by that program, and by a stop of all modules.
     std::optional<LentLine> lent{};
     /// What an operator may request; empty: the panel is not locked.
@@ -70,7 +73,8 @@ struct LinkState {
 [[nodiscard]] bool isSetUp(const Machine& machine, ModuleIndex module);
 
 /// The state as it may be displayed: a module that is no longer polled, because the link is lost or addresses
-/// are being assigned again, counts as not answering, whatever it reported last, and sends no replies. While
+/// are being assigned again, counts as not answering, whatever it reported last, and sends no replies. After
+/// LinkState::quiet, those that did answer are shown as not asked. While
 /// modules are only searched for, this does not apply. Everything that displays modules uses this.
 [[nodiscard]] LinkState asShown(LinkState link);
 /// True if the module's last report may be shown as current. Every display uses this rule.

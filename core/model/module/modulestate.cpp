@@ -446,7 +446,7 @@ Activity ModuleState::activity() const {
     if (hasRestarted)
         return Activity::Restarted;
     if (silent)
-        return Activity::Unresponsive;
+        return notAsked ? Activity::NotAsked : Activity::Unresponsive;
     if (isStepper() && latest)
         return stepper.activity();
     if (isIo() && latest)

@@ -37,6 +37,8 @@ struct ModuleState : ServoRegisters {
     /// Status replies in the last second.
     double repliesPerSecond = 0.0;
     bool silent = false;
+    /// Silent only because nothing is sent to it any more (LinkState::quiet).
+    bool notAsked = false;
     /// It has not confirmed a stop of all motors, which is repeated until it does.
     bool stopUnconfirmed = false;
     /// The chain is being searched for at its last addresses: this is the last reported state, and only stops
