@@ -166,7 +166,7 @@ bool MotionKeeper::moves(const ModuleState& module) const {
     const auto asked = m_askedAt.find(index);
     if (asked != m_askedAt.end() && module.latestTime < asked->second + kShows)
         return true;
-    return module.moving() || (module.silent && m_own.modules.count(index) != 0);
+    return module.stillMoves() || (module.silent && m_own.modules.count(index) != 0);
 }
 
 void MotionKeeper::look() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/news.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -120,7 +121,10 @@ struct Reporter {
         return {{texts::portProblem(error)}};
     }
     All operator()(const PanelFroze& froze) const {
-        if (!froze.stopped && movingModules(link).empty())
+        const auto moves = [this](const ModuleState& module) {
+            return isLive(link, module) && module.stillMoves();
+        };
+        if (!froze.stopped && std::ranges::none_of(link.modules, moves))
             return {};
         return {{texts::panelFroze(toSeconds(froze.length), froze.stopped)}};
     }

@@ -113,6 +113,23 @@ TEST(ModuleState, AConfirmedMotorOffLeavesTheLoadedVelocity) {
     EXPECT_EQ(module.goalVelocity, 3);
 }
 
+/// A stop's own looks are not always reported, and after it, nobody may be asked any more.
+TEST(ModuleState, AMotorThatAStopHasConfirmedAtRestIsNotCountedAsMovingByAnOlderReport) {
+    LinkState link;
+    link.modules = {holdingServo()};
+    ModuleState& module = link.modules.front();
+    module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
+    module.apply(sampleOf(1.1, kPower, kServoOn, 50));
+    EXPECT_EQ(movingModules(link).size(), 1U);
+    module.apply(executedAt(2.0, stopWith(servo::StopManner::Abruptly)));
+    EXPECT_EQ(movingModules(link).size(), 1U) << "it has not been seen at rest yet";
+    module.confirmedAtRest();
+    EXPECT_TRUE(movingModules(link).empty());
+    EXPECT_TRUE(module.moving()) << "its position is that of a motor in motion";
+    module.apply(sampleOf(2.1, kPower, kServoOn, 90));
+    EXPECT_EQ(movingModules(link).size(), 1U) << "a later report counts";
+}
+
 /// A search for home stops in the same manners.
 TEST(ModuleState, ASearchThatEndsWithMotorOffLeavesTheLoadedVelocity) {
     servo::LoadTrajectory again = velocityMode(0, 100);

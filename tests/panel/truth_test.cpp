@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window says about a motor, compared with what the simulated motor does.
+#include "app/news.h"
+#include "tests/model/servofixture.h"
 #include "tests/support/gains.h"
 #include "tests/support/virtualpanel.h"
 
@@ -59,6 +61,29 @@ TEST_F(Truth, OvercurrentIsSaid) {
     panel.ask(intent::ApplyGains{testing_support::kGains});
     panel.click("clearStickyButton");
     EXPECT_TRUE(saysSoon("Holding")) << label("stateLabel").toStdString();
+}
+
+/// This has happened: after a stop, a busy computer was said to freeze while a motor moved, for minutes.
+TEST(Freezes, AreNotReportedOfMotorsThatAreNotKnownToMove) {
+    using namespace testing_support;
+    const PanelFroze froze{std::chrono::seconds(1), false};
+    LinkState link;
+    link.phase = LinkPhase::Connected;
+    link.modules = {holdingServo()};
+    ModuleState& module = link.modules.front();
+    EXPECT_TRUE(newsOf(froze, link).empty());
+    module.apply(executedAt(1.0, velocityMode(3 << 16, 100)));
+    module.apply(sampleOf(1.1, kPower, kServoOn, 50));
+    EXPECT_EQ(newsOf(froze, link).size(), 1U);
+    link.phase = LinkPhase::Lost;
+    EXPECT_TRUE(newsOf(froze, link).empty()) << "its report is not renewed any more";
+    EXPECT_EQ(newsOf(PanelFroze{std::chrono::seconds(3), true}, link).size(), 1U);
+    link.phase = LinkPhase::Connected;
+    module.silent = true;
+    EXPECT_TRUE(newsOf(froze, link).empty());
+    module.silent = false;
+    module.confirmedAtRest();
+    EXPECT_TRUE(newsOf(froze, link).empty());
 }
 
 }  // namespace

@@ -53,6 +53,17 @@ protected:
     QSignalSpy actions{window.get(), &MainWindow::messageAction};
 };
 
+/// This has happened: a busy computer left a line in the list at each of its hiccups.
+TEST_F(Messages, ShortFreezesAreCountedInOneRow) {
+    for (const double seconds : {1.1, 1.4, 1.2})
+        window->showMessage(texts::panelFroze(seconds, false));
+    ASSERT_EQ(list()->rows().size(), 1);
+    EXPECT_EQ(list()->rows().at(0)->count(), 3);
+    window->showMessage(texts::panelFroze(3, true));
+    ASSERT_EQ(list()->rows().size(), 2) << "motors were stopped this time";
+    EXPECT_EQ(list()->rows().at(0)->count(), 1);
+}
+
 TEST_F(Messages, OneRowForOneCauseAndRepeatsAreCounted) {
     for (std::uint8_t attempt = 1; attempt <= 3; ++attempt)
         window->showMessage(texts::refused({ModuleIndex(1), attempt}));

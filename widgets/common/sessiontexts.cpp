@@ -28,11 +28,13 @@ Message panelFroze(double seconds, bool stopped) {
     const QString text =
         stopped ? Texts::tr("The panel froze for %1; motors were commanded to stop after 2 s.")
                 : Texts::tr("The panel froze for %1 while a motor was moving. The motor was not stopped.");
-    return {.key = u"froze"_s,
+    // A separate key, so that one that stopped motors does not count as a repeat of one that did not.
+    return {.key = stopped ? u"frozeAndStopped"_s : u"froze"_s,
             .severity = Severity::Attention,
             .headline = text.arg(span(seconds)),
             .body = Texts::tr(
-                "STOP ALL did not work during that time. The computer was busy, or the program hung.")};
+                "STOP ALL did not work during that time. The computer was busy, or the program hung."),
+            .relation = Message::Relation::Repeat};
 }
 
 Message machineSlept(double seconds, bool stopped) {

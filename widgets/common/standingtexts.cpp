@@ -97,7 +97,7 @@ std::optional<Message> unheard(const LinkState& link, const ModuleState& module,
         return moduleMissing(index, static_cast<int>(answering));
     // One text for one cause: if the whole link is lost, that is reported instead.
     if (module.silent && (link.phase == LinkPhase::Connected || answering > 0))
-        return withRecord(moduleUnresponsive(index, toSeconds(now - module.latestTime), module.moving()));
+        return withRecord(moduleUnresponsive(index, toSeconds(now - module.latestTime), module.stillMoves()));
     return std::nullopt;
 }
 

@@ -122,7 +122,7 @@ int Session::movingMotors() const {
     return static_cast<int>(std::ranges::count_if(m_link.modules, [this](const ModuleState& module) {
         // The last request to a motor that is on may have started it, although no status has shown that yet.
         const bool asked = module.awaited && module.driveOn();
-        return module.moving() || asked || procedureMoves(module.info.index);
+        return module.stillMoves() || asked || procedureMoves(module.info.index);
     }));
 }
 

@@ -65,7 +65,7 @@ bool isMissing(const ModuleState& module) {
 std::vector<ModuleIndex> movingModules(const LinkState& link) {
     std::vector<ModuleIndex> moving;
     for (const ModuleState& module : link.modules)
-        if (module.moving())
+        if (module.stillMoves())
             moving.push_back(module.info.index);
     return moving;
 }

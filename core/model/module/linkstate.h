@@ -74,8 +74,8 @@ struct LinkState {
 
 /// The state as it may be displayed: a module that is no longer polled, because the link is lost or addresses
 /// are being assigned again, counts as not answering, whatever it reported last, and sends no replies. After
-/// LinkState::quiet, those that did answer are shown as not asked. While
-/// modules are only searched for, this does not apply. Everything that displays modules uses this.
+/// LinkState::quiet, those that did answer are shown as not asked. While modules are only searched for, this
+/// does not apply. Everything that displays modules uses this.
 [[nodiscard]] LinkState asShown(LinkState link);
 /// True if the module's last report may be shown as current. Every display uses this rule.
 [[nodiscard]] bool isLive(const LinkState& link, const ModuleState& module);

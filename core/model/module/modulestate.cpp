@@ -35,6 +35,7 @@ void ModuleState::apply(const bus::Sample& sample) {
     // Commanded, or seen twice: a single reply may come from another module, which another host has queried.
     const bool wasOn = servoOn() && (m_looksWhileOn > 1 || motion != MotionMode::None);
     const bool wasMoving = moving();
+    m_restConfirmed = false;
     const HomeWatch watchBefore = homing;
     if (!latest)
         latest.emplace();
@@ -217,6 +218,7 @@ bool ModuleState::watchHome(const bus::Sample& sample) {
 }
 
 void ModuleState::apply(const bus::CommandExecuted& executed) {
+    m_restConfirmed = false;
     homing.apply(executed);
     home.apply(executed);
     speed.apply(executed);
@@ -304,6 +306,7 @@ void ModuleState::doubtGains() {
 
 void ModuleState::confirmedAtRest() {
     stopUnconfirmed = false;
+    m_restConfirmed = true;
     motion = motion == MotionMode::Velocity ? motion : MotionMode::None;
     goalVelocity = 0.0;
     stopped(servoOn() ? servo::StopManner::Abruptly : servo::StopManner::MotorOff, info.identity);

@@ -187,6 +187,10 @@ struct ModuleState : ServoRegisters {
     /// A motion that must not be disturbed: a trapezoidal move in progress, or any command velocity other
     /// than 0.
     [[nodiscard]] bool moving() const;
+    /// moving(), unless a stop has confirmed it at rest since the report that shows it moving: the looks of a
+    /// stop are not always reported, and after LinkState::quiet there are no later reports. Nothing that
+    /// depends on where the motor is may go by this.
+    [[nodiscard]] bool stillMoves() const { return moving() && !m_restConfirmed; }
     /// It is known whether it moves. Of a servo that was on when it was found, only a second report shows
     /// that.
     [[nodiscard]] bool motionSeen() const {
@@ -237,7 +241,8 @@ private:
     std::optional<TimePoint> m_jumpedAt;         ///< the last time
     std::optional<TimePoint> m_changedPlaceAt;   ///< the last time, while watchDrift() is active
     bool m_motionUnknown = false;
-    bool m_drifts = false;  ///< its position has changed recently; slow velocities read 0
+    bool m_restConfirmed = false;  ///< and since then, it has neither reported nor executed anything
+    bool m_drifts = false;         ///< its position has changed recently; slow velocities read 0
     std::optional<bus::Sample> m_restedAt;
     TripWatch m_trip;
 };
