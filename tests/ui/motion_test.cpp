@@ -189,6 +189,29 @@ TEST_F(Motion, EveryConnectionBeginsWithLowSpeeds) {
     EXPECT_EQ(field(u"holdVelocityField"_s)->value(), 0.25);
 }
 
+/// This has happened: Scan again put 0 in place of the typed goal, and Enter turned the motor back to 0.
+TEST_F(Motion, LookingAgainLeavesNoGoalToGoTo) {
+    LinkState link = connectedTo({Servo{.position = 140}.state()});
+    window->showLink(link);
+    type(u"goalField"_s, u"140"_s);
+    link.phase = LinkPhase::Connecting;
+    link.looking = true;
+    window->showLink(link);
+    link.phase = LinkPhase::Connected;
+    link.looking = false;
+    window->showLink(link);
+    EXPECT_EQ(field(u"goalField"_s)->text(), QString());
+    for (const QString& name : {u"goButton"_s, u"loadButton"_s}) {
+        EXPECT_FALSE(button(name)->isEnabled()) << name.toStdString();
+        EXPECT_EQ(button(name)->toolTip(), field(u"goalField"_s)->problemText());
+    }
+    EXPECT_EQ(text(u"forecastLabel"_s), QString());
+    QTest::keyClick(field(u"goalField"_s), Qt::Key_Return);
+    EXPECT_EQ(intents.size(), 0);
+    type(u"goalField"_s, u"150"_s);
+    EXPECT_TRUE(button(u"goButton"_s)->isEnabled());
+}
+
 TEST_F(Motion, EachModuleKeepsItsOwnNumbers) {
     showServos({{}, {}});
     type(u"goalField"_s, u"111"_s);

@@ -87,6 +87,24 @@ TEST_F(StepperPanelTest, StartsAMoveByEnterAndOnlyOnceForADoubleClick) {
     EXPECT_TRUE(asked<intent::StopAbruptly>(1)) << "a stop never waits";
 }
 
+/// Scan again leaves no goal that nobody has typed.
+TEST_F(StepperPanelTest, LookingAgainLeavesNoGoalToGoTo) {
+    LinkState link = connectedTo({Stepper::holding().module});
+    window->showLink(link);
+    type(u"stepperGoalField"_s, u"-300"_s);
+    link.phase = LinkPhase::Connecting;
+    link.looking = true;
+    window->showLink(link);
+    link.phase = LinkPhase::Connected;
+    link.looking = false;
+    window->showLink(link);
+    EXPECT_EQ(field(u"stepperGoalField"_s)->text(), QString());
+    EXPECT_FALSE(button(u"stepperGoButton"_s)->isEnabled());
+    EXPECT_EQ(button(u"stepperGoButton"_s)->toolTip(), field(u"stepperGoalField"_s)->problemText());
+    QTest::keyClick(field(u"stepperGoalField"_s), Qt::Key_Return);
+    EXPECT_EQ(intents.size(), 0);
+}
+
 TEST_F(StepperPanelTest, SaysTheRangeAndSendsNothingOutOfIt) {
     show(Stepper::holding());
     type(u"stepperSpeedField"_s, u"6251"_s);

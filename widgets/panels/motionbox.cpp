@@ -205,9 +205,10 @@ void MotionBox::keep(const QuantityField& field, double MotionSettings::*part) {
     refresh();
 }
 
+/// A number in place of the typed one would be a goal that nobody chose, one press of Enter away.
 void MotionBox::forgetGoal() {
     m_goalKind->setCurrentIndex(Absolute);
-    m_goal->showNative(0);
+    m_goal->showNothing();
     refresh();
 }
 

@@ -189,7 +189,7 @@ void StepperMotionBox::chooseMode() {
 
 void StepperMotionBox::lookedForAnew() {
     showMode(Mode::Trapezoid);
-    m_goal->showNative(0);
+    m_goal->showNothing();  // another goal than the typed one would be one that nobody chose
     m_relative->setChecked(false);
     m_loadOnly->setChecked(false);
     showSpeed();
