@@ -19,6 +19,12 @@ using Until = News::Until;
     return command != nullptr && isStop(command->action);
 }
 
+/// Of a module that was found as another host left it, none of these is known.
+[[nodiscard]] bool isKnownAgain(const ModuleState& module) {
+    return module.isServo() ? module.gains.has_value()
+                            : !module.isStepper() || module.stepper.parameters.has_value();
+}
+
 struct Reporter {
     const LinkState& link;
     QString port = QString::fromStdString(link.port);
@@ -26,7 +32,8 @@ struct Reporter {
     using All = std::vector<News>;
 
     All operator()(const bus::ChainFound& found) const {
-        All all{{texts::connected(found, port), Until::Cause, bus::StopCause::ConnectionEnded,
+        const bool knownAgain = std::ranges::all_of(link.modules, isKnownAgain);
+        All all{{texts::connected(found, port, knownAgain), Until::Cause, bus::StopCause::ConnectionEnded,
                  found.commandedToStop}};
         if (found.replyGap > Duration{})
             all.push_back(

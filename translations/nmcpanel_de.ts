@@ -2215,8 +2215,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Verbunden mit %1: %2 bei %3 Bd, laufen weiter.</translation>
     </message>
     <message>
-        <source>The modules carry on with what they were doing. Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.</source>
-        <translation>Die Module machen weiter, was sie gerade taten. Die Reglerwerte sind unbekannt, bis sie angewendet werden. Einen Motor stoppen, bevor er bewegt wird: Sein letzter Befehl ist unbekannt.</translation>
+        <source>The modules carry on with what they were doing.</source>
+        <translation>Die Module machen weiter, was sie gerade taten.</translation>
+    </message>
+    <message>
+        <source>Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.</source>
+        <translation>Die Reglerwerte sind unbekannt, bis sie angewendet werden. Einen Motor stoppen, bevor er bewegt wird: Sein letzter Befehl ist unbekannt.</translation>
     </message>
     <message>
         <source>A module without an address also answered; it cannot be used yet.</source>

@@ -2215,8 +2215,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Conectado a %1: %2 a %3 Bd, sin alterar su marcha.</translation>
     </message>
     <message>
-        <source>The modules carry on with what they were doing. Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.</source>
-        <translation>Los módulos siguen con lo que hacían. Las ganancias se desconocen hasta que las aplique. Pare un motor antes de moverlo: su último comando se desconoce.</translation>
+        <source>The modules carry on with what they were doing.</source>
+        <translation>Los módulos siguen con lo que hacían.</translation>
+    </message>
+    <message>
+        <source>Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.</source>
+        <translation>Las ganancias se desconocen hasta que las aplique. Pare un motor antes de moverlo: su último comando se desconoce.</translation>
     </message>
     <message>
         <source>A module without an address also answered; it cannot be used yet.</source>

@@ -2215,8 +2215,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Connecté à %1&#xa0;: %2 à %3&#xa0;Bd, sans rien arrêter.</translation>
     </message>
     <message>
-        <source>The modules carry on with what they were doing. Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.</source>
-        <translation>Les modules poursuivent ce qu’ils faisaient. Les gains sont inconnus tant que vous ne les appliquez pas. Arrêtez un moteur avant de le déplacer&#xa0;: sa dernière commande est inconnue.</translation>
+        <source>The modules carry on with what they were doing.</source>
+        <translation>Les modules poursuivent ce qu’ils faisaient.</translation>
+    </message>
+    <message>
+        <source>Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.</source>
+        <translation>Les gains sont inconnus tant que vous ne les appliquez pas. Arrêtez un moteur avant de le déplacer&#xa0;: sa dernière commande est inconnue.</translation>
     </message>
     <message>
         <source>A module without an address also answered; it cannot be used yet.</source>

@@ -2210,8 +2210,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1に接続しました。%2、%3 Bd、動作はそのままです。</translation>
     </message>
     <message>
-        <source>The modules carry on with what they were doing. Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.</source>
-        <translation>モジュールはそれまでの動作を続けます。ゲインは、適用するまで不明です。動かす前にモーターを停止してください。最後のコマンドが不明なためです。</translation>
+        <source>The modules carry on with what they were doing.</source>
+        <translation>モジュールはそれまでの動作を続けます。</translation>
+    </message>
+    <message>
+        <source>Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.</source>
+        <translation>ゲインは、適用するまで不明です。動かす前にモーターを停止してください。最後のコマンドが不明なためです。</translation>
     </message>
     <message>
         <source>A module without an address also answered; it cannot be used yet.</source>

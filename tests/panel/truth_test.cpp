@@ -63,6 +63,21 @@ TEST_F(Truth, OvercurrentIsSaid) {
     EXPECT_TRUE(saysSoon("Holding")) << label("stateLabel").toStdString();
 }
 
+/// This has happened: Scan again said that the gains were unknown, although they were kept and shown as sent.
+TEST(ChainFoundAgain, SaysThatGainsAreUnknownOnlyIfTheyAre) {
+    using namespace testing_support;
+    LinkState link;
+    link.phase = LinkPhase::Connected;
+    link.modules = {holdingServo()};
+    bus::ChainFound found;
+    found.modules = {link.modules.front().info};
+    found.attached = true;
+    EXPECT_EQ(newsOf(found, link).at(0).message.body,
+              QStringLiteral("The modules carry on with what they were doing."));
+    link.modules.push_back(servoModule());
+    EXPECT_TRUE(newsOf(found, link).at(0).message.body.contains(QLatin1String("Gains are unknown")));
+}
+
 /// This has happened: after a stop, a busy computer was said to freeze while a motor moved, for minutes.
 TEST(Freezes, AreNotReportedOfMotorsThatAreNotKnownToMove) {
     using namespace testing_support;

@@ -122,7 +122,7 @@ Message moduleStillUsed(const RowPlace& row, ModuleIndex module, bool otherType)
                       "Forgetting a module removes its axis from the machine. Change or remove that row first, then try again.")};
 }
 
-Message connected(const bus::ChainFound& found, const QString& port) {
+Message connected(const bus::ChainFound& found, const QString& port, bool knownAgain) {
     const int modules = static_cast<int>(found.modules.size());
     Message m{.key = u"connected"_s};
     if (found.readOnly) {
@@ -135,8 +135,12 @@ Message connected(const bus::ChainFound& found, const QString& port) {
     if (found.attached && found.commandedToStop.size() < found.modules.size()) {
         m.headline = Texts::tr("Connected to %1: %2 at %3 Bd, left running.")
                          .arg(portName(port), countOfModules(modules), rate(found.baud));
-        m.body = Texts::tr(
-            "The modules carry on with what they were doing. Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.");
+        m.body = Texts::tr("The modules carry on with what they were doing.");
+        if (!knownAgain)
+            m.body +=
+                u' ' +
+                Texts::tr(
+                    "Gains are unknown until you apply them. Stop a motor before you move it: its last command is unknown.");
     } else {
         m.headline = Texts::tr("Connected to %1: %2 at %3 Bd.")
                          .arg(portName(port), countOfModules(modules), rate(found.baud));

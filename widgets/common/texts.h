@@ -42,7 +42,8 @@ namespace texts {
 [[nodiscard]] Message chainNotAccepted();
 /// A missing module cannot be forgotten while the row sets, homes or waits for it.
 [[nodiscard]] Message moduleStillUsed(const RowPlace& row, ModuleIndex module, bool otherType);
-[[nodiscard]] Message connected(const bus::ChainFound& found, const QString& port);
+/// `knownAgain`: what this connection has sent to each of the modules is known and still holds.
+[[nodiscard]] Message connected(const bus::ChainFound& found, const QString& port, bool knownAgain = false);
 [[nodiscard]] Message echoNoticed(const QString& port);
 [[nodiscard]] Message repliesInPieces(const QString& port, int gapMs);
 /// A module without an address answers, in addition to the chain.
