@@ -62,6 +62,31 @@ TEST_F(SequencePage, SaysWhatIsMissingBeforeTeaching) {
     EXPECT_EQ(machine.program.points[0].axes.at(0).counts, 50);
     window->showLink({});
     EXPECT_FALSE(whyNot(u"teachButton"_s).isEmpty());
+    QTest::keyClick(name, Qt::Key_Return);
+    EXPECT_TRUE(eventually([this] { return QToolTip::text() == whyNot(u"teachButton"_s); }));
+}
+
+/// A PIC-I/O never has a position.
+TEST_F(SequencePage, OnlyMotorsAreOfferedToTeachAndKeepTheirTicks) {
+    ModuleState io;
+    io.info = {ModuleIndex(1), BusAddress(2), {ModuleType::Io, 1}};
+    const LinkState chain = connectedTo({Servo{}.state(), io, Servo{.index = 2, .position = 30}.state()});
+    window->showLink(chain);
+    auto* axes = find<QListWidget>(u"teachAxesList"_s);
+    auto* name = find<QLineEdit>(u"pointNameField"_s);
+    ASSERT_EQ(axes->count(), 3);
+    EXPECT_TRUE(axes->item(1)->isHidden());
+    QTest::keyClicks(name, u"A"_s);
+    EXPECT_EQ(whyNot(u"teachButton"_s), QString());
+    axes->item(0)->setCheckState(Qt::Unchecked);
+    window->showLink({});
+    window->showLink(chain);
+    EXPECT_FALSE(axes->item(0)->isHidden());
+    QTest::keyClick(name, Qt::Key_Return);
+    ASSERT_EQ(machine.program.points.size(), 1U);
+    ASSERT_EQ(machine.program.points[0].axes.size(), 1U) << "the first was not ticked before";
+    EXPECT_EQ(machine.program.points[0].axes[0].module, ModuleIndex(2));
+    EXPECT_EQ(machine.program.points[0].axes[0].counts, 30);
 }
 
 /// The other points of the axis are in steps.

@@ -10,6 +10,7 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QTableView>
+#include <QToolTip>
 #include <QUndoCommand>
 #include <utility>
 
@@ -139,7 +140,12 @@ QWidget* SequencesPage::buildPoints() {
     connect(m_pointTable->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &SequencesPage::refreshPoints);
     connect(m_pointName, &QLineEdit::textChanged, this, &SequencesPage::refreshPoints);
-    connect(m_pointName, &QLineEdit::returnPressed, m_teach, &Command::act);
+    connect(m_pointName, &QLineEdit::returnPressed, this, [this] {
+        if (!m_teach->isEnabled())
+            QToolTip::showText(m_pointName->mapToGlobal(m_pointName->rect().bottomLeft()), m_teach->reason(),
+                               m_pointName);
+        m_teach->act();
+    });
     connect(m_axes, &QListWidget::itemChanged, this, &SequencesPage::refreshPoints);
     return box;
 }
@@ -410,20 +416,22 @@ void SequencesPage::showProgram() {
     refresh();
 }
 
+/// Rows are only hidden: the user's ticks are kept while the chain is away.
 void SequencesPage::showAxes() {
     const QSignalBlocker blocker(m_axes);
     const auto modules = static_cast<int>(m_link.modules.size());
-    while (m_axes->count() > modules)
-        delete m_axes->takeItem(m_axes->count() - 1);
-    for (int i = 0; i < modules; ++i) {
-        const QString name = texts::moduleName(m_link.modules[static_cast<std::size_t>(i)].info.index);
-        if (i == m_axes->count()) {
-            auto* item = new QListWidgetItem(name, m_axes);
-            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
-            item->setCheckState(Qt::Checked);
-        } else if (m_axes->item(i)->text() != name) {
-            m_axes->item(i)->setText(name);
-        }
+    while (m_axes->count() < modules) {
+        auto* item = new QListWidgetItem(m_axes);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
+        item->setCheckState(Qt::Checked);
+    }
+    for (int i = 0; i < m_axes->count(); ++i) {
+        QListWidgetItem* item = m_axes->item(i);
+        const ModuleState* module = i < modules ? &m_link.modules[static_cast<std::size_t>(i)] : nullptr;
+        // Other modules never have a position.
+        item->setHidden(module == nullptr || !(module->isServo() || module->isStepper()));
+        if (module != nullptr)
+            item->setText(texts::moduleName(module->info.index));
     }
 }
 
@@ -571,7 +579,7 @@ void SequencesPage::refreshRun() {
 std::vector<ModuleIndex> SequencesPage::chosenAxes() const {
     std::vector<ModuleIndex> axes;
     for (int i = 0; i < m_axes->count(); ++i)
-        if (m_axes->item(i)->checkState() == Qt::Checked)
+        if (const auto* item = m_axes->item(i); !item->isHidden() && item->checkState() == Qt::Checked)
             axes.emplace_back(static_cast<std::uint8_t>(i));
     return axes;
 }
