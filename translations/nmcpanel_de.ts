@@ -5642,6 +5642,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Parameter „%1“ fehlt.</translation>
     </message>
     <message>
+        <source>These parameters are missing: %1.</source>
+        <translation>Diese Parameter fehlen: %1.</translation>
+    </message>
+    <message>
         <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
         <translation>Der Parameter „%1“ hat den falschen Typ oder liegt außerhalb seines Bereichs.</translation>
     </message>

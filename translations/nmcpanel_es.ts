@@ -5642,6 +5642,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Falta el parámetro «%1».</translation>
     </message>
     <message>
+        <source>These parameters are missing: %1.</source>
+        <translation>Faltan estos parámetros: %1.</translation>
+    </message>
+    <message>
         <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
         <translation>El parámetro «%1» es de otro tipo o está fuera de su rango.</translation>
     </message>

@@ -5642,6 +5642,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le paramètre «&#xa0;%1&#xa0;» manque.</translation>
     </message>
     <message>
+        <source>These parameters are missing: %1.</source>
+        <translation>Ces paramètres manquent&#xa0;: %1.</translation>
+    </message>
+    <message>
         <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
         <translation>Le paramètre «&#xa0;%1&#xa0;» est d’un mauvais type ou hors de ses limites.</translation>
     </message>

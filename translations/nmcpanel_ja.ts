@@ -5624,6 +5624,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>パラメーター「%1」がありません。</translation>
     </message>
     <message>
+        <source>These parameters are missing: %1.</source>
+        <translation>次のパラメーターがありません: %1。</translation>
+    </message>
+    <message>
         <source>The parameter &quot;%1&quot; has the wrong type, or is out of its range.</source>
         <translation>パラメーター「%1」の型が正しくないか、範囲外です。</translation>
     </message>

@@ -341,6 +341,21 @@ TEST(ApiMethods, NeedAllGainsWhileNoneAreKnown) {
     EXPECT_FALSE(gains.db) << "may be left out (DS-V 5.1)";
 }
 
+/// In the order in which Set Gain has them (DS-V 5.1).
+TEST(ApiMethods, NameAllGainsThatAreMissing) {
+    const Chain chain;
+    EXPECT_EQ(chain.call("set_gains", {{"axis", 1}, {"kp", 1}, {"ol", 5}, {"db", 0}}).error(),
+              (api::Problem{Kind::FieldMissing, "kd, ki, il, cl, el, sr"}));
+}
+
+TEST(ApiMethods, SayThatItIsTheWrongModuleRatherThanWhatIsMissingOrTooLarge) {
+    Chain chain;
+    EXPECT_EQ(chain.call("set_gains", {{"axis", 2}, {"kp", 5}}).error().refusal, Refusal::NotAServo);
+    chain.link.modules[1].info.identity = {ModuleType::Io, 1};
+    EXPECT_EQ(chain.call("set_gains", {{"axis", 2}, {"kp", 5}}).error().refusal, Refusal::NotAServo);
+    EXPECT_EQ(chain.call("jog", {{"axis", 2}, {"velocity", 1e6}}).error().refusal, Refusal::NoMotor);
+}
+
 TEST(ApiMethods, ReportWhatIsNotKnownAsNull) {
     const Chain chain;
     const Json state = api::stateOf(chain.link, chain.machine);

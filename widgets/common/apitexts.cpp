@@ -26,7 +26,9 @@ QString apiProblem(const api::Problem& problem) {
         case NoMethod:
             return Texts::tr("There is no such method.");
         case FieldMissing:
-            return Texts::tr("The parameter \"%1\" is missing.").arg(field);
+            return (field.contains(u',') ? Texts::tr("These parameters are missing: %1.")
+                                         : Texts::tr("The parameter \"%1\" is missing."))
+                .arg(field);
         case FieldWrong:
             return Texts::tr("The parameter \"%1\" has the wrong type, or is out of its range.").arg(field);
         case AxisUnknown:

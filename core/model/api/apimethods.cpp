@@ -94,6 +94,8 @@ struct AxisCall {
     /// Without its sign, in the chip's unit.
     [[nodiscard]] Or<double> velocity(double slowest, double fastest) const {
         constexpr double kGrain = 1 + 1e-9;  // absorbs the rounding of the conversion
+        if (module.isIo())
+            return tl::unexpected(refused(Refusal::NoMotor));
         const auto native = scale.nativeVelocity(std::abs(value("velocity")));
         if (!native)
             return tl::unexpected(refused(Refusal::ServoRateUnknown));
@@ -170,21 +172,23 @@ struct AxisCall {
         return Call{module.info.index, *hold};
     }
     [[nodiscard]] Or<Call> setGains() const {
+        if (!module.isServo())
+            return tl::unexpected(refused(Refusal::NotAServo));
         const auto& before = module.gains ? module.gains : settings.gains;
         servo::SetGain gains = before.value_or(servo::SetGain{});
-        std::string missing;  // the last field that a first Set Gain needs and that is not given
+        std::string missing;  // what a first Set Gain needs and is not given
         forEachGain(gains, [&]<typename T>(const std::string& name, T& gain, ValueRange /*range*/) {
             if (has(name))
                 gain = static_cast<T>(whole(name));
             else if (std::integral<T>)
-                missing = name;
+                missing += (missing.empty() ? "" : ", ") + name;
         });
         if (!before && !missing.empty())
             return tl::unexpected(Problem{Problem::Kind::FieldMissing, missing});
         // A gain that would not be sent must not be accepted.
         const bool lacksDb = has("db") && !gainsFor(module, gains).db;
         const bool lacksSm = has("sm") && !isSc(module.info.identity);
-        if (module.isServo() && (lacksDb || lacksSm))
+        if (lacksDb || lacksSm)
             return tl::unexpected(refused(Refusal::VersionLacksIt));
         if (has("sm") && !gains.db)
             return tl::unexpected(Problem{Problem::Kind::FieldMissing, "db"});

@@ -42,7 +42,7 @@ struct Problem {
         Refused,
     };
     Kind kind;
-    std::string field{};               ///< its name
+    std::string field{};               ///< its name; names with ", " between them if several are missing
     std::optional<Refusal> refusal{};  ///< only for Refused
     bool operator==(const Problem&) const = default;
 };
