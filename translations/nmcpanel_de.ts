@@ -5650,6 +5650,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Parameter „%1“ hat den falschen Typ oder liegt außerhalb seines Bereichs.</translation>
     </message>
     <message>
+        <source>The parameter &quot;%1&quot; must be from %2 to %3 here.</source>
+        <translation>Der Parameter „%1“ muss hier zwischen %2 und %3 liegen.</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;%1&quot; must be from %2 to %3 here, in either direction. %3 is the max jog speed of the axis.</source>
+        <translation>Der Parameter „%1“ muss hier zwischen %2 und %3 liegen, in beiden Richtungen. %3 ist die max. Tippgeschwindigkeit der Achse.</translation>
+    </message>
+    <message>
         <source>There is no such axis.</source>
         <translation>Diese Achse gibt es nicht.</translation>
     </message>

@@ -5650,6 +5650,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El parámetro «%1» es de otro tipo o está fuera de su rango.</translation>
     </message>
     <message>
+        <source>The parameter &quot;%1&quot; must be from %2 to %3 here.</source>
+        <translation>El parámetro «%1» debe estar entre %2 y %3 aquí.</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;%1&quot; must be from %2 to %3 here, in either direction. %3 is the max jog speed of the axis.</source>
+        <translation>El parámetro «%1» debe estar entre %2 y %3 aquí, en ambos sentidos. %3 es la velocidad de jog máxima del eje.</translation>
+    </message>
+    <message>
         <source>There is no such axis.</source>
         <translation>Ese eje no existe.</translation>
     </message>

@@ -5650,6 +5650,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le paramètre «&#xa0;%1&#xa0;» est d’un mauvais type ou hors de ses limites.</translation>
     </message>
     <message>
+        <source>The parameter &quot;%1&quot; must be from %2 to %3 here.</source>
+        <translation>Le paramètre «&#xa0;%1&#xa0;» doit être compris entre %2 et %3 ici.</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;%1&quot; must be from %2 to %3 here, in either direction. %3 is the max jog speed of the axis.</source>
+        <translation>Le paramètre «&#xa0;%1&#xa0;» doit être compris entre %2 et %3 ici, dans les deux sens. %3 est la vitesse de jog max. de l’axe.</translation>
+    </message>
+    <message>
         <source>There is no such axis.</source>
         <translation>Cet axe n’existe pas.</translation>
     </message>

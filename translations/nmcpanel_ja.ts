@@ -5632,6 +5632,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>パラメーター「%1」の型が正しくないか、範囲外です。</translation>
     </message>
     <message>
+        <source>The parameter &quot;%1&quot; must be from %2 to %3 here.</source>
+        <translation>パラメーター「%1」は、ここでは %2 から %3 まででなければなりません。</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;%1&quot; must be from %2 to %3 here, in either direction. %3 is the max jog speed of the axis.</source>
+        <translation>パラメーター「%1」は、ここでは向きを問わず %2 から %3 まででなければなりません。%3 はこの軸の最高ジョグ速度です。</translation>
+    </message>
+    <message>
         <source>There is no such axis.</source>
         <translation>そのような軸はありません。</translation>
     </message>

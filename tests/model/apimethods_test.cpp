@@ -96,8 +96,11 @@ TEST(ApiMethods, TakeParametersOfTheirTypesOnly) {
     EXPECT_EQ(problemOf("move", {{"axis", 1}, {"to", Json::array({5})}}),
               (api::Problem{Kind::FieldWrong, "to"}));
     EXPECT_EQ(problemOf("move", {{"axis", 1}, {"to", 1e300}}), (api::Problem{Kind::FieldWrong, "to"}));
-    EXPECT_EQ(problemOf("set_gains", {{"axis", 1}, {"kp", 32'768}}), (api::Problem{Kind::FieldWrong, "kp"}));
-    EXPECT_EQ(problemOf("set_gains", {{"axis", 1}, {"sr", 0}}), (api::Problem{Kind::FieldWrong, "sr"}));
+    EXPECT_EQ(problemOf("set_gains", {{"axis", 1}, {"kp", 32'768}}),
+              (api::Problem{Kind::FieldWrong, "kp", {}, api::NumberRange{0, 32'767}}))
+        << "DS-V 5.1";
+    EXPECT_EQ(problemOf("set_gains", {{"axis", 1}, {"sr", 0}}),
+              (api::Problem{Kind::FieldWrong, "sr", {}, api::NumberRange{1, 255}}));
     EXPECT_EQ(problemOf("dance", Json::object()), (api::Problem{Kind::NoMethod}));
 }
 
@@ -178,7 +181,7 @@ TEST(ApiMethods, JogNoFasterThanTheButtonsOfTheWindow) {
     Chain chain;
     const auto isRefused = [&](int axis, double velocity) {
         const auto call = chain.call("jog", {{"axis", axis}, {"velocity", velocity}});
-        return !call && call.error() == api::Problem{Kind::FieldWrong, "velocity"};
+        return !call && call.error().kind == Kind::FieldWrong && call.error().field == "velocity";
     };
     EXPECT_FALSE(isRefused(1, -2));
     EXPECT_TRUE(isRefused(1, -2.01));
@@ -199,7 +202,7 @@ TEST(ApiMethods, MoveAtNoVelocityThatTheChipDoesNotHave) {
     Chain chain;
     const auto isRefused = [&](const char* method, int axis, double velocity) {
         const auto call = chain.call(method, {{"axis", axis}, {"to", 1}, {"velocity", velocity}});
-        return !call && call.error() == api::Problem{Kind::FieldWrong, "velocity"};
+        return !call && call.error().kind == Kind::FieldWrong && call.error().field == "velocity";
     };
     EXPECT_FALSE(isRefused("move", 1, 1.0 / 65'536));
     EXPECT_TRUE(isRefused("move", 1, 0.7 / 65'536));
@@ -233,6 +236,32 @@ TEST(ApiMethods, MoveAStepperNoFasterThanItWasAsked) {
     EXPECT_EQ(speedOf(399), 1);
     EXPECT_EQ(speedOf(400), 2);
     EXPECT_EQ(speedOf(50'000), 250);
+}
+
+/// In the units of the axis. 2 counts per tick until the user has set another limit, 32 767 at most; in 2x, 1
+/// to 250 times 50 steps/s (DS-S 4.3). 400 counts per mm, and 1 000 000 / 512 = 1 953.125 ticks/s: 2 counts
+/// per tick are 3 906.25 counts/s, 9.765625 mm/s; 1 / 65 536 of one are 0.000074505805969238 mm/s.
+TEST(ApiMethods, NameTheRangeOfANumber) {
+    Chain chain;
+    const auto rangeOf = [&](const char* method, const Json& parameters) {
+        const auto call = chain.call(method, parameters);
+        return call ? std::nullopt : call.error().range;
+    };
+    EXPECT_EQ(rangeOf("jog", {{"axis", 1}, {"velocity", 9}}),
+              (api::NumberRange{1.0 / 65'536, 2, "counts/tick", true}));
+    const Json backwards{{"axis", 1}, {"to", 1}, {"velocity", -1}};
+    EXPECT_EQ(rangeOf("move", backwards), (api::NumberRange{1.0 / 65'536, 32'767, "counts/tick"}));
+    const Json abrupt{{"axis", 1}, {"to", 1}, {"acceleration", 40'000}};
+    EXPECT_EQ(rangeOf("move", abrupt), (api::NumberRange{1.0 / 65'536, 32'767, "counts/tick2"}));
+    chain.link.modules[1].stepper.parameters = stepper::SetParameters{.speedMode = stepper::SpeedMode::X2};
+    const Json slow{{"axis", 2}, {"to", 1}, {"velocity", 1}};
+    EXPECT_EQ(rangeOf("move", slow), (api::NumberRange{50, 12'500, "steps/s"}));
+    chain.machine.axes[0].unit = {UnitKind::Millimetres, 400};
+    const auto jogged = rangeOf("jog", {{"axis", 1}, {"velocity", 10}});
+    ASSERT_TRUE(jogged);
+    EXPECT_NEAR(jogged->max, 9.765625, 1e-9);
+    EXPECT_NEAR(jogged->min, 7.4505805969238e-5, 1e-15);
+    EXPECT_EQ(jogged->unit, "mm/s");
 }
 
 TEST(ApiMethods, RefuseWhatCannotBeMeant) {

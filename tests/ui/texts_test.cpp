@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/texts.h"
 
+#include "widgets/common/apitexts.h"
 #include "widgets/common/pathtexts.h"
 #include "widgets/common/positiontexts.h"
 #include "widgets/common/unitwords.h"
@@ -99,6 +100,16 @@ TEST(Texts, BadLink) {
     const Message one = texts::badLink({bus::LinkHealth::Marginal, 5, 60, ModuleIndex(2)});
     EXPECT_EQ(one.headline, u"The link to module 3 is marginal: 5 of its last 60 exchanges failed."_s);
     EXPECT_EQ(one.severity, Severity::Attention);
+}
+
+/// What is named would be taken: 9.765625, and not 9.766.
+TEST(Texts, AProgramIsToldTheRangeOfANumber) {
+    using Kind = api::Problem::Kind;
+    EXPECT_EQ(texts::apiProblem({Kind::FieldWrong, "kp", {}, api::NumberRange{0, 32'767}}),
+              u"The parameter \"kp\" must be from 0 to 32767 here."_s);
+    EXPECT_EQ(
+        texts::apiProblem({Kind::FieldWrong, "velocity", {}, api::NumberRange{0.5, 9.765625, "mm/s", true}}),
+        u"The parameter \"velocity\" must be from 0.5 to 9.765625 mm/s here, in either direction. 9.765625 mm/s is the max jog speed of the axis."_s);
 }
 
 /// What looks like a place mark in a name is part of the name.

@@ -13,6 +13,17 @@ namespace {
 [[nodiscard]] Message aboutProgram(const QString& program, const QString& headline) {
     return {.key = u"program/"_s + program, .headline = headline, .relation = Message::Relation::Update};
 }
+
+/// Numbers as nmcctl and other programs write them, exact enough to be taken if they are typed.
+[[nodiscard]] QString outOfRange(const QString& field, const api::NumberRange& range) {
+    const auto number = [](double value) { return QString::number(value, 'g', 10); };
+    const QString highest = (number(range.max) + u' ' + QString::fromStdString(range.unit)).trimmed();
+    return (range.isJogged
+                ? Texts::tr(
+                      "The parameter \"%1\" must be from %2 to %3 here, in either direction. %3 is the max jog speed of the axis.")
+                : Texts::tr("The parameter \"%1\" must be from %2 to %3 here."))
+        .arg(field, number(range.min), highest);
+}
 }  // namespace
 
 QString apiProblem(const api::Problem& problem) {
@@ -30,6 +41,8 @@ QString apiProblem(const api::Problem& problem) {
                                          : Texts::tr("The parameter \"%1\" is missing."))
                 .arg(field);
         case FieldWrong:
+            if (problem.range)
+                return outOfRange(field, *problem.range);
             return Texts::tr("The parameter \"%1\" has the wrong type, or is out of its range.").arg(field);
         case AxisUnknown:
             return Texts::tr("There is no such axis.");

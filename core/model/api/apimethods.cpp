@@ -68,8 +68,14 @@ bool fits(const Field& field, const Json& value) {
 /// The request, its parameters, a value, and one more so that a list is not taken for what is in it.
 constexpr int kDeepest = 3;
 
-Problem wrong(std::string field) {
-    return {Problem::Kind::FieldWrong, std::move(field)};
+Problem wrong(std::string field, std::optional<NumberRange> range = {}) {
+    return {Problem::Kind::FieldWrong, std::move(field), {}, std::move(range)};
+}
+
+std::optional<NumberRange> rangeOf(const Field& field) {
+    if (!field.range)
+        return std::nullopt;
+    return NumberRange{static_cast<double>(field.range->min), static_cast<double>(field.range->max)};
 }
 
 }  // namespace
@@ -84,6 +90,8 @@ struct AxisCall {
     [[nodiscard]] bool has(const std::string& field) const { return parameters.contains(field); }
     [[nodiscard]] double value(const char* field) const { return parameters.at(field).get<double>(); }
 
+    [[nodiscard]] std::string velocityUnit() const { return velocitySymbolOf(scale, module.isStepper()); }
+
     [[nodiscard]] Or<std::int32_t> counts(const char* field) const {
         const double counts = std::round(scale.counts(value(field)));
         if (counts < static_cast<double>(servo::kPositionRange.min) ||
@@ -91,16 +99,18 @@ struct AxisCall {
             return tl::unexpected(refused(Refusal::GoalOutOfRange));
         return static_cast<std::int32_t>(counts);
     }
-    /// Without its sign, in the chip's unit.
-    [[nodiscard]] Or<double> velocity(double slowest, double fastest) const {
+    /// Without its sign, which only a jog may have, in the chip's unit.
+    [[nodiscard]] Or<double> velocity(double slowest, double fastest, bool isJogged = false) const {
         constexpr double kGrain = 1 + 1e-9;  // absorbs the rounding of the conversion
         if (module.isIo())
             return tl::unexpected(refused(Refusal::NoMotor));
         const auto native = scale.nativeVelocity(std::abs(value("velocity")));
         if (!native)
             return tl::unexpected(refused(Refusal::ServoRateUnknown));
-        if (*native * kGrain < slowest || *native > fastest * kGrain)
-            return tl::unexpected(wrong("velocity"));
+        if (*native * kGrain < slowest || *native > fastest * kGrain || (!isJogged && value("velocity") < 0))
+            return tl::unexpected(
+                wrong("velocity", NumberRange{scale.velocity(slowest).value(),
+                                              scale.velocity(fastest).value(), velocityUnit(), isJogged}));
         return *native;
     }
     /// At the velocity and acceleration given, or else at those of the axis.
@@ -114,16 +124,19 @@ struct AxisCall {
                     : velocity(servodefaults::kSmallest, servodefaults::kLargest);
             if (!native)
                 return tl::unexpected(native.error());
-            if (value("velocity") < 0)
-                return tl::unexpected(wrong("velocity"));
             axis.motion.velocity = module.isStepper() ? mode.ofSpeed(mode.speedBelow(*native)) : *native;
         }
         if (has("acceleration")) {
             const auto native = scale.nativeAcceleration(value("acceleration"));
             if (!native)
                 return tl::unexpected(refused(Refusal::ServoRateUnknown));
-            if (*native < servodefaults::kSmallest || *native > servodefaults::kLargest || module.isStepper())
+            if (module.isStepper())
                 return tl::unexpected(wrong("acceleration"));
+            if (*native < servodefaults::kSmallest || *native > servodefaults::kLargest)
+                return tl::unexpected(wrong(
+                    "acceleration",
+                    NumberRange{scale.acceleration(servodefaults::kSmallest).value(),
+                                scale.acceleration(servodefaults::kLargest).value(), velocityUnit() + '2'}));
             axis.motion.acceleration = *native;
         }
         return paceOf(module, axis);
@@ -162,7 +175,7 @@ struct AxisCall {
     }
     [[nodiscard]] Or<Call> jog() const {
         const JogRange range = jogRange(module, settings);  // as for a held button
-        const auto native = velocity(range.slowest, range.cap);
+        const auto native = velocity(range.slowest, range.cap, true);
         if (!native)
             return tl::unexpected(native.error());
         const bool reverse = (value("velocity") < 0) != scale.reversed();
@@ -432,7 +445,7 @@ tl::expected<Request, BadRequest> readRequest(std::string_view line) {
         if (given == parameters.end())
             continue;
         if (!fits(field, *given))
-            return bad(wrong(field.name));
+            return bad(wrong(field.name, rangeOf(field)));
         request.parameters[field.name] = *given;
     }
     return request;

@@ -26,6 +26,15 @@ inline constexpr auto kProtocol = "1.1";
 /// Gains as the parameters of set_gains; null if they are not known.
 [[nodiscard]] Json gainsOf(const std::optional<servo::SetGain>& gains);
 
+/// What a number may be.
+struct NumberRange {
+    double min;
+    double max;
+    std::string unit{};     ///< as in the state; empty if it has none
+    bool isJogged = false;  ///< in either direction; `max` is the max jog speed of the axis
+    bool operator==(const NumberRange&) const = default;
+};
+
 /// Why a call is not possible.
 struct Problem {
     enum class Kind : std::uint8_t {
@@ -42,8 +51,9 @@ struct Problem {
         Refused,
     };
     Kind kind;
-    std::string field{};               ///< its name; names with ", " between them if several are missing
-    std::optional<Refusal> refusal{};  ///< only for Refused
+    std::string field{};                 ///< its name; names with ", " between them if several are missing
+    std::optional<Refusal> refusal{};    ///< only for Refused
+    std::optional<NumberRange> range{};  ///< of a number that has one, for FieldWrong
     bool operator==(const Problem&) const = default;
 };
 

@@ -89,7 +89,7 @@ Json stateOf(const ModuleState& module, const AxisSettings& axis) {
     return {{"number", module.info.index.value() + 1},
             {"name", axis.name},
             {"unit", unit},
-            {"velocity_unit", unit + (scale.native() && !scale.steps() ? "/tick" : "/s")},
+            {"velocity_unit", velocitySymbolOf(scale, module.isStepper())},
             {"counts_per_unit", scale.counts(1.0)},
             {"type", module.isKnown() ? Json(nameOf(module.info.identity.type)) : Json()},
             {"version", module.info.identity.version},

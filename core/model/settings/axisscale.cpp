@@ -60,6 +60,10 @@ std::optional<double> AxisScale::nativeAcceleration(double acceleration) const {
                        : std::nullopt;
 }
 
+std::string velocitySymbolOf(const AxisScale& scale, bool steps) {
+    return symbolOf(scale.unit(), steps) + (scale.native() && !scale.steps() ? "/tick" : "/s");
+}
+
 std::optional<double> countsPerTurn(const AxisUnit& unit) {
     constexpr double kDegreesPerTurn = 360.0;
     switch (unit.kind) {

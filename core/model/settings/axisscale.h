@@ -94,4 +94,7 @@ private:
     bool m_steps = false;
 };
 
+/// The unit of a velocity for other programs, as symbolOf() is that of a position.
+[[nodiscard]] std::string velocitySymbolOf(const AxisScale& scale, bool steps);
+
 }  // namespace nmc
