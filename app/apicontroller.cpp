@@ -260,7 +260,7 @@ void ApiController::ask(Client client, const Json& parameters, const Json& id) {
     if (const auto refusal = whyInaccessible(m_store.link()); refusal && refusal != Refusal::OperatorMode)
         return refuse(client, id, api::refused(*refusal));
     if ((m_control && m_control != client) || m_asked)
-        return answer(client, id, {{"granted", false}});
+        return answer(client, id, {{"granted", false}, {"reason", m_asked ? "Asking" : "InUse"}});
     m_asked = Asked{client, id, mode == "finish"};
     if (m_control || m_grantsUnasked)
         return decide(client, true);
@@ -275,7 +275,10 @@ void ApiController::decide(Client client, bool may) {
         m_control = client;
         session(client).finishes = asked.finishes;
     }
-    answer(client, asked.id, {{"granted", may}});
+    Json result{{"granted", may}};
+    if (!may)
+        result["reason"] = "Refused";
+    answer(client, asked.id, result);
     showPrograms();
 }
 

@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <QFile>
 #include <QRegularExpression>
+#include <QTimer>
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -21,7 +22,8 @@ template <typename T>
 using Or = tl::expected<T, QString>;
 
 /// Less than half of the time after which a motor stops that is jogged (bus/holdtask.h).
-constexpr int kJogEvery = 50;  // ms
+constexpr int kJogEvery = 50;        // ms
+constexpr int kAnswersWithin = 200;  // ms, to request_control if the user is not asked
 constexpr auto kWait = "wait";
 constexpr double kMostSeconds = 1e7;
 
@@ -551,15 +553,27 @@ void CtlCommands::showPlace(const Json& axis) {
 std::optional<CtlCommands::Exit> CtlCommands::takeControl() {
     if (mayMove())
         return std::nullopt;
-    if (m_client.about().value("asks_user", false))
+    // A panel answers at once unless it really asks.
+    QTimer asked;
+    asked.setSingleShot(true);
+    QObject::connect(&asked, &QTimer::timeout, &asked, [this] {
         m_problems << "The panel asks its user whether this program may move motors." << Qt::endl;
+    });
+    if (m_client.about().value("asks_user", false))
+        asked.start(kAnswersWithin);
     const auto answer = m_client.call("request_control");
     if (!answer)
         return report(answer.error());
     m_control = answer->at("granted") == true;
     if (m_control)
         return std::nullopt;
-    m_problems << "The user has refused, or another program may move motors." << Qt::endl;
+    const std::string reason = answer->value("reason", "");
+    m_problems << (reason == "Refused" ? "The user has refused."
+                   : reason == "InUse" ? "Another program may move motors."
+                   : reason == "Asking"
+                       ? "The user is being asked about another request. Run the command again after that."
+                       : "The user has refused, or another program may move motors.")
+               << Qt::endl;
     return NoControl;
 }
 

@@ -216,8 +216,12 @@ class Panel:
 
     def request_control(self, on_disconnect: str = "stop") -> None:
         """Asks the user for the right to move motors, and waits for the answer."""
-        if not self.call("request_control", on_disconnect=on_disconnect)["granted"]:
-            raise ControlLost("control was refused, or another program has it", -32001, "NoControl")
+        answer = self.call("request_control", on_disconnect=on_disconnect)
+        if not answer["granted"]:
+            why = {"Refused": "the user has refused", "InUse": "another program has control",
+                   "Asking": "the user is being asked about another request"}
+            raise ControlLost(why.get(answer.get("reason"), "control was refused, or another program has it"), -32001,
+                              "NoControl")
 
     def release_control(self) -> None:
         self.call("release_control")

@@ -321,7 +321,7 @@ class PanelThatHesitates(PanelAsWritten):
 
     def answer(self, lines, request):
         if request["method"] == "request_control":
-            time.sleep(0.3)
+            time.sleep(0.6)
         super().answer(lines, request)
 
 
@@ -331,6 +331,23 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
             with self.subTest(reason):
                 self.assertEqual(PanelAsWritten(self, {"wait": [reason]}).ctl("move", "1", "500", "--wait"),
                                  (NOT_CARRIED_OUT, "", "Bad news.\n"))
+
+    def test_says_that_the_user_is_asked_only_while_that_is_so(self):
+        asked = "The panel asks its user whether this program may move motors.\n"
+        for kind, answer, expected in (
+                (PanelAsWritten, {"granted": True}, (DONE, "", "")),
+                (PanelAsWritten, {"granted": False, "reason": "InUse"},
+                 (NO_CONTROL, "", "Another program may move motors.\n")),
+                (PanelAsWritten, {"granted": False, "reason": "Asking"},
+                 (NO_CONTROL, "", "The user is being asked about another request. Run the command again after that.\n")),
+                (PanelThatHesitates, {"granted": True}, (DONE, "", asked)),
+                (PanelThatHesitates, {"granted": False, "reason": "Refused"},
+                 (NO_CONTROL, "", asked + "The user has refused.\n"))):
+            with self.subTest(answer, kind=kind.__name__):
+                panel = kind(self)
+                panel.RESULTS = {**panel.RESULTS, "request_control": answer,
+                                 "hello": {**panel.RESULTS["hello"], "asks_user": True}}
+                self.assertEqual(panel.ctl("enable", "1"), expected)
 
     def test_a_stop_is_carried_out_although_it_cancels_what_was_begun(self):
         panel = PanelAsWritten(self, {"wait": ["NotCarriedOut"]})

@@ -308,7 +308,7 @@ class Client(unittest.TestCase):
             with self.assertRaises(ControlLost):
                 panel.axis(1).enable()
             panel.request_control()
-            with self.assertRaises(ControlLost):
+            with self.assertRaisesRegex(ControlLost, "another program has control"):
                 other.request_control()
             with self.assertRaises(Refused) as caught:
                 panel.axis(2).move(1)

@@ -445,7 +445,9 @@ TEST_F(OtherPrograms, GetNoControlThatTheUserRefuses) {
     client.hello();
     const int asked = client.request("request_control");
     ASSERT_NO_FATAL_FAILURE(decide("refuseControlButton"));
-    EXPECT_EQ(client.answer(asked)["result"]["granted"], false);
+    const Json answer = client.answer(asked)["result"];
+    EXPECT_EQ(answer["granted"], false);
+    EXPECT_EQ(answer.value("reason", ""), "Refused");
     EXPECT_EQ(client.call("enable", {{"axis", 1}})["error"]["data"]["reason"], "NoControl");
 }
 
@@ -467,8 +469,15 @@ TEST_F(OtherPrograms, HaveControlOneAtATime) {
     OtherProgram first(panel, path()), second(panel, path());
     first.hello("first");
     second.hello("second");
-    ASSERT_NO_FATAL_FAILURE(control(first));
-    EXPECT_EQ(second.call("request_control")["result"]["granted"], false);
+    const int asked = first.request("request_control");
+    ASSERT_TRUE(panel.waitFor(
+        [&] { return panel.window().findChild<QAbstractButton*>(u"grantControlButton"_s) != nullptr; }));
+    EXPECT_EQ(second.call("request_control")["result"]["reason"], "Asking");
+    ASSERT_NO_FATAL_FAILURE(decide("grantControlButton"));
+    ASSERT_EQ(first.answer(asked)["result"]["granted"], true);
+    const Json inUse = second.call("request_control")["result"];
+    EXPECT_EQ(inUse["granted"], false);
+    EXPECT_EQ(inUse.value("reason", ""), "InUse");
     EXPECT_TRUE(first.call("release_control").contains("result"));
     ASSERT_NO_FATAL_FAILURE(control(second));
     EXPECT_EQ(first.call("enable", {{"axis", 1}})["error"]["data"]["reason"], "NoControl");
