@@ -83,7 +83,7 @@ void printHelp() {
            "  2                      the arguments are wrong; nothing was requested\n"
            "  3                      no panel lets programs in, the port cannot be used or is gone, or nothing can\n"
            "                         be let in there\n"
-           "  4                      the user refused, or another program may move motors\n"
+           "  4                      the user refused, another program may move motors, or control was lost\n"
            "  5                      begun, but ended by a stop or a fault\n"
            "  130                    interrupted; motors are stopped\n"
            "\n"

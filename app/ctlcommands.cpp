@@ -597,7 +597,13 @@ CtlCommands::Exit CtlCommands::leaveRunning() {
 
 CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {
     using ErrorKind = ApiClient::Error::Kind;
-    m_problems << error.sentence << Qt::endl;
+    const bool isLost = error.reason == "NoControl";  // which it had: takeControl()
+    m_problems
+        << (isLost
+                ? QStringLiteral(
+                      "Control was lost: all motors were stopped, or the user took over. Run the command again.")
+                : error.sentence)
+        << Qt::endl;
     switch (error.kind) {
         case ErrorKind::NotReached:
         case ErrorKind::Gone:
@@ -614,7 +620,7 @@ CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {
         return NotReached;
     if (isOneOf(error.reason, std::array{"NotCarriedOut", "NotSettled"}))
         return NotCarriedOut;
-    return error.reason == "NoControl" ? NoControl : Refused;
+    return isLost ? NoControl : Refused;
 }
 
 CtlCommands::Exit CtlCommands::reportEnd(const ApiClient::Error& error) {

@@ -27,6 +27,7 @@ PROGRAM = sys.argv.pop()
 STILL = 4
 GAINS = "kp=200 kd=2000 ki=20 il=200 ol=255 cl=0 el=8000 sr=1"
 DONE, REFUSED, BAD_ARGUMENTS, NOT_REACHED, NO_CONTROL, NOT_CARRIED_OUT, INTERRUPTED = 0, 1, 2, 3, 4, 5, 130
+CONTROL_LOST = "Control was lost: all motors were stopped, or the user took over. Run the command again.\n"
 
 
 class Place:
@@ -332,6 +333,10 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 self.assertEqual(PanelAsWritten(self, {"wait": [reason]}).ctl("move", "1", "500", "--wait"),
                                  (NOT_CARRIED_OUT, "", "Bad news.\n"))
 
+    def test_tells_a_user_that_control_was_lost_and_not_what_a_program_would_call(self):
+        self.assertEqual(PanelAsWritten(self, {"set_gains": ["NoControl"]}).ctl("gains", "1", "--set", "kp=1"),
+                         (NO_CONTROL, "", CONTROL_LOST))
+
     def test_says_that_the_user_is_asked_only_while_that_is_so(self):
         asked = "The panel asks its user whether this program may move motors.\n"
         for kind, answer, expected in (
@@ -339,7 +344,8 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 (PanelAsWritten, {"granted": False, "reason": "InUse"},
                  (NO_CONTROL, "", "Another program may move motors.\n")),
                 (PanelAsWritten, {"granted": False, "reason": "Asking"},
-                 (NO_CONTROL, "", "The user is being asked about another request. Run the command again after that.\n")),
+                 (NO_CONTROL, "",
+                  "The user is being asked about another request. Run the command again after that.\n")),
                 (PanelThatHesitates, {"granted": True}, (DONE, "", asked)),
                 (PanelThatHesitates, {"granted": False, "reason": "Refused"},
                  (NO_CONTROL, "", asked + "The user has refused.\n"))):
@@ -364,7 +370,9 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                                   ([None, "AxisUnknown"], NOT_CARRIED_OUT), ([None, "FieldWrong"], NOT_CARRIED_OUT)):
             with self.subTest(reasons):
                 panel = PanelAsWritten(self, {"jog": list(reasons)})
-                self.assertEqual(panel.ctl("jog", "1", "0.5", "3600"), (expected, "", "Bad news.\n"))
+                lost = reasons[-1] == "NoControl"
+                self.assertEqual(panel.ctl("jog", "1", "0.5", "3600"),
+                                 (expected, "", CONTROL_LOST if lost else "Bad news.\n"))
                 self.assertEqual(len(panel.parameters_of("jog")), len(reasons))
 
     def test_jogs_for_a_while_and_stops_its_axis(self):
