@@ -11,9 +11,11 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <QLocalSocket>
 #include <cstring>
 
 #include "link/api/apiclient.h"
+#include "tests/support/eventually.h"
 #include "tests/support/runtimefolder.h"
 
 namespace nmc {
@@ -63,6 +65,29 @@ TEST(ApiSocket, TrustsNeitherLinksNorOpenFolders) {
     refused = server.listen(path);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, ApiServerProblem::Kind::NotPrivate);
+}
+
+/// The last of them may be a stop.
+TEST(ApiSocket, ReadsAllThatAClientSentBeforeItDisappeared) {
+    constexpr int kLines = 500;
+    const RuntimeFolder runtime;
+    const QString path = ApiServer::pathFor(u"/dev/ttyUSB0"_s);
+    ApiServer server;
+    ASSERT_TRUE(server.listen(path));
+    QByteArrayList lines;
+    QObject::connect(&server, &ApiServer::received, &server,
+                     [&](ApiServer::Client /*client*/, const QByteArray& line) { lines << line; });
+    bool vanished = false;
+    QObject::connect(&server, &ApiServer::vanished, &server, [&] { vanished = true; });
+    QLocalSocket client;
+    client.connectToServer(path);
+    ASSERT_TRUE(client.waitForConnected());
+    for (int i = 1; i <= kLines; ++i)
+        client.write(QByteArray::number(i) + '\n');
+    client.disconnectFromServer();  // once all is written
+    ASSERT_TRUE(testing_support::eventually([&] { return vanished; }));
+    ASSERT_EQ(lines.size(), kLines);
+    EXPECT_EQ(lines.back(), QByteArray::number(kLines));
 }
 
 /// The answer to one call and Ctrl+C may arrive together, before the call that would move a motor.

@@ -88,26 +88,36 @@ void ApiServer::accept() {
         socket->setReadBufferSize(kLongestLine);
         connect(socket, &QLocalSocket::readyRead, this, [this, client] { read(client); });
         connect(
-            socket, &QLocalSocket::disconnected, this, [this, client] { drop(client); },
+            socket, &QLocalSocket::disconnected, this,
+            [this, client] {
+                while (readLine(client)) {  // a stop may be among what it sent before
+                }
+                drop(client);
+            },
             Qt::QueuedConnection);
         emit clientsChanged();
         read(client);
     }
 }
 
-void ApiServer::read(Client client) {
-    for (int i = 0; i < kLinesAtOnce; ++i) {
-        const auto found = m_clients.find(client);
-        if (found == m_clients.end())
-            return;
-        QLocalSocket* socket = found->second;
-        if (!socket->canReadLine()) {
-            if (socket->bytesAvailable() >= kLongestLine)
-                emit overflowed(client);
-            return;
-        }
-        emit received(client, socket->readLine().trimmed());
+bool ApiServer::readLine(Client client) {
+    const auto found = m_clients.find(client);
+    if (found == m_clients.end())
+        return false;
+    QLocalSocket* socket = found->second;
+    if (!socket->canReadLine()) {
+        if (socket->bytesAvailable() >= kLongestLine)
+            emit overflowed(client);
+        return false;
     }
+    emit received(client, socket->readLine().trimmed());
+    return true;
+}
+
+void ApiServer::read(Client client) {
+    for (int i = 0; i < kLinesAtOnce; ++i)
+        if (!readLine(client))
+            return;
     QMetaObject::invokeMethod(
         this, [this, client] { read(client); }, Qt::QueuedConnection);
 }

@@ -63,6 +63,8 @@ signals:
 private:
     void accept();
     void read(Client client);
+    /// False if there is none yet, or no client.
+    bool readLine(Client client);
     void drop(Client client);
 
     QLocalServer m_server;
