@@ -96,6 +96,22 @@ TEST_F(LoopTestsInTheWindow, AskForWhatStandsInTheFields) {
     EXPECT_TRUE(reason(u"frequencyStartButton"_s).contains(u"would reverse"_s));
 }
 
+/// 3 counts/tick are 5859.375 counts/s; with 100 counts in 1 mm and forward counting down, they are
+/// -58.594 mm/s. 60 mm/s are 6000 counts/s down, which are 3.072 counts in each tick of 0.512 ms.
+TEST_F(LoopTestsInTheWindow, ANewUnitKeepsTheDirectionInWhichTheMotorMoves) {
+    openWith();
+    type(u"frequencySpeedField"_s, u"3"_s);
+    machine.axes.resize(1);
+    machine.axes[0].unit = {UnitKind::Millimetres, -100.0, ""};
+    window->showMachine(machine);
+    EXPECT_EQ(field(u"frequencySpeedField"_s)->text(), u"-58.594"_s);
+    click(u"frequencyStartButton"_s);
+    EXPECT_EQ(wanted<intent::FrequencyResponse>().speed, 3.0);
+    type(u"frequencySpeedField"_s, u"60"_s);
+    click(u"frequencyStartButton"_s);
+    EXPECT_NEAR(wanted<intent::FrequencyResponse>().speed, -3.072, 1e-9);
+}
+
 TEST_F(LoopTestsInTheWindow, SayWhyTheyAreNotPossible) {
     openWith(Servo{.on = false});
     EXPECT_TRUE(reason(u"squareWaveStartButton"_s).contains(u"nable"_s))

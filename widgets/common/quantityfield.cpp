@@ -150,7 +150,7 @@ double QuantityField::toUser(double native) const {
         case Kind::Distance:
             return m_scale.distance(native);
         case Kind::Velocity:
-            return *m_scale.velocity(native);
+            return direction() * *m_scale.velocity(native);
         case Kind::Acceleration:
             return *m_scale.acceleration(native);
     }
@@ -165,7 +165,7 @@ double QuantityField::toNative(double user) const {
         case Kind::Distance:
             return std::round(m_scale.countsOfDistance(user));
         case Kind::Velocity:
-            return *m_scale.nativeVelocity(user);
+            return direction() * *m_scale.nativeVelocity(user);
         case Kind::Acceleration:
             return *m_scale.nativeAcceleration(user);
     }
@@ -181,7 +181,7 @@ int QuantityField::decimalsWanted() const {
         return velocity ? 1 : 0;
     if (m_scale.native())
         return velocity ? kVelocityDecimals : kAccelerationDecimals;
-    const double finest = toUser(1.0) * (m_scale.steps() ? 1.0 : kFinePart);
+    const double finest = std::abs(toUser(1.0)) * (m_scale.steps() ? 1.0 : kFinePart);
     return qBound(0, static_cast<int>(std::ceil(-std::log10(finest))), kMaxDecimals);
 }
 

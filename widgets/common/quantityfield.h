@@ -16,7 +16,8 @@ class QuantityField : public NumberField {
     Q_OBJECT
 
 public:
-    /// A position may be negative, and changes its sign on a reversed axis; all others are magnitudes.
+    /// A position may be negative, and changes its sign on a reversed axis, as does a velocity whose native
+    /// range goes below 0; all others are magnitudes.
     enum class Kind : std::uint8_t { Position, Distance, Velocity, Acceleration };
 
     QuantityField(Kind kind, QWidget* parent = nullptr);
@@ -64,6 +65,8 @@ private:
         return m_kind <= Kind::Distance ? countsOfZero().has_value() : m_scale.timed();
     }
     [[nodiscard]] std::optional<double> countsOfZero() const { return m_zero ? m_zero->counts : 0.0; }
+    /// -1 for a velocity that has a direction, on a reversed axis.
+    [[nodiscard]] double direction() const { return m_min < 0 && m_scale.reversed() ? -1.0 : 1.0; }
     /// toUser() and toNative() require convertible().
     [[nodiscard]] double toUser(double native) const;
     [[nodiscard]] double toNative(double user) const;

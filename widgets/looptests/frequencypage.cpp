@@ -49,9 +49,8 @@ FrequencyPage::FrequencyPage(Requests& requests, QWidget* parent) : QWidget(pare
         "0: at rest. Otherwise the sines ride on a motion to and fro, forward first, or backwards first if it is negative; the motor never reverses within a sine, so dry friction does not show. It moves away by up to this speed times five periods of the lowest frequency."));
     speed->showNative(0.0);
     m_form->setWanted([=]() -> Intent {
-        const double forward = speed->scale().reversed() ? -*speed->native() : *speed->native();
         return intent::FrequencyResponse{static_cast<std::int32_t>(*amplitude->native()), *from->value(),
-                                         *to->value(), forward};
+                                         *to->value(), *speed->native()};
     });
     m_figures = form::newParagraph(u"frequencyFigures"_s, tr("Results of the frequency response"), this, 6);
     m_save = form::newPush(
