@@ -7935,6 +7935,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>with the gains in the fields</source>
         <translation>mit den Reglerwerten in den Feldern</translation>
     </message>
+    <message>
+        <source>The last measurement ended early. The one before it is still shown.</source>
+        <translation>Die letzte Messung endete vorzeitig. Die davor wird weiter gezeigt.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::GainsBox</name>

@@ -7935,6 +7935,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>with the gains in the fields</source>
         <translation>con las ganancias de los campos</translation>
     </message>
+    <message>
+        <source>The last measurement ended early. The one before it is still shown.</source>
+        <translation>La última medición terminó antes de tiempo. Se sigue mostrando la anterior.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::GainsBox</name>

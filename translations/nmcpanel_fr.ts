@@ -7935,6 +7935,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>with the gains in the fields</source>
         <translation>avec les gains des champs</translation>
     </message>
+    <message>
+        <source>The last measurement ended early. The one before it is still shown.</source>
+        <translation>La dernière mesure s’est terminée avant la fin. La précédente reste affichée.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::GainsBox</name>

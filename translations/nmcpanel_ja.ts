@@ -7917,6 +7917,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>with the gains in the fields</source>
         <translation>入力欄のゲインで</translation>
     </message>
+    <message>
+        <source>The last measurement ended early. The one before it is still shown.</source>
+        <translation>最後の測定は途中で終了しました。その前の測定を引き続き表示しています。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::GainsBox</name>

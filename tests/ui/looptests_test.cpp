@@ -206,6 +206,24 @@ TEST_F(LoopTestsInTheWindow, ResponsesAtRestAndInMotionStayWhileTheGainsAreTheSa
     EXPECT_EQ(window->loopTests().frequency().last()->report.speed, 0.0);
 }
 
+/// 1.2 to the power of 16 is 18.5, and to the power of 18 it is 26.6.
+TEST_F(LoopTestsInTheWindow, AMeasurementThatEndsEarlyReplacesNoneWithMoreFrequencies) {
+    openWith();
+    const auto figures = [this] { return label(u"frequencyFigures"_s); };
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20));
+    ASSERT_TRUE(figures().startsWith(u"17 "_s)) << figures().toStdString();
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Moving, firstOrder(1));
+    EXPECT_TRUE(figures().startsWith(u"1 "_s)) << "it is shown while it goes on";
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Cancelled, firstOrder(1));
+    EXPECT_TRUE(figures().startsWith(u"17 "_s)) << figures().toStdString();
+    EXPECT_TRUE(figures().endsWith(u"The one before it is still shown."_s)) << figures().toStdString();
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Cancelled, firstOrder(1), 0, 5'000);
+    EXPECT_TRUE(figures().startsWith(u"1 "_s)) << "the one at rest stays beside it";
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Failed, firstOrder(30));
+    EXPECT_TRUE(figures().startsWith(u"19 "_s)) << figures().toStdString();
+    EXPECT_FALSE(figures().contains(u"still shown"_s));
+}
+
 TEST_F(LoopTestsInTheWindow, AFileOfFrequenciesSaysWhatItIs) {
     openWith();
     report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, firstOrder(20));

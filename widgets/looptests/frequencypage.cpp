@@ -3,6 +3,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 
 #include "model/intent/gainsplan.h"
 #include "model/intent/looptestplan.h"
@@ -88,19 +89,30 @@ void FrequencyPage::forgetModules() {
 void FrequencyPage::showReport(const ProcedureReport& report, const QString& port, bool simulated) {
     if (report.frequencies.empty())
         return;
-    std::vector<Found>& kept = m_found[report.module];
-    std::erase_if(kept, [&report](const Found& found) {
+    const auto replaced = [&report](const Found& found) {
         const bool sameKind = (found.report.speed != 0.0) == (report.speed != 0.0);
         return sameKind || !found.report.gains || !report.gains ||
                changeOf(*found.report.gains, *report.gains) != LoopChange::None;
-    });
-    kept.push_back({report, QDateTime::currentDateTime(), port, simulated});
+    };
+    Responses& kept = m_found[report.module];
+    if (kept.shown.empty() || kept.shown.back().report.over())
+        kept.before = kept.shown;
+    kept.shown = kept.before;
+    std::erase_if(kept.shown, replaced);
+    kept.shown.push_back({report, QDateTime::currentDateTime(), port, simulated});
+    const bool early = report.over() && report.stage != ProcedureStage::Done;
+    kept.discarded =
+        early && std::ranges::any_of(kept.before, [&](const Found& found) {
+            return replaced(found) && found.report.frequencies.size() >= report.frequencies.size();
+        });
+    if (kept.discarded)
+        kept.shown = kept.before;
     refresh();
 }
 
 const FrequencyPage::Found* FrequencyPage::last() const {
     const auto found = m_shown ? m_found.find(*m_shown) : m_found.end();
-    return found != m_found.end() ? &found->second.back() : nullptr;
+    return found != m_found.end() ? &found->second.shown.back() : nullptr;
 }
 
 std::vector<BodePlot::Curve> FrequencyPage::curves() {
@@ -108,7 +120,7 @@ std::vector<BodePlot::Curve> FrequencyPage::curves() {
     std::vector<BodePlot::Curve> curves;
     QString would;
     if (last() != nullptr) {
-        for (const Found& found : m_found.at(*m_shown)) {
+        for (const Found& found : m_found.at(*m_shown).shown) {
             const bool moves = found.report.speed != 0.0;
             curves.push_back({moves ? tr("in motion") : tr("at rest"), found.report.frequencies,
                               moves ? kMoving : kAtRest});
@@ -139,6 +151,8 @@ void FrequencyPage::refresh() {
     QStringList lines = texts::frequencyFigures(points);
     if (early)
         lines << tr("The baud rate is too low for higher frequencies.");
+    if (last() != nullptr && m_found.at(*m_shown).discarded)
+        lines << tr("The last measurement ended early. The one before it is still shown.");
     look::setText(m_figures, lines.join(u'\n'));
     look::setPossible(m_save, points.empty() ? tr("No measurement yet.") : QString(),
                       tr("Saves frequency, magnitude and phase of the open and the closed loop."));

@@ -20,7 +20,8 @@ class TestForm;
 
 /// The frequency response of the selected servo: how its loop follows sines of the command, and how it would
 /// with the gains in the fields. The last response of each module is kept until the next; of those at rest
-/// and in motion, both are, as long as the gains are the same.
+/// and in motion, both are, as long as the gains are the same. A response that ended early replaces only
+/// those with fewer frequencies.
 class FrequencyPage : public QWidget {
     Q_OBJECT
 
@@ -44,6 +45,11 @@ public:
     [[nodiscard]] const Found* last() const;
 
 private:
+    struct Responses {
+        std::vector<Found> shown;   ///< the last one last
+        std::vector<Found> before;  ///< shown before the last measurement
+        bool discarded = false;     ///< the last measurement, which ended early
+    };
     void refresh();
     /// Returns the curves to draw, and shows in words what the gains in the fields would do.
     [[nodiscard]] std::vector<BodePlot::Curve> curves();
@@ -55,8 +61,8 @@ private:
     QLabel* m_figures;
     QLabel* m_would;
     QPushButton* m_save;
-    std::map<ModuleIndex, std::vector<Found>> m_found;  ///< the last one last
-    std::optional<servo::SetGain> m_staged;             ///< in the fields of the module that is shown
+    std::map<ModuleIndex, Responses> m_found;
+    std::optional<servo::SetGain> m_staged;  ///< in the fields of the module that is shown
     std::optional<ModuleIndex> m_shown;
 };
 
