@@ -5278,8 +5278,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 blieb nicht innerhalb der Ankunftstoleranz. Die Reglerwerte prüfen oder die Toleranz ändern (Seite Achse).</translation>
     </message>
     <message>
-        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
-        <translation>Der Motor käme der Positionsfehlergrenze zu nahe, die den Servo abschaltet. Sprung oder Amplitude verkleinern oder EL erhöhen.</translation>
+        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step, the amplitude or the speed smaller, or raise EL.</source>
+        <translation>Der Motor käme der Positionsfehlergrenze zu nahe, die den Servo abschaltet. Sprung, Amplitude oder Geschwindigkeit verkleinern oder EL erhöhen.</translation>
     </message>
     <message>
         <source>%1 did not finish its approaches.</source>

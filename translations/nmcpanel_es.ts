@@ -5278,8 +5278,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>%1 no permaneció dentro de su tolerancia de llegada. Compruebe sus ganancias o cambie la tolerancia (página Eje).</translation>
     </message>
     <message>
-        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
-        <translation>El motor se acercaría demasiado al límite de error de posición, que apaga el servo. Reduzca el escalón o la amplitud, o aumente EL.</translation>
+        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step, the amplitude or the speed smaller, or raise EL.</source>
+        <translation>El motor se acercaría demasiado al límite de error de posición, que apaga el servo. Reduzca el escalón, la amplitud o la velocidad, o aumente EL.</translation>
     </message>
     <message>
         <source>%1 did not finish its approaches.</source>

@@ -5278,8 +5278,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 n’est pas resté dans sa tolérance d’arrivée. Vérifiez ses gains ou modifiez la tolérance (page Axe).</translation>
     </message>
     <message>
-        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
-        <translation>Le moteur s’approcherait trop de la limite d’erreur de position, qui coupe le servo. Réduisez l’échelon ou l’amplitude, ou augmentez EL.</translation>
+        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step, the amplitude or the speed smaller, or raise EL.</source>
+        <translation>Le moteur s’approcherait trop de la limite d’erreur de position, qui coupe le servo. Réduisez l’échelon, l’amplitude ou la vitesse, ou augmentez EL.</translation>
     </message>
     <message>
         <source>%1 did not finish its approaches.</source>

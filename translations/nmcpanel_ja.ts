@@ -5260,8 +5260,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1は到着許容差内にとどまりませんでした。ゲインを確認するか、許容差を変更してください（軸ページ）。</translation>
     </message>
     <message>
-        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.</source>
-        <translation>モーターが位置偏差上限に近づきすぎて、サーボがオフになります。ステップまたは振幅を小さくするか、ELを上げてください。</translation>
+        <source>The motor would come too close to the position error limit, which switches the servo off. Make the step, the amplitude or the speed smaller, or raise EL.</source>
+        <translation>モーターが位置偏差上限に近づきすぎて、サーボがオフになります。ステップ、振幅または速度を小さくするか、ELを上げてください。</translation>
     </message>
     <message>
         <source>%1 did not finish its approaches.</source>

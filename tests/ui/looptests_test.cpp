@@ -94,6 +94,10 @@ TEST_F(LoopTestsInTheWindow, AskForWhatStandsInTheFields) {
     EXPECT_EQ(wanted<intent::FrequencyResponse>().speed, -3.0);
     type(u"frequencySpeedField"_s, u"1"_s);
     EXPECT_TRUE(reason(u"frequencyStartButton"_s).contains(u"would reverse"_s));
+    // 50 counts/tick are 97 656 counts/s, which a motor may lag by a tenth of a second; EL is 4000.
+    type(u"frequencySpeedField"_s, u"50"_s);
+    EXPECT_TRUE(reason(u"frequencyStartButton"_s).contains(u"or the speed smaller"_s))
+        << reason(u"frequencyStartButton"_s).toStdString();
 }
 
 /// 3 counts/tick are 5859.375 counts/s; with 100 counts in 1 mm and forward counting down, they are

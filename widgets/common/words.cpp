@@ -219,7 +219,7 @@ QString refusal(Refusal refusal) {
             return Texts::tr("Too far for a step response: at most 2000 counts.");
         case Refusal::StepWouldTrip:
             return Texts::tr(
-                "The motor would come too close to the position error limit, which switches the servo off. Make the step or the amplitude smaller, or raise EL.");
+                "The motor would come too close to the position error limit, which switches the servo off. Make the step, the amplitude or the speed smaller, or raise EL.");
         case Refusal::GoalOutOfRange:
             return Texts::tr("The goal is outside the chip's position range.");
         case Refusal::BeyondTravel:
