@@ -34,6 +34,8 @@ protected:
 TEST_F(DirectionBox, AsksBeforeTheMotorIsPushed) {
     show();
     EXPECT_TRUE(state().contains(u"before you enable"_s)) << state().toStdString();
+    const auto* label = find<QLabel>(u"directionCheckState"_s);
+    EXPECT_GE(label->minimumHeight(), 4 * label->fontMetrics().lineSpacing()) << "beside the plots";
     click(u"directionCheckButton"_s);
     EXPECT_EQ(intents.size(), 0);
     EXPECT_TRUE(question().contains(u"Module 1"_s)) << question().toStdString();

@@ -19,6 +19,11 @@ namespace nmc {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+/// Beside the plots, where the page is narrow; a form that has little room would cut the text off.
+constexpr int kVerdictLines = 4;
+}  // namespace
+
 DirectionCheckBox::DirectionCheckBox(ModuleContext& context, QWidget* parent)
     : QGroupBox(tr("Direction"), parent),
       m_context(context),
@@ -30,7 +35,8 @@ DirectionCheckBox::DirectionCheckBox(ModuleContext& context, QWidget* parent)
                             .text = Common::tr("Cancel"),
                             .accessible = tr("Cancel the direction check")},
                            this, [this] { m_context.ask(intent::CancelProcedure{}); })),
-      m_state(form::newParagraph(u"directionCheckState"_s, tr("Result of the direction check"), this)) {
+      m_state(form::newParagraph(u"directionCheckState"_s, tr("Result of the direction check"), this,
+                                 kVerdictLines)) {
     look::name(this, u"directionCheckBox"_s, tr("Direction of motor and encoder"));
     const int unit = look::gridUnit(this);
     auto* layout = new QVBoxLayout(this);
