@@ -211,6 +211,21 @@ TEST_F(LayoutsTest, ThePlotsHaveWhatTheWindowGains) {
     EXPECT_NEAR(dock("scopeDock")->width(), plots + 300, 5);
 }
 
+TEST_F(LayoutsTest, ADockOpenedBesideThePlotsTakesItsWidthFromThem) {
+    strike(Qt::Key_2, Qt::ControlModifier);
+    const int column = window->centralWidget()->width();
+    const int plots = dock("scopeDock")->width();
+    dock("messagesDock")->toggleViewAction()->trigger();
+    settle();
+    ASSERT_TRUE(dock("messagesDock")->isVisible());
+    EXPECT_NEAR(window->centralWidget()->width(), column, 5);
+    EXPECT_LT(dock("scopeDock")->width(), plots);
+    dock("messagesDock")->toggleViewAction()->trigger();
+    settle();
+    EXPECT_NEAR(window->centralWidget()->width(), column, 5);
+    EXPECT_NEAR(dock("scopeDock")->width(), plots, 5);
+}
+
 TEST_F(LayoutsTest, TuneInASmallWindowAndBackIsNoTrouble) {
     for (const QSize size : {QSize(800, 600), QSize(1456, 952), QSize(780, 480), QSize(1200, 700)}) {
         window->resize(size);

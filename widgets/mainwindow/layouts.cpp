@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QLayout>
 #include <QMainWindow>
 #include <QSettings>
 #include <algorithm>
@@ -106,6 +107,17 @@ void Layouts::add(QDockWidget& dock) {
     if (const auto* lazy = qobject_cast<LazyDock*>(&dock))
         connect(
             lazy, &LazyDock::roomWanted, this, [this, &dock] { makeRoomFor(dock); }, Qt::QueuedConnection);
+    // The action changes before the dock if the user chose it, and after it otherwise.
+    connect(dock.toggleViewAction(), &QAction::toggled, this, [this, &dock](bool on) {
+        const bool chosenNow = on == dock.isHidden() && m_window.layout() != nullptr;
+        if (!chosenNow || m_window.dockWidgetArea(&dock) != kRight)
+            return;
+        const auto keep = [this, column = m_window.centralWidget()->width()] {
+            m_window.layout()->activate();
+            keepColumn(m_window.centralWidget()->width() - column);
+        };
+        QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);
+    });
 }
 
 QDockWidget& Layouts::dock(const QString& objectName) const {

@@ -45,8 +45,8 @@ public:
     void save();
     /// Returns the chosen layout to its initial arrangement.
     void reset();
-    /// The window's width has changed by `wider` pixels: where the plots are beside everything else, they get
-    /// it.
+    /// The window, or what is left of it beside a dock, has become wider by so many pixels: where the plots
+    /// are beside everything else, they get it.
     void keepColumn(int wider);
 
 signals:
