@@ -2654,8 +2654,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>das Leitmodul gehört nicht zur Gruppe.</translation>
     </message>
     <message>
-        <source>The file no longer exists. Check whether it was moved, or its disk is disconnected.</source>
-        <translation>Die Datei gibt es nicht mehr. Prüfen, ob sie verschoben wurde oder ihr Datenträger fehlt.</translation>
+        <source>There is no file %1. Check whether it was moved, or its disk is disconnected.</source>
+        <translation>Es gibt keine Datei %1. Prüfen, ob sie verschoben wurde oder ihr Datenträger fehlt.</translation>
     </message>
     <message>
         <source>The folder %1 does not exist. Choose another one.</source>

@@ -2654,8 +2654,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>el líder no es uno de los módulos del grupo.</translation>
     </message>
     <message>
-        <source>The file no longer exists. Check whether it was moved, or its disk is disconnected.</source>
-        <translation>El archivo ya no existe. Compruebe si se movió o si su disco está desconectado.</translation>
+        <source>There is no file %1. Check whether it was moved, or its disk is disconnected.</source>
+        <translation>No existe el archivo %1. Compruebe si se movió o si su disco está desconectado.</translation>
     </message>
     <message>
         <source>The folder %1 does not exist. Choose another one.</source>

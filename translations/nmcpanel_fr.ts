@@ -2654,8 +2654,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>le meneur ne fait pas partie des modules du groupe.</translation>
     </message>
     <message>
-        <source>The file no longer exists. Check whether it was moved, or its disk is disconnected.</source>
-        <translation>Le fichier n’existe plus. Vérifiez s’il a été déplacé, ou si son disque est déconnecté.</translation>
+        <source>There is no file %1. Check whether it was moved, or its disk is disconnected.</source>
+        <translation>Le fichier %1 n’existe pas. Vérifiez s’il a été déplacé, ou si son disque est déconnecté.</translation>
     </message>
     <message>
         <source>The folder %1 does not exist. Choose another one.</source>

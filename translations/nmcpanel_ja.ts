@@ -2648,8 +2648,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>リーダーがグループのモジュールに含まれていません。</translation>
     </message>
     <message>
-        <source>The file no longer exists. Check whether it was moved, or its disk is disconnected.</source>
-        <translation>ファイルがなくなっています。移動されたか、ディスクが取り外されていないか確認してください。</translation>
+        <source>There is no file %1. Check whether it was moved, or its disk is disconnected.</source>
+        <translation>ファイル%1がありません。移動されたか、ディスクが取り外されていないか確認してください。</translation>
     </message>
     <message>
         <source>The folder %1 does not exist. Choose another one.</source>

@@ -113,7 +113,7 @@ class AtItsOwnLine(unittest.TestCase):
             (("--simulator=servo", "--port", "/dev/none", "list"), "--port"),
             (("--simulator=servo", "--machine", "", "list"), "empty"),
             (("--simulator=servo", "record", str(self.place.folder)), str(self.place.folder)),
-            (("--simulator=servo", "--machine", "/none.json", "list"), "none.json"),
+            (("--simulator=servo", "--machine", "/none.json", "list"), "There is no file /none.json."),
             (("--simulator=servo", "--machine", self.place.file("bad.json", "{"), "list"), "bad.json"))
 
     def test_says_what_cannot_be_reached(self):

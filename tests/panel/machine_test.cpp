@@ -169,6 +169,19 @@ TEST_F(MachineFiles, ABadOneOfTheCommandLineIsASentenceInTheWindow) {
     }
 }
 
+/// The folder may be the wrong one, and there need never have been such a file.
+TEST_F(MachineFiles, OneThatIsNotThereIsSaidToBeNowhereWithItsFolder) {
+    VirtualPanel panel;
+    Start start;
+    start.machine = directory.filePath(QStringLiteral("none.json"));
+    panel.composition().show(start);
+    const MessageRow* problem = panel.standing(QStringLiteral("Could not open \"none.json\"."));
+    ASSERT_NE(problem, nullptr);
+    EXPECT_TRUE(problem->message().body.startsWith(QStringLiteral("There is no file ") + *start.machine +
+                                                   QLatin1Char('.')))
+        << problem->message().body.toStdString();
+}
+
 TEST_F(MachineFiles, OpeningSendsNothingAndCancellingChangesNothing) {
     VirtualChain sim(QStringLiteral("servo,servo"));
     VirtualPanel panel;

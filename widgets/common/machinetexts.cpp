@@ -139,8 +139,8 @@ QString fileProblem(const FileError& error) {
     const QString folder = QDir::toNativeSeparators(QFileInfo(error.path).absolutePath());
     switch (error.trouble) {
         case FileErrorKind::NotThere:
-            return Texts::tr(
-                "The file no longer exists. Check whether it was moved, or its disk is disconnected.");
+            return Texts::tr("There is no file %1. Check whether it was moved, or its disk is disconnected.")
+                .arg(QDir::toNativeSeparators(QFileInfo(error.path).absoluteFilePath()));
         case FileErrorKind::NoFolder:
             return Texts::tr("The folder %1 does not exist. Choose another one.").arg(folder);
         case FileErrorKind::NotAFile:
