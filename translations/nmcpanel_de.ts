@@ -13588,8 +13588,12 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
         <translation>Inkremente</translation>
     </message>
     <message>
-        <source>1 %1 is %2 %3. The smallest step is %4 %1.</source>
-        <translation>1 %1 sind %2 %3. Der kleinste Schritt ist %4 %1.</translation>
+        <source>turn</source>
+        <translation>Umdrehung</translation>
+    </message>
+    <message>
+        <source>1 %1 is %2 %3. The smallest step is %4 %5.</source>
+        <translation>1 %1 sind %2 %3. Der kleinste Schritt ist %4 %5.</translation>
     </message>
     <message>
         <source>Sets this unit for the axis. Keeps every physical value and sends nothing.</source>

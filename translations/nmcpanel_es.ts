@@ -13588,8 +13588,12 @@ Solo funciona mientras funcione el enlace: instale además una parada por hardwa
         <translation>cuentas</translation>
     </message>
     <message>
-        <source>1 %1 is %2 %3. The smallest step is %4 %1.</source>
-        <translation>1 %1 son %2 %3. El paso más pequeño es %4 %1.</translation>
+        <source>turn</source>
+        <translation>vuelta</translation>
+    </message>
+    <message>
+        <source>1 %1 is %2 %3. The smallest step is %4 %5.</source>
+        <translation>1 %1 son %2 %3. El paso más pequeño es %4 %5.</translation>
     </message>
     <message>
         <source>Sets this unit for the axis. Keeps every physical value and sends nothing.</source>

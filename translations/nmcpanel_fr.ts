@@ -13588,8 +13588,12 @@ Elle n’agit que tant que la liaison fonctionne&#xa0;: prévoyez aussi un arrê
         <translation>incréments</translation>
     </message>
     <message>
-        <source>1 %1 is %2 %3. The smallest step is %4 %1.</source>
-        <translation>1 %1 vaut %2 %3. Le plus petit pas est de %4 %1.</translation>
+        <source>turn</source>
+        <translation>tour</translation>
+    </message>
+    <message>
+        <source>1 %1 is %2 %3. The smallest step is %4 %5.</source>
+        <translation>1 %1 vaut %2 %3. Le plus petit pas est de %4 %5.</translation>
     </message>
     <message>
         <source>Sets this unit for the axis. Keeps every physical value and sends nothing.</source>

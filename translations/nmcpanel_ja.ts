@@ -13567,8 +13567,12 @@ It works only while the link works: fit a hardware stop as well.</source>
         <translation>カウント</translation>
     </message>
     <message>
-        <source>1 %1 is %2 %3. The smallest step is %4 %1.</source>
-        <translation>1 %1は%2 %3です。最小ステップは%4 %1です。</translation>
+        <source>turn</source>
+        <translation>回転</translation>
+    </message>
+    <message>
+        <source>1 %1 is %2 %3. The smallest step is %4 %5.</source>
+        <translation>1 %1は%2 %3です。最小ステップは%4 %5です。</translation>
     </message>
     <message>
         <source>Sets this unit for the axis. Keeps every physical value and sends nothing.</source>

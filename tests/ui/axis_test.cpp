@@ -198,6 +198,20 @@ TEST_F(Axis, ItsUnitIsWorkedOutFromLabels) {
     EXPECT_EQ(window->findChild<QDialog*>(u"unitDialog"_s), nullptr);
 }
 
+/// 500 lines are 2000 counts.
+TEST_F(Axis, ItsUnitIsReadWholeInEachOfItsKinds) {
+    showPage(u"Axis"_s);
+    click(u"workOutUnitButton"_s);
+    const auto* result = find<QLabel>(u"unitDialogResult"_s);
+    choose(u"unitDialogKind"_s, u"rotary, in turns"_s);
+    EXPECT_TRUE(result->text().startsWith(u"1 turn is "_s)) << result->text().toStdString();
+    EXPECT_TRUE(result->text().endsWith(u"The smallest step is 0.0005 turns."_s))
+        << result->text().toStdString();
+    choose(u"unitDialogKind"_s, u"linear, in millimetres"_s);
+    QApplication::processEvents();
+    EXPECT_GE(result->height(), result->heightForWidth(result->width())) << result->width();
+}
+
 /// Its dialog stays open while another module is selected; a file may give the axis other limits meanwhile.
 TEST_F(Axis, ItsUnitTakesNothingElseBack) {
     showServos({{}, {}});

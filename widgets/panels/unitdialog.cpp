@@ -21,6 +21,7 @@ namespace {
 constexpr int kCountsPerLine = 4;  // DS-V 3: all edges of both channels
 constexpr double kLargestEntry = 1e6;
 constexpr int kDecimals = 6;
+constexpr int kResultLines = 2;  // kept free when a row is added above them
 }  // namespace
 
 UnitDialog::UnitDialog(ModuleContext& context, QWidget* parent)
@@ -56,7 +57,7 @@ UnitDialog::UnitDialog(ModuleContext& context, QWidget* parent)
     m_travel = addField(
         u"unitDialogTravel"_s, tr("Travel per output turn (mm)"), 5,
         tr("Lead screw: pitch times starts. Belt: pulley teeth times belt pitch. Rack: pinion teeth times rack pitch."));
-    m_result = form::newParagraph(u"unitDialogResult"_s, tr("Calculated unit"), this);
+    m_result = form::newParagraph(u"unitDialogResult"_s, tr("Calculated unit"), this, kResultLines);
     m_form->addRow(m_result);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     look::name(buttons->button(QDialogButtonBox::Cancel), u"unitDialogCancel"_s, Common::tr("Cancel"));
@@ -106,8 +107,9 @@ void UnitDialog::refresh() {
             m_context.state().isStepper() ? AxisScale::step(unit) : AxisScale::servo(unit, 1);
         const QString symbol = texts::unitOf(scale);
         const QString native = m_context.state().isStepper() ? Common::tr("steps") : tr("counts");
-        text = tr("1 %1 is %2 %3. The smallest step is %4 %1.")
-                   .arg(symbol, texts::readout(*counts, 6), native, texts::readout(1 / *counts, 7));
+        text = tr("1 %1 is %2 %3. The smallest step is %4 %5.")
+                   .arg(kind() == UnitKind::Turns ? tr("turn") : symbol, texts::readout(*counts, 6), native,
+                        texts::readout(1 / *counts, 7), symbol);
     }
     look::setText(m_result, text);
     look::setPossible(m_use, counts ? QString() : text,
