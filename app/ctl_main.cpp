@@ -89,7 +89,7 @@ void printHelp() {
            "\n"
            "Examples:\n"
            "  nmcctl move X 12.5mm --wait\n"
-           "      the panel asks its user, and the command ends when X is there\n"
+           "      the panel asks its user, and the command ends when X has come to rest\n"
            "  nmcctl --port /dev/ttyUSB0 --machine bench.json serve\n"
            "      a computer without a screen, for programs in Python or another nmcctl\n"
            "  nmcctl --simulator=servo list\n"

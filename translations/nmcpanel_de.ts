@@ -5714,8 +5714,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>%1 lässt sich nicht anlegen.</translation>
     </message>
     <message>
-        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
-        <translation>Programm „%1“ hat sich verbunden. Es darf lesen, aber keine Motoren bewegen.</translation>
+        <source>Program &quot;%1&quot; has connected. It may read, stop motors and switch them off, but not move them.</source>
+        <translation>Programm „%1“ hat sich verbunden. Es darf lesen, Motoren anhalten und ausschalten, sie aber nicht bewegen.</translation>
     </message>
     <message>
         <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>

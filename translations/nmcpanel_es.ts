@@ -5714,8 +5714,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No se puede crear %1.</translation>
     </message>
     <message>
-        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
-        <translation>El programa «%1» se ha conectado. Puede leer, pero no mover motores.</translation>
+        <source>Program &quot;%1&quot; has connected. It may read, stop motors and switch them off, but not move them.</source>
+        <translation>El programa «%1» se ha conectado. Puede leer, detener motores y apagarlos, pero no moverlos.</translation>
     </message>
     <message>
         <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>

@@ -5714,8 +5714,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 ne peut pas être créé.</translation>
     </message>
     <message>
-        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
-        <translation>Le programme «&#xa0;%1&#xa0;» s’est connecté. Il peut lire, mais pas déplacer les moteurs.</translation>
+        <source>Program &quot;%1&quot; has connected. It may read, stop motors and switch them off, but not move them.</source>
+        <translation>Le programme «&#xa0;%1&#xa0;» s’est connecté. Il peut lire, arrêter les moteurs et les couper, mais pas les déplacer.</translation>
     </message>
     <message>
         <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>

@@ -5696,8 +5696,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1を作成できません。</translation>
     </message>
     <message>
-        <source>Program &quot;%1&quot; has connected. It may read, but not move motors.</source>
-        <translation>プログラム「%1」が接続しました。読み取りはできますが、モーターは動かせません。</translation>
+        <source>Program &quot;%1&quot; has connected. It may read, stop motors and switch them off, but not move them.</source>
+        <translation>プログラム「%1」が接続しました。読み取りと、モーターの停止やオフはできますが、モーターは動かせません。</translation>
     </message>
     <message>
         <source>Program &quot;%1&quot; has disconnected; the motors that it moved are stopped.</source>

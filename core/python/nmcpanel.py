@@ -237,7 +237,10 @@ class Panel:
             self.wait()
 
     def wait(self) -> dict[str, Any]:
-        """Waits until all axes are at rest and no sequence runs; returns the state then."""
+        """Waits until all axes are at rest and no sequence runs; returns the state then.
+
+        Set an arrival tolerance for an axis that must be at its goal then; without one, it may rest anywhere.
+        """
         return self.call("wait")
 
     # ---- what arrives unasked ----
@@ -304,7 +307,10 @@ class Axis:
         return self.state()["position"]
 
     def wait(self) -> dict[str, Any]:
-        """Waits until the axis is at rest; returns its state then."""
+        """Waits until the axis is at rest; returns its state then.
+
+        Set an arrival tolerance if it must be at its goal then; without one, it may rest anywhere.
+        """
         return self.call("wait")
 
     def _do(self, wait: bool, method: str, **parameters: Any) -> None:

@@ -121,7 +121,10 @@ Message apiClosed(const ApiServerProblem& problem) {
 
 Message programConnected(const QString& program) {
     return aboutProgram(
-        program, Texts::tr("Program \"%1\" has connected. It may read, but not move motors.").arg(program));
+        program,
+        Texts::tr(
+            "Program \"%1\" has connected. It may read, stop motors and switch them off, but not move them.")
+            .arg(program));
 }
 
 Message programGone(const QString& program, bool stops) {
