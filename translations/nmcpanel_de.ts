@@ -9794,6 +9794,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <translation>Dauert %1, Spitze %2</translation>
     </message>
     <message>
+        <source>Peak %1</source>
+        <translation>Spitze %1</translation>
+    </message>
+    <message>
+        <source>Peak %1: too short to reach its velocity</source>
+        <translation>Spitze %1: zu kurz, um die Geschwindigkeit zu erreichen</translation>
+    </message>
+    <message>
         <source>Already there</source>
         <translation>Bereits dort</translation>
     </message>

@@ -9794,6 +9794,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <translation>Tarda %1, máximo %2</translation>
     </message>
     <message>
+        <source>Peak %1</source>
+        <translation>Máximo %1</translation>
+    </message>
+    <message>
+        <source>Peak %1: too short to reach its velocity</source>
+        <translation>Máximo %1: demasiado corto para alcanzar su velocidad</translation>
+    </message>
+    <message>
         <source>Already there</source>
         <translation>Ya está ahí</translation>
     </message>

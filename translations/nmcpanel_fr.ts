@@ -9794,6 +9794,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <translation>Dure %1, maximum %2</translation>
     </message>
     <message>
+        <source>Peak %1</source>
+        <translation>Maximum %1</translation>
+    </message>
+    <message>
+        <source>Peak %1: too short to reach its velocity</source>
+        <translation>Maximum %1&#xa0;: trop court pour atteindre sa vitesse</translation>
+    </message>
+    <message>
         <source>Already there</source>
         <translation>Déjà en place</translation>
     </message>

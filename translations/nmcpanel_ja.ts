@@ -9774,6 +9774,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <translation>所要時間%1、最高%2</translation>
     </message>
     <message>
+        <source>Peak %1</source>
+        <translation>最高%1</translation>
+    </message>
+    <message>
+        <source>Peak %1: too short to reach its velocity</source>
+        <translation>最高%1：設定速度に達するには短すぎます</translation>
+    </message>
+    <message>
         <source>Already there</source>
         <translation>すでにその位置です</translation>
     </message>

@@ -127,6 +127,20 @@ TEST_F(IoPage, MovesSayBeforehandHowLongTheyTake) {
     EXPECT_EQ(text(u"forecastLabel"_s), QString()) << "it is not known where the motor will be by then";
 }
 
+/// Without SR, the length of a tick is unknown (DS-V 4.3), but not the peak: 20000 counts are more than the
+/// v^2/a = 3200 counts of both ramps, and 800 are not; their peak is sqrt(800 x 0.02).
+TEST_F(IoPage, MovesDoNotSayHowLongTheyTakeIfTheServoRateIsUnknown) {
+    ModuleState module = Servo{}.state();
+    module.servoRate.reset();
+    window->showLink(connectedTo({module}));
+    type(u"goalField"_s, u"20000"_s);
+    type(u"velocityField"_s, u"8"_s);
+    type(u"accelerationField"_s, u"0.02"_s);
+    EXPECT_EQ(text(u"forecastLabel"_s), u"Peak 8 counts/tick"_s);
+    type(u"goalField"_s, u"800"_s);
+    EXPECT_EQ(text(u"forecastLabel"_s), u"Peak 4 counts/tick: too short to reach its velocity"_s);
+}
+
 TEST_F(IoPage, ADistanceIsFromWhereTheMotorIs) {
     showServo({.position = 1000});
     auto* kind = find<QComboBox>(u"goalKindBox"_s);

@@ -318,12 +318,17 @@ void MotionBox::refreshForecast() {
         const double way = static_cast<double>(wanted->position.value()) - *latest->position;
         const auto perSecond = scale.perSecond();
         const MoveForecast move = forecast(way, *velocity, *acceleration, perSecond.value_or(1.0));
-        const QString seconds = tr("%1 s").arg(perSecond ? texts::readout(move.seconds, 3) : u"–"_s);
+        const QString seconds = tr("%1 s").arg(texts::readout(move.seconds, 3));
         const QString peak = texts::velocity(scale, move.peakVelocity, 3);
-        text = move.triangular ? tr("Takes %1, peak %2: too short to reach its velocity").arg(seconds, peak)
-                               : tr("Takes %1, peak %2").arg(seconds, peak);
         if (way == 0.0)
             text = tr("Already there");
+        else if (!perSecond)  // the length of a tick is unknown
+            text =
+                (move.triangular ? tr("Peak %1: too short to reach its velocity") : tr("Peak %1")).arg(peak);
+        else
+            text = move.triangular
+                       ? tr("Takes %1, peak %2: too short to reach its velocity").arg(seconds, peak)
+                       : tr("Takes %1, peak %2").arg(seconds, peak);
     }
     look::setText(m_forecast, text);
 }
