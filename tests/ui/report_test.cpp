@@ -25,6 +25,20 @@ protected:
     }
 };
 
+TEST_F(Report, DoesNotSayOfModulesThatNobodyAsksThatTheyDoNotAnswer) {
+    LinkState link = connectedTo({Servo{}.state(), Servo{.index = 1}.state()});
+    link.phase = LinkPhase::Lost;
+    link.quiet = true;
+    link.modules[0].restarted();
+    link.modules[0].silent = true;
+    window->showLink(link);
+    const QStringList chain = part(open(), u"Chain"_s);
+    ASSERT_EQ(chain.size(), 2);
+    EXPECT_TRUE(chain[0].contains(u"does not answer, has restarted"_s)) << chain[0].toStdString();
+    EXPECT_TRUE(chain[1].contains(u"not asked"_s)) << chain[1].toStdString();
+    EXPECT_FALSE(chain[1].contains(u"does not answer"_s)) << chain[1].toStdString();
+}
+
 TEST_F(Report, SaysWhatIsThere) {
     window->connectionBar().showPorts({{u"/dev/ttyUSB0"_s, u"FT232R USB UART"_s, u"A10K"_s, 0x0403, 0x6001}});
     Servo lost{.index = 1, .position = -77, .gains = false};

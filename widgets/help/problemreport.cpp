@@ -98,7 +98,7 @@ QStringList aboutChain(const LinkState& link) {
         if (module.latest && module.latest->position)
             words << u"position %1"_s.arg(*module.latest->position);
         if (module.silent)
-            words << u"does not answer"_s;
+            words << (module.notAsked ? u"not asked"_s : u"does not answer"_s);
         if (module.hasRestarted)
             words << u"has restarted"_s;
         if (module.isServo())

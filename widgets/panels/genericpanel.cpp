@@ -53,7 +53,7 @@ void GenericPanel::showModule(const PanelView& view) {
         if (module.latest->position.has_value())
             status += tr(", position %1").arg(texts::grouped(*module.latest->position));
     }
-    if (module.silent)
+    if (module.silent && !module.notAsked)
         status = tr("It does not answer. ") + status;
     look::setText(m_status, status);
     look::setPossible(m_ask,
