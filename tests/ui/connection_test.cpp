@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/apitexts.h"
 #include "widgets/common/texts.h"
 #include "widgets/mainwindow/connectionbar.h"
 #include "windowtest.h"
@@ -85,6 +86,20 @@ TEST_F(Connection, OpeningTheListAsksForThePorts) {
     ports()->showPopup();
     EXPECT_EQ(asked.size(), 1);
     ports()->hidePopup();
+}
+
+/// STOP ALL is below the bar, and would move from under the pointer.
+TEST_F(Connection, NothingMovesWhenAProgramGetsControl) {
+    window->resize(1'500, 900);
+    window->showPrograms({.on = true, .path = u"/run/ttyUSB0.sock"_s, .connected = 1});
+    const auto* ribbon = find(u"programsRibbon"_s);
+    QApplication::processEvents();
+    const int before = ribbon->height();
+    window->showPrograms(
+        {.on = true, .path = u"/run/ttyUSB0.sock"_s, .connected = 1, .inControl = u"scan.py"_s});
+    QApplication::processEvents();
+    EXPECT_TRUE(button(u"endProgramControlButton"_s)->isVisible());
+    EXPECT_EQ(ribbon->height(), before);
 }
 
 TEST_F(Connection, ASimulatedSessionIsMarkedOnTheWholeWindow) {

@@ -35,6 +35,7 @@ QPushButton* Ribbon::addButton(const QString& objectName, const QString& text, c
     auto* button = new QPushButton(text, this);
     look::name(button, objectName, text);
     look::setPossible(button, {}, meaning);
+    look::keepRoom(button);
     m_layout->addWidget(button);
     m_layout->insertSpacing(0, button->sizeHint().width());  // the text stays in the middle
     return button;

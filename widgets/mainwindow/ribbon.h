@@ -18,7 +18,7 @@ public:
     Ribbon(const QString& objectName, const QString& accessibleName, const QString& text, QWidget* parent);
 
     void setText(const QString& text);
-    /// Adds a button after the text.
+    /// Adds a button after the text. It keeps its room while it is hidden: STOP ALL is below the bar.
     QPushButton* addButton(const QString& objectName, const QString& text, const QString& meaning);
 
 protected:
