@@ -1578,6 +1578,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das andere Programm schließen und erneut versuchen.</translation>
     </message>
     <message>
+        <source>Close it and try again. Or use nmcctl through it: switch on Chain, Let programs in there, and leave out --port.</source>
+        <translation>Das andere Programm schließen und erneut versuchen. Oder nmcctl darüber benutzen: dort Kette, Programme einlassen einschalten und --port weglassen.</translation>
+    </message>
+    <message>
         <source>%1 not found.</source>
         <translation>%1 nicht gefunden.</translation>
     </message>

@@ -1578,6 +1578,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Ciérrelo e inténtelo de nuevo.</translation>
     </message>
     <message>
+        <source>Close it and try again. Or use nmcctl through it: switch on Chain, Let programs in there, and leave out --port.</source>
+        <translation>Ciérrelo e inténtelo de nuevo. O use nmcctl a través de él: active allí Cadena, Dejar entrar programas, y omita --port.</translation>
+    </message>
+    <message>
         <source>%1 not found.</source>
         <translation>No se encontró %1.</translation>
     </message>

@@ -1578,6 +1578,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Fermez-le et réessayez.</translation>
     </message>
     <message>
+        <source>Close it and try again. Or use nmcctl through it: switch on Chain, Let programs in there, and leave out --port.</source>
+        <translation>Fermez-le et réessayez. Ou utilisez nmcctl à travers lui&#xa0;: activez-y Chaîne, Laisser entrer des programmes, et omettez --port.</translation>
+    </message>
+    <message>
         <source>%1 not found.</source>
         <translation>%1 introuvable.</translation>
     </message>

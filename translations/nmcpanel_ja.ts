@@ -1576,6 +1576,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>そのプログラムを終了して、もう一度試してください。</translation>
     </message>
     <message>
+        <source>Close it and try again. Or use nmcctl through it: switch on Chain, Let programs in there, and leave out --port.</source>
+        <translation>そのプログラムを終了して、もう一度試してください。または、そのプログラムを通して nmcctl を使います：そこで「チェーン」の「プログラムの接続を許可」をオンにし、--port を付けずに実行してください。</translation>
+    </message>
+    <message>
         <source>%1 not found.</source>
         <translation>%1が見つかりません。</translation>
     </message>

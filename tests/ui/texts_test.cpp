@@ -40,6 +40,18 @@ TEST(Texts, InUse) {
     EXPECT_TRUE(verbs(m).contains(u"Retry"_s));
 }
 
+TEST(Texts, APortThatAPanelHasIsUsedThroughThatPanel) {
+    PortError error;
+    error.problem = PortProblem::InUse;
+    error.port = "/dev/ttyUSB0";
+    error.program = "nmcpanel";
+    error.pid = 800;
+    const Message m = texts::portProblem(error);
+    EXPECT_EQ(m.headline, u"/dev/ttyUSB0 is used by nmcpanel (pid 800)."_s);
+    EXPECT_TRUE(m.body.contains(u"Let programs in"_s) && m.body.contains(u"--port"_s))
+        << m.body.toStdString();
+}
+
 TEST(Texts, Gone) {
     texts::setModuleNames({{}, {}, u"Z axis"_s});
     const PortError gone{PortProblem::Gone, "/dev/ttyUSB0", {}, {}, {}, {ModuleIndex(0), ModuleIndex(2)}};

@@ -73,6 +73,12 @@ Message inUse(const PortError& error) {
                 .arg(command),
             actions, command);
     }
+    if (error.program == "nmcpanel")
+        return trouble(
+            headline,
+            Texts::tr(
+                "Close it and try again. Or use nmcctl through it: switch on Chain, Let programs in there, and leave out --port."),
+            actions);
     return trouble(headline, Texts::tr("Close it and try again."), actions);
 }
 
