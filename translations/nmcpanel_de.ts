@@ -1137,7 +1137,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     </message>
     <message>
         <source>Model error %1 counts RMS; encoder and timing account for %2.</source>
-        <translation>Modellabweichung %1 Ink. (RMS); davon gehen %2 auf Encoder und Zeitmessung zurück.</translation>
+        <translation>Modellabweichung %1 Ink. (RMS); Encoder und Zeitmessung erklären %2.</translation>
     </message>
     <message>
         <source>Too few samples. Record for longer, or raise the baud rate.</source>
@@ -13120,7 +13120,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     <name>nmc::TestForm</name>
     <message>
         <source>End test</source>
-        <translation>Beenden: Prüfung beenden</translation>
+        <translation>Test beenden</translation>
     </message>
     <message>
         <source>Progress of the test</source>

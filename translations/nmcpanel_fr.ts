@@ -1137,7 +1137,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Model error %1 counts RMS; encoder and timing account for %2.</source>
-        <translation>Erreur du modèle %1 incr. RMS&#x202f;; le codeur et l’échantillonnage en expliquent %2.</translation>
+        <translation>Erreur du modèle %1 incr. RMS&#x202f;; le codeur et l’échantillonnage expliquent %2.</translation>
     </message>
     <message>
         <source>Too few samples. Record for longer, or raise the baud rate.</source>

@@ -1135,7 +1135,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>Model error %1 counts RMS; encoder and timing account for %2.</source>
-        <translation>モデル誤差 %1カウントRMS（うち%2はエンコーダーとタイミングによるもの）。</translation>
+        <translation>モデル誤差 %1カウントRMS。エンコーダーとタイミングで説明できるのは%2です。</translation>
     </message>
     <message>
         <source>Too few samples. Record for longer, or raise the baud rate.</source>
