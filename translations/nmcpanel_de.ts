@@ -995,6 +995,10 @@
         <source>Not known for the gains in the fields: DB differs from that of the measurement.</source>
         <translation>Für die Reglerwerte in den Feldern nicht bekannt: DB ist anders als bei der Messung.</translation>
     </message>
+    <message>
+        <source>only at %1 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
+        <translation>nur bei %1 Hz: sonst hat OL oder IL die Ausgabe des Reglers begrenzt</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>

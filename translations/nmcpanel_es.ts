@@ -995,6 +995,10 @@
         <source>Not known for the gains in the fields: DB differs from that of the measurement.</source>
         <translation>Desconocido para las ganancias de los campos: DB difiere del de la medición.</translation>
     </message>
+    <message>
+        <source>only at %1 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
+        <translation>solo a %1 Hz: fuera de ahí, OL o IL limitó la salida del filtro</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>

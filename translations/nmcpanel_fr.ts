@@ -995,6 +995,10 @@
         <source>Not known for the gains in the fields: DB differs from that of the measurement.</source>
         <translation>Inconnu pour les gains des champs&#xa0;: DB diffère de celui de la mesure.</translation>
     </message>
+    <message>
+        <source>only at %1 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
+        <translation>seulement à %1 Hz&#xa0;: ailleurs, OL ou IL a limité la sortie du filtre</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>

@@ -994,6 +994,10 @@
         <source>Not known for the gains in the fields: DB differs from that of the measurement.</source>
         <translation>入力欄のゲインでは不明です：DBが測定時と異なります。</translation>
     </message>
+    <message>
+        <source>only at %1 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
+        <translation>%1 Hzのみ：それ以外ではOLまたはILがフィルター出力を制限しました</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>

@@ -8,6 +8,7 @@
 #include "tests/support/choosefile.h"
 #include "widgets/looptests/frequencypage.h"
 #include "widgets/looptests/looptestsdock.h"
+#include "widgets/looptests/looptestwords.h"
 #include "widgets/looptests/squareplot.h"
 #include "widgets/looptests/squarewavepage.h"
 #include "widgets/response/responsedock.h"
@@ -404,6 +405,18 @@ TEST_F(LoopTestsInTheWindow, ThoseOfAnotherConnectionAreForgotten) {
     EXPECT_FALSE(button(u"squareWaveKeepButton"_s)->isEnabled());
     EXPECT_TRUE(label(u"frequencyFigures"_s).isEmpty()) << label(u"frequencyFigures"_s).toStdString();
     EXPECT_TRUE(label(u"squareWaveResults"_s).isEmpty());
+}
+
+TEST(LoopTestWords, OneFrequencyIsNoRange) {
+    const std::vector<FrequencyPoint> measured{
+        {2.0, {0.9, -0.1}, 0.01}, {3.0, {0.8, -0.2}, 0.01}, {4.0, {0.7, -0.3}, 0.01}};
+    const auto words = [&measured](std::size_t known) {
+        return texts::wouldDo(measured, std::span(measured).first(known), LoopChange::Filter);
+    };
+    EXPECT_TRUE(words(1).contains(u"only at 2"_s)) << words(1).toStdString();
+    EXPECT_FALSE(words(1).contains(u"from 2"_s)) << words(1).toStdString();
+    EXPECT_TRUE(words(2).contains(u"from 2"_s)) << words(2).toStdString();
+    EXPECT_FALSE(words(3).contains(u"elsewhere"_s)) << words(3).toStdString();
 }
 
 /// 10 counts there and back, half a period of 0.1 s.

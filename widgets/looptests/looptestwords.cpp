@@ -52,7 +52,10 @@ QString wouldDo(std::span<const FrequencyPoint> measured, std::span<const Freque
     QStringList parts = isUnstable(figuresOf(predicted))
                             ? QStringList{LoopTestTexts::tr("unstable, the motor would oscillate")}
                             : frequencyFigures(predicted).mid(1);
-    if (predicted.size() < measured.size())
+    if (predicted.size() == 1 && measured.size() > 1)
+        parts << LoopTestTexts::tr("only at %1 Hz: elsewhere, OL or IL cut off the filter's output")
+                     .arg(readout(predicted.front().hertz, 3));
+    else if (predicted.size() < measured.size())
         parts << LoopTestTexts::tr("from %1 to %2 Hz: elsewhere, OL or IL cut off the filter's output")
                      .arg(readout(predicted.front().hertz, 3), readout(predicted.back().hertz, 3));
     return LoopTestTexts::tr("With the gains in the fields: %1").arg(parts.join(u" · "));
