@@ -11332,6 +11332,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>goal, command</source>
         <translation>Ziel, Sollposition</translation>
     </message>
+    <message>
+        <source>time since the start (s)</source>
+        <translation>Zeit seit dem Start (s)</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>

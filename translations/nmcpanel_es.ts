@@ -11332,6 +11332,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>goal, command</source>
         <translation>destino, consigna</translation>
     </message>
+    <message>
+        <source>time since the start (s)</source>
+        <translation>tiempo desde el inicio (s)</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>

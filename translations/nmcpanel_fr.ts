@@ -11332,6 +11332,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>goal, command</source>
         <translation>cible, consigne</translation>
     </message>
+    <message>
+        <source>time since the start (s)</source>
+        <translation>temps depuis le départ (s)</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>

@@ -11312,6 +11312,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>goal, command</source>
         <translation>目標、指令</translation>
     </message>
+    <message>
+        <source>time since the start (s)</source>
+        <translation>開始からの時間 (s)</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ResponseResults</name>

@@ -653,6 +653,20 @@ TEST_F(Responses, CursorsStandBesideThePlotWhileTheyAreWanted) {
     EXPECT_FALSE(readings->isVisible());
 }
 
+TEST_F(Responses, TheTimeOfAMoveBeginsAtItsStart) {
+    openWith();
+    window->stepResponses().showRun(move(1));
+    QSignalSpy saves(&window->requests(), &Requests::save);
+    window->findChild<QAction*>(u"responseSvgAction"_s)->trigger();
+    auto* dialog = window->findChild<QFileDialog*>(u"responsePicturesvgDialog"_s);
+    ASSERT_NE(dialog, nullptr);
+    testing_support::chooseFile(*dialog, u"/home/anna/move.svg"_s);
+    ASSERT_EQ(saves.size(), 1);
+    const std::string content = saves[0][1].value<FileContent>()();
+    EXPECT_NE(content.find("time since the start (s)"), std::string::npos);
+    EXPECT_EQ(content.find("time since the step (s)"), std::string::npos);
+}
+
 TEST_F(Responses, PicturesGoToFilesAndOntoTheClipboard) {
     openWith();
     KeptResponse run = ramp(100);

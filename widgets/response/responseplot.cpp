@@ -213,8 +213,9 @@ void ResponsePlot::paintTitles(QPainter& painter) const {
     const double em = QFontMetricsF(painter.font()).height();
     const std::optional<Curve>& first = m_curves[0] ? m_curves[0] : m_curves[1];
     painter.setPen(look::mutedText(palette()));
-    painter.drawText(QRectF(area.left(), area.bottom() + em * 1.2, area.width(), em), Qt::AlignCenter,
-                     tr("time since the step (s)"));
+    painter.drawText(
+        QRectF(area.left(), area.bottom() + em * 1.2, area.width(), em), Qt::AlignCenter,
+        first && !first->command.isEmpty() ? tr("time since the start (s)") : tr("time since the step (s)"));
     const bool oneUnit = !m_curves[0] || !m_curves[1] || m_curves[0]->unit == m_curves[1]->unit;
     const QString unit = !first    ? QString()
                          : oneUnit ? first->unit
