@@ -9490,6 +9490,14 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>The motor jumps by the distance of the step and back, then twice as far and back, but no farther than %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>Der Motor springt um die Strecke des Sprungs und zurück, dann doppelt so weit und zurück, höchstens aber um %1 und %2 Ink., und wird aus diesen Sprüngen bestimmt. Sicherstellen, dass sich alles, was er antreibt, frei bewegen kann.</translation>
     </message>
+    <message>
+        <source>Calculating the suggested gains…</source>
+        <translation>Vorschläge werden berechnet…</translation>
+    </message>
+    <message>
+        <source>The suggested gains are being calculated.</source>
+        <translation>Die Vorschläge werden berechnet.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModuleBench</name>

@@ -9490,6 +9490,14 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>The motor jumps by the distance of the step and back, then twice as far and back, but no farther than %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>El motor salta la distancia del escalón y vuelve, después el doble y vuelve, pero como máximo %1 y %2 cuentas, y se identifica a partir de estos escalones. Asegúrese de que todo lo que acciona puede moverse libremente.</translation>
     </message>
+    <message>
+        <source>Calculating the suggested gains…</source>
+        <translation>Calculando las ganancias sugeridas…</translation>
+    </message>
+    <message>
+        <source>The suggested gains are being calculated.</source>
+        <translation>Se están calculando las ganancias sugeridas.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModuleBench</name>

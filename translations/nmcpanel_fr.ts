@@ -9490,6 +9490,14 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>The motor jumps by the distance of the step and back, then twice as far and back, but no farther than %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>Le moteur saute de la distance de l’échelon et revient, puis deux fois plus loin et revient, mais d’au plus %1 et %2 incr., et est identifié à partir de ces échelons. Assurez-vous que tout ce qu’il entraîne peut bouger librement.</translation>
     </message>
+    <message>
+        <source>Calculating the suggested gains…</source>
+        <translation>Calcul des gains proposés…</translation>
+    </message>
+    <message>
+        <source>The suggested gains are being calculated.</source>
+        <translation>Le calcul des gains proposés est en cours.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModuleBench</name>

@@ -9470,6 +9470,14 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>The motor jumps by the distance of the step and back, then twice as far and back, but no farther than %1 and %2 counts; the model is then found from these steps. Make sure that everything it drives can move freely.</source>
         <translation>モーターがステップの距離だけ急に動いて戻り、次にその2倍動いて戻り（ただし最大%1カウントと%2カウント）、これらのステップから同定されます。駆動されるものがすべて自由に動けることを確認してください。</translation>
     </message>
+    <message>
+        <source>Calculating the suggested gains…</source>
+        <translation>提案ゲインを計算中…</translation>
+    </message>
+    <message>
+        <source>The suggested gains are being calculated.</source>
+        <translation>提案ゲインを計算しています。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::ModuleBench</name>

@@ -216,6 +216,10 @@ void ModelBox::suggest() {
     emit curvesChanged();
 }
 
+bool ModelBox::suggesting() const {
+    return m_about && m_suggestion.id != m_asked;
+}
+
 void ModelBox::showSuggestion(const Suggestion& suggestion) {
     if (suggestion.id != m_asked)
         return;
@@ -247,6 +251,7 @@ void ModelBox::refreshButtons() {
     look::setPossible(m_fill,
                       !m_locked.isEmpty()  ? m_locked
                       : m_suggestion.gains ? QString()
+                      : suggesting()       ? tr("The suggested gains are being calculated.")
                                            : tr("No suggested gains. Find the motor model first."),
                       tr("Copies the suggested gains to the Gains page. Sends nothing."));
     const std::vector<std::int32_t> steps = nextSteps();
@@ -279,9 +284,9 @@ void ModelBox::showWords() {
         words = texts::gainsInShort(*m_suggestion.gains) + u'\n' +
                 texts::predicted(*m_suggestion.prediction).join(u'\n');
     else if (found != nullptr && found->motor)
-        words = !m_about ? tr("The run behind this model was removed. Find the motor model again.")
-                : m_suggestion.id == m_asked ? tr("No gains keep this motor stable and quiet.")
-                                             : QString();
+        words = suggesting() ? tr("Calculating the suggested gains…")
+                : m_about    ? tr("No gains keep this motor stable and quiet.")
+                             : tr("The run behind this model was removed. Find the motor model again.");
     look::setText(m_suggested, words);
 }
 

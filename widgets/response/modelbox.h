@@ -96,6 +96,7 @@ private:
     void refreshButtons();
     void suggest();
     void showWords();
+    [[nodiscard]] bool suggesting() const;
     /// A series of steps; or a single one if the motor model is uncertain although it was found from enough
     /// runs, including the last one.
     [[nodiscard]] std::vector<std::int32_t> nextSteps() const;
