@@ -23,8 +23,10 @@ namespace {
 constexpr int kKeepUnsavedAfterMs = 3'000;
 constexpr qsizetype kRecentFiles = 8;
 const QString kRecent = QStringLiteral("machine/recent");
-/// The file of the machine in operator mode; empty: it has none.
-const QString kOperatorFile = QStringLiteral("machine/operatorFile");
+/// The machine in operator mode: its file, the hash of what is in there, the whole machine, and whether it
+/// has unsaved changes. It is kept beside the lock itself, so that the mode never goes on without it.
+const QString kOperatorMachine = QStringLiteral("machine/operator");
+constexpr int kOperatorParts = 4;
 
 QString folderOr(const QString& folder, const QSettings& settings) {
     return folder.isEmpty() ? QFileInfo(settings.fileName()).absoluteDir().filePath(QStringLiteral("unsaved"))
@@ -83,23 +85,45 @@ void MachineController::start(const std::optional<QString>& file) {
     m_window.showMachine(m_machine);
     showFile();
     emit taken(m_path);
-    const bool goesOn = locked() && !file;
-    const QString last = m_settings.value(kOperatorFile).toString();
-    if (m_unsaved.left()) {
-        const auto work = leftWork();
-        if (work && goesOn && work->path == last)
-            return take(*work, work->content.machine, true);
-        if (!work)
-            m_window.showMessage(texts::unsavedWorkDamaged(work.error()));
-        else
-            m_window.showMessage(texts::unsavedWorkLeft(
-                MachineFile{work->path, QString::fromStdString(work->content.machine.name), true, {}}
-                    .title()));
-    }
     if (file)
         openAtStart(QFileInfo(*file).absoluteFilePath());
-    else if (goesOn && !last.isEmpty())
-        openAtStart(last);
+    if (locked() && m_machine == Machine{})
+        goOnInOperatorMode();
+    if (!m_unsaved.left() || m_restored)
+        return;
+    if (const auto work = leftWork(); !work)
+        m_window.showMessage(texts::unsavedWorkDamaged(work.error()));
+    else
+        m_window.showMessage(texts::unsavedWorkLeft(
+            MachineFile{work->path, QString::fromStdString(work->content.machine.name), true, {}}.title()));
+}
+
+void MachineController::goOnInOperatorMode() {
+    const QStringList kept = m_settings.value(kOperatorMachine).toStringList();
+    if (kept.size() != kOperatorParts)
+        return;
+    const QString& file = kept[0];
+    const bool isSaved = kept[3].isEmpty();
+    if (isSaved && !file.isEmpty())
+        openAtStart(file);  // someone may have changed it
+    const std::string text = kept[2].toStdString();
+    const auto content = parseMachine(text);
+    if (m_machine != Machine{} || !content || content->machine == Machine{})
+        return;
+    const auto& left = m_unsaved.left();
+    Pending work{file, *content, left && left->file == file && left->content == text, {}, {}, kept[1]};
+    take(work, work.content.machine, true);
+    if (!isSaved && !work.restored) {
+        m_saved.reset();
+        changed();
+    }
+}
+
+void MachineController::keepForOperator() {
+    m_settings.setValue(
+        kOperatorMachine,
+        QStringList{m_path, m_inFile, QString::fromStdString(writeMachine(m_machine, m_unknown)),
+                    modified() ? QStringLiteral("modified") : QString()});
 }
 
 bool MachineController::locked() const {
@@ -168,11 +192,11 @@ void MachineController::nameGroup(quint8 group, const QString& name) {
 }
 
 void MachineController::setOperatorRights(const OperatorRights& rights) {
-    m_settings.setValue(kOperatorFile, m_path);
-    if (rights == m_machine.operatorRights.value_or(OperatorRights{}))
-        return;
-    m_machine.operatorRights = rights;
-    changed();
+    if (rights != m_machine.operatorRights.value_or(OperatorRights{})) {
+        m_machine.operatorRights = rights;
+        changed();
+    }
+    keepForOperator();
 }
 
 void MachineController::acceptChain(const std::vector<ModuleIdentity>& there,
@@ -337,7 +361,7 @@ void MachineController::take(const Pending& from, Machine machine, bool whole) {
     m_inFile = from.inFile;
     m_saving.clear();
     m_saved = whole && !from.restored ? std::optional(from.content.machine) : std::nullopt;
-    if (!from.restored)
+    if (!from.restored && !from.path.isEmpty())
         remember(from.path);
     changed();
     emit taken(m_path);
@@ -439,7 +463,7 @@ void MachineController::changed() {
     if (!m_keepTimer.isActive())
         m_keepTimer.start();
     if (locked())
-        m_settings.setValue(kOperatorFile, m_path);  // it may have been saved when the window was closed
+        keepForOperator();  // it may have been saved when the window was closed
     // The window must know this machine before the link's updates that follow.
     m_window.showMachine(m_machine);
     showFile();

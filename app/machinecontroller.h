@@ -29,8 +29,8 @@ public:
 
     [[nodiscard]] const Machine& machine() const { return m_machine; }
 
-    /// Shows the machine, offers the unsaved work of an earlier session, and opens `file`. Without a file,
-    /// operator mode goes on with the machine with which it was left, and its unsaved work is restored.
+    /// Shows the machine, opens `file`, and offers the unsaved work of an earlier session. Without a file
+    /// that can be read, operator mode goes on with the machine with which it was left.
     void start(const std::optional<QString>& file);
     /// The user has changed an axis in its panel.
     void edit(ModuleIndex module, const AxisSettings& settings);
@@ -83,6 +83,10 @@ private:
     [[nodiscard]] std::optional<Pending> read(const QString& path);
     /// Shows what the file would change; in operator mode, loads it whole.
     void openAtStart(const QString& path);
+    /// Nothing is connected yet, so nothing is sent.
+    void goOnInOperatorMode();
+    /// Keeps the machine for goOnInOperatorMode() of the next session.
+    void keepForOperator();
     /// The unsaved work of an earlier session, which there must be.
     [[nodiscard]] tl::expected<Pending, FileProblem> leftWork() const;
     void beginNew();
