@@ -142,7 +142,7 @@ struct Reporter {
     All operator()(const GuardianMissing& missing) const {
         return {{texts::guardianMissing(missing.problem)}};
     }
-    All operator()(const LineLent& lent) const { return {{texts::lineLent(lent, movingModules(link))}}; }
+    All operator()(const LineLent& lent) const { return {{texts::lineLent(lent)}}; }
     All operator()(const LendingProblem& problem) const { return {{texts::notLent(problem)}}; }
     /// The window has a place of its own for these.
     All operator()(const AnyOf<bus::StopFinished, bus::OwedStopConfirmed, SimulatorAnswered> auto&) const {

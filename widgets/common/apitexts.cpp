@@ -141,7 +141,7 @@ Message programCalled(const QString& program, const QString& call) {
     return aboutProgram(program, Texts::tr("Program \"%1\": %2").arg(program, call));
 }
 
-Message lineLent(const LineLent& lent, const std::vector<ModuleIndex>& moving) {
+Message lineLent(const LineLent& lent) {
     const QString path = QString::fromStdString(lent.path);
     Message message{.key = u"lent"_s, .relation = Message::Relation::Update};
     switch (lent.state) {
@@ -164,11 +164,6 @@ Message lineLent(const LineLent& lent, const std::vector<ModuleIndex>& moving) {
         case LineLent::State::Ended:
             message.headline = Texts::tr("The line is no longer lent.");
             break;
-    }
-    const bool over = lent.state == LineLent::State::Left || lent.state == LineLent::State::Ended;
-    if (over && !moving.empty()) {
-        message.severity = Severity::Attention;
-        message.body = movingSentence(moving);
     }
     return message;
 }

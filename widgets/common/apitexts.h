@@ -49,8 +49,7 @@ enum class ControlLost : std::uint8_t { Stopped, TakenBack, Commanded, Disconnec
 [[nodiscard]] Message programCalled(const QString& program, const QString& call);
 
 /// What has become of the line that is lent to a program (docs/lending.md).
-/// `moving`: the modules that were moving when last seen, named at its end because nothing has stopped them.
-[[nodiscard]] Message lineLent(const LineLent& lent, const std::vector<ModuleIndex>& moving = {});
+[[nodiscard]] Message lineLent(const LineLent& lent);
 [[nodiscard]] Message notLent(const LendingProblem& problem);
 /// The bar over the window while it is lent.
 [[nodiscard]] QString lentTo(const LentLine& lent);
