@@ -601,7 +601,7 @@ CtlCommands::Exit CtlCommands::report(const ApiClient::Error& error) {
     m_problems
         << (isLost
                 ? QStringLiteral(
-                      "Control was lost: all motors were stopped, or the user took over. Run the command again.")
+                      "Control was lost: motors were stopped, the user took over, or the chain was disconnected. Run the command again.")
                 : error.sentence)
         << Qt::endl;
     switch (error.kind) {

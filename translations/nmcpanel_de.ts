@@ -1582,8 +1582,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Das andere Programm schließen und erneut versuchen.</translation>
     </message>
     <message>
-        <source>Close it and try again. Or use nmcctl through it: switch on Chain, Let programs in there, and leave out --port.</source>
-        <translation>Das andere Programm schließen und erneut versuchen. Oder nmcctl darüber benutzen: dort Kette, Programme einlassen einschalten und --port weglassen.</translation>
+        <source>Close it and try again. Or use nmcctl through it: in its Chain menu, switch on &quot;Let programs in&quot;, and leave out --port.</source>
+        <translation>Das andere Programm schließen und erneut versuchen. Oder nmcctl darüber benutzen: dort im Menü Kette „Programme einlassen“ einschalten und --port weglassen.</translation>
     </message>
     <message>
         <source>%1 not found.</source>
@@ -3801,7 +3801,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Diese Module überwachen die Verbindung nicht: Wird das Kabel durchtrennt, hängt der Adapter oder verliert dieser Rechner seine Stromversorgung, so läuft ein laufender Motor weiter, und kein Programm kann ihn stoppen. ALLES STOPP und Esc wirken nur, solange die Verbindung besteht. Ein Wächter stoppt die Motoren, wenn dieses Programm gewaltsam beendet wird, abstürzt oder hängt.</translation>
     </message>
     <message>
-        <source>--serve takes nothing or =control.</source>
+        <source>Use --serve alone or as --serve=control.</source>
         <translation>--serve steht allein oder mit =control.</translation>
     </message>
     <message>

@@ -1582,8 +1582,8 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Ciérrelo e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>Close it and try again. Or use nmcctl through it: switch on Chain, Let programs in there, and leave out --port.</source>
-        <translation>Ciérrelo e inténtelo de nuevo. O use nmcctl a través de él: active allí Cadena, Dejar entrar programas, y omita --port.</translation>
+        <source>Close it and try again. Or use nmcctl through it: in its Chain menu, switch on &quot;Let programs in&quot;, and leave out --port.</source>
+        <translation>Ciérrelo e inténtelo de nuevo. O use nmcctl a través de él: en su menú Cadena, active «Dejar entrar programas» y omita --port.</translation>
     </message>
     <message>
         <source>%1 not found.</source>
@@ -3801,7 +3801,7 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Estos módulos no vigilan el enlace: si se corta el cable, se bloquea el adaptador o este equipo se queda sin corriente, un motor en marcha sigue en marcha y ningún programa puede pararlo. PARAR TODO y Esc solo funcionan mientras funcione el enlace. Un guardián detiene los motores si este programa se termina a la fuerza, falla o se cuelga.</translation>
     </message>
     <message>
-        <source>--serve takes nothing or =control.</source>
+        <source>Use --serve alone or as --serve=control.</source>
         <translation>--serve se usa solo o con =control.</translation>
     </message>
     <message>
@@ -5659,11 +5659,11 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     </message>
     <message>
         <source>The parameter &quot;%1&quot; must be from %2 to %3 here.</source>
-        <translation>El parámetro «%1» debe estar entre %2 y %3 aquí.</translation>
+        <translation>El parámetro «%1» debe estar aquí entre %2 y %3.</translation>
     </message>
     <message>
         <source>The parameter &quot;%1&quot; must be from %2 to %3 here, in either direction. %3 is the max jog speed of the axis.</source>
-        <translation>El parámetro «%1» debe estar entre %2 y %3 aquí, en ambos sentidos. %3 es la velocidad de jog máxima del eje.</translation>
+        <translation>El parámetro «%1» debe estar aquí entre %2 y %3, en ambos sentidos. %3 es la velocidad de jog máxima del eje.</translation>
     </message>
     <message>
         <source>There is no such axis.</source>

@@ -1582,8 +1582,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Fermez-le et réessayez.</translation>
     </message>
     <message>
-        <source>Close it and try again. Or use nmcctl through it: switch on Chain, Let programs in there, and leave out --port.</source>
-        <translation>Fermez-le et réessayez. Ou utilisez nmcctl à travers lui&#xa0;: activez-y Chaîne, Laisser entrer des programmes, et omettez --port.</translation>
+        <source>Close it and try again. Or use nmcctl through it: in its Chain menu, switch on &quot;Let programs in&quot;, and leave out --port.</source>
+        <translation>Fermez-le et réessayez. Ou utilisez nmcctl à travers lui&#xa0;: dans son menu Chaîne, activez «&#xa0;Laisser entrer des programmes&#xa0;», et omettez --port.</translation>
     </message>
     <message>
         <source>%1 not found.</source>
@@ -3630,8 +3630,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message numerus="yes">
         <source>Modules %1 are off after a restart.</source>
         <translation>
-            <numerusform>Le module %1 est arrêté après un redémarrage.</numerusform>
-            <numerusform>Les modules %1 sont arrêtés après un redémarrage.</numerusform>
+            <numerusform>Le module %1 est coupé depuis un redémarrage.</numerusform>
+            <numerusform>Les modules %1 sont coupés depuis un redémarrage.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3801,7 +3801,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Ces modules n’ont pas de chien de garde de liaison&#xa0;: si le câble est coupé, si l’adaptateur se bloque ou si cet ordinateur n’est plus alimenté, un moteur en mouvement continue, et aucun programme ne peut l’arrêter. TOUT ARRÊTER et Esc n’agissent que tant que la liaison fonctionne. Un gardien arrête les moteurs si ce programme est fermé de force, plante ou se bloque.</translation>
     </message>
     <message>
-        <source>--serve takes nothing or =control.</source>
+        <source>Use --serve alone or as --serve=control.</source>
         <translation>--serve s’emploie seul ou avec =control.</translation>
     </message>
     <message>
@@ -5659,11 +5659,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The parameter &quot;%1&quot; must be from %2 to %3 here.</source>
-        <translation>Le paramètre «&#xa0;%1&#xa0;» doit être compris entre %2 et %3 ici.</translation>
+        <translation>Le paramètre «&#xa0;%1&#xa0;» doit ici être compris entre %2 et %3.</translation>
     </message>
     <message>
         <source>The parameter &quot;%1&quot; must be from %2 to %3 here, in either direction. %3 is the max jog speed of the axis.</source>
-        <translation>Le paramètre «&#xa0;%1&#xa0;» doit être compris entre %2 et %3 ici, dans les deux sens. %3 est la vitesse de jog max. de l’axe.</translation>
+        <translation>Le paramètre «&#xa0;%1&#xa0;» doit ici être compris entre %2 et %3, dans les deux sens. %3 est la vitesse de jog max. de l’axe.</translation>
     </message>
     <message>
         <source>There is no such axis.</source>

@@ -1580,8 +1580,8 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>そのプログラムを終了して、もう一度試してください。</translation>
     </message>
     <message>
-        <source>Close it and try again. Or use nmcctl through it: switch on Chain, Let programs in there, and leave out --port.</source>
-        <translation>そのプログラムを終了して、もう一度試してください。または、そのプログラムを通して nmcctl を使います：そこで「チェーン」の「プログラムの接続を許可」をオンにし、--port を付けずに実行してください。</translation>
+        <source>Close it and try again. Or use nmcctl through it: in its Chain menu, switch on &quot;Let programs in&quot;, and leave out --port.</source>
+        <translation>そのプログラムを終了して、もう一度試してください。または、そのプログラムを通してnmcctlを使います：そこで「チェーン」の「プログラムの接続を許可」をオンにし、--portを付けずに実行してください。</translation>
     </message>
     <message>
         <source>%1 not found.</source>
@@ -2781,7 +2781,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>An earlier session left unsaved changes to %1.</source>
-        <translation>以前のセッションで%1の変更が保存されていません。</translation>
+        <translation>以前のセッションで保存されなかった%1の変更があります。</translation>
     </message>
     <message>
         <source>If modules are connected, Restore shows what would change. Nothing is sent before you choose Apply.</source>
@@ -3790,7 +3790,7 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>これらのモジュールには通信監視（ウォッチドッグ）がありません。ケーブルの切断、アダプターのハング、このコンピューターの電源断が起きても、運転中のモーターは動き続け、どのプログラムでも停止できません。全停止とEscが効くのは、通信できる間だけです。このプログラムの強制終了、クラッシュ、ハングのときは、監視プログラムがモーターを停止します。</translation>
     </message>
     <message>
-        <source>--serve takes nothing or =control.</source>
+        <source>Use --serve alone or as --serve=control.</source>
         <translation>--serveには何も付けないか、=controlを付けます。</translation>
     </message>
     <message>
@@ -5641,11 +5641,11 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     </message>
     <message>
         <source>The parameter &quot;%1&quot; must be from %2 to %3 here.</source>
-        <translation>パラメーター「%1」は、ここでは %2 から %3 まででなければなりません。</translation>
+        <translation>パラメーター「%1」は、ここでは%2から%3まででなければなりません。</translation>
     </message>
     <message>
         <source>The parameter &quot;%1&quot; must be from %2 to %3 here, in either direction. %3 is the max jog speed of the axis.</source>
-        <translation>パラメーター「%1」は、ここでは向きを問わず %2 から %3 まででなければなりません。%3 はこの軸の最高ジョグ速度です。</translation>
+        <translation>パラメーター「%1」は、ここでは向きを問わず%2から%3まででなければなりません。%3はこの軸の最高ジョグ速度です。</translation>
     </message>
     <message>
         <source>There is no such axis.</source>

@@ -74,7 +74,7 @@ std::optional<TimePoint> CommandLane::due() const {
 std::optional<Event> CommandLane::accepted(const ReplyEnd& end) {
     if (m_sine) {
         m_sine->note(end);
-        m_begun = false;
+        m_begun = m_sent = false;
         if (!m_sine->over(m_began) && !sineOver())
             return std::nullopt;
         return finish(m_sine->over(m_began) ? Outcome::Done : Outcome::Cancelled);
@@ -82,7 +82,7 @@ std::optional<Event> CommandLane::accepted(const ReplyEnd& end) {
     if (m_order + 1 == m_waiting.front().orders.size())
         return finish(Outcome::Done);
     ++m_order;
-    m_begun = false;
+    m_begun = m_sent = false;
     return std::nullopt;
 }
 
@@ -128,7 +128,7 @@ Event CommandLane::finish(Outcome outcome) {
     const Order& last = order();
     OperationFinished event{m_waiting.front().id, outcome, last.module,
                             payloadOf(last.command).commandByte()};
-    event.sent = m_begun;
+    event.sent = m_sent;
     if (outcome != Outcome::Done)
         event.unloaded = loaded();
     if (isLoad(last) && (outcome == Outcome::Refused || outcome == Outcome::NoAnswer))
@@ -163,7 +163,7 @@ std::vector<GroupMember> CommandLane::membersOfChange(Outcome outcome) const {
 void CommandLane::next() {
     m_waiting.pop_front();
     m_order = 0;
-    m_begun = false;
+    m_begun = m_sent = false;
     beginFront();
 }
 

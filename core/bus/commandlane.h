@@ -35,6 +35,8 @@ public:
     /// present position.
     void beginStep(TimePoint now);
     [[nodiscard]] TimePoint stepBegan() const { return m_began; }
+    /// The order is being sent.
+    void noteSent() { m_sent = true; }
 
     /// True if the current operation is a sine.
     [[nodiscard]] bool swings() const { return m_sine.has_value(); }
@@ -84,6 +86,7 @@ private:
     std::size_t m_order = 0;
     std::optional<SineRun> m_sine;  ///< of the current operation
     bool m_begun = false;           ///< the present order has its start time, and is not answered yet
+    bool m_sent = false;            ///< the present order was sent, and is not answered yet
     TimePoint m_began;
 };
 

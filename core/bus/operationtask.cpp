@@ -126,6 +126,7 @@ Next OperationTask::send() {
     }
     m_positionBefore = m_chain.belief(order.module).position();
     m_stoodBefore = m_chain.belief(order.module).standsStill();
+    m_commands.noteSent();
     return ask;
 }
 

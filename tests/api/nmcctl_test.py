@@ -27,7 +27,7 @@ PROGRAM = sys.argv.pop()
 STILL = 4
 GAINS = "kp=200 kd=2000 ki=20 il=200 ol=255 cl=0 el=8000 sr=1"
 DONE, REFUSED, BAD_ARGUMENTS, NOT_REACHED, NO_CONTROL, NOT_CARRIED_OUT, INTERRUPTED = 0, 1, 2, 3, 4, 5, 130
-CONTROL_LOST = "Control was lost: all motors were stopped, or the user took over. Run the command again.\n"
+CONTROL_LOST = "Control was lost: motors were stopped, the user took over, or the chain was disconnected. Run the command again.\n"
 
 
 class Place:
@@ -353,7 +353,9 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 panel = kind(self)
                 panel.RESULTS = {**panel.RESULTS, "request_control": answer,
                                  "hello": {**panel.RESULTS["hello"], "asks_user": True}}
-                self.assertEqual(panel.ctl("enable", "1"), expected)
+                code, out, err = panel.ctl("enable", "1")
+                # On a busy computer, an answer may come late enough to be announced.
+                self.assertEqual((code, out, err if asked in expected[2] else err.replace(asked, "")), expected)
 
     def test_a_stop_is_carried_out_although_it_cancels_what_was_begun(self):
         panel = PanelAsWritten(self, {"wait": ["NotCarriedOut"]})

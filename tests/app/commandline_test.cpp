@@ -100,7 +100,7 @@ TEST(CommandLine, ProgramsMayMoveMotorsOnlyIfItSaysControl) {
     }
     const Say say = said(QStringLiteral("--serve=foo"));
     EXPECT_EQ(say.exitCode, 2);
-    EXPECT_EQ(say.text, QStringLiteral("--serve takes nothing or =control."));
+    EXPECT_EQ(say.text, QStringLiteral("Use --serve alone or as --serve=control."));
 }
 
 TEST(CommandLine, TakesOneMachineFile) {

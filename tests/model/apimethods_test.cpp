@@ -101,6 +101,8 @@ TEST(ApiMethods, TakeParametersOfTheirTypesOnly) {
         << "DS-V 5.1";
     EXPECT_EQ(problemOf("set_gains", {{"axis", 1}, {"sr", 0}}),
               (api::Problem{Kind::FieldWrong, "sr", {}, api::NumberRange{1, 255}}));
+    EXPECT_EQ(problemOf("set_gains", {{"axis", 1}, {"kp", 5.5}}), (api::Problem{Kind::FieldWrong, "kp"}))
+        << "it is in the range";
     EXPECT_EQ(problemOf("dance", Json::object()), (api::Problem{Kind::NoMethod}));
 }
 

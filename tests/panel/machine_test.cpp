@@ -641,6 +641,41 @@ TEST_F(MachineFiles, OperatorModeGoesOnWithTheMachineThatItWasBegunWith) {
     EXPECT_EQ(panel.count(QStringLiteral("unsaved changes")), 1) << "whoever has the PIN may restore it";
 }
 
+/// Neither machine has a file, by which they could be told apart.
+TEST_F(MachineFiles, OperatorModeGoesOnWithItsOwnUnsavedWorkAndNotWithThatOfAnotherSession) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    {
+        VirtualPanel panel(settings);
+        panel.start();
+        rename(panel, "Another");
+    }
+    {
+        VirtualPanel panel(settings);
+        panel.start();
+        rename(panel, "Mine");
+        ASSERT_NO_FATAL_FAILURE(lock(panel));
+    }
+    VirtualPanel panel(settings);
+    panel.start();
+    EXPECT_EQ(panel.composition().machine().axis(ModuleIndex(0)).name, "Mine");
+    EXPECT_EQ(panel.count(QStringLiteral("unsaved changes")), 1) << "the other is still there";
+}
+
+TEST_F(MachineFiles, OperatorModeGoesOnWithItsMachineAlthoughTheFileIsNotThere) {
+    const QString settings = directory.filePath(QStringLiteral("panel.ini"));
+    {
+        VirtualPanel panel(settings);
+        panel.start();
+        open(panel, file);
+        click(panel, "applyDifferencesButton");
+        ASSERT_NO_FATAL_FAILURE(lock(panel));
+    }
+    ASSERT_TRUE(QFile::remove(file));
+    VirtualPanel panel(settings);
+    panel.start();
+    EXPECT_EQ(panel.composition().machine(), twoServos());
+}
+
 TEST_F(MachineFiles, OperatorModeThatWasBegunWithoutAMachineOpensNone) {
     const QString settings = directory.filePath(QStringLiteral("panel.ini"));
     {

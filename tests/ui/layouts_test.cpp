@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layouts of the window, and the loop of editing, applying, stepping and looking in them.
+#include "widgets/mainwindow/layouts.h"
 #include "widgets/scope/scopepanel.h"
 #include "windowtest.h"
 
@@ -220,6 +221,14 @@ TEST_F(LayoutsTest, ADockOpenedBesideThePlotsTakesItsWidthFromThem) {
     ASSERT_TRUE(dock("messagesDock")->isVisible());
     EXPECT_NEAR(window->centralWidget()->width(), column, 5);
     EXPECT_LT(dock("scopeDock")->width(), plots);
+    dock("messagesDock")->close();  // as its button does
+    settle();
+    EXPECT_NEAR(window->centralWidget()->width(), column, 5);
+    EXPECT_NEAR(dock("scopeDock")->width(), plots, 5);
+    window->findChild<Layouts*>()->open(*dock("messagesDock"));  // as a message does
+    settle();
+    ASSERT_TRUE(dock("messagesDock")->isVisible());
+    EXPECT_NEAR(window->centralWidget()->width(), column, 5);
     dock("messagesDock")->toggleViewAction()->trigger();
     settle();
     EXPECT_NEAR(window->centralWidget()->width(), column, 5);

@@ -32,7 +32,7 @@ QString unknownOption(const QString& option) {
 }
 
 QString badServe() {
-    return Texts::tr("--serve takes nothing or =control.");
+    return Texts::tr("Use --serve alone or as --serve=control.");
 }
 
 QString readOnlyWithoutPort() {

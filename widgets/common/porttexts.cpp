@@ -77,7 +77,7 @@ Message inUse(const PortError& error) {
         return trouble(
             headline,
             Texts::tr(
-                "Close it and try again. Or use nmcctl through it: switch on Chain, Let programs in there, and leave out --port."),
+                "Close it and try again. Or use nmcctl through it: in its Chain menu, switch on \"Let programs in\", and leave out --port."),
             actions);
     return trouble(headline, Texts::tr("Close it and try again."), actions);
 }

@@ -89,22 +89,24 @@ void FrequencyPage::forgetModules() {
 void FrequencyPage::showReport(const ProcedureReport& report, const QString& port, bool simulated) {
     if (report.frequencies.empty())
         return;
-    const auto replaced = [&report](const Found& found) {
-        const bool sameKind = (found.report.speed != 0.0) == (report.speed != 0.0);
-        return sameKind || !found.report.gains || !report.gains ||
-               changeOf(*found.report.gains, *report.gains) != LoopChange::None;
+    const auto sameKind = [&report](const Found& found) {
+        return (found.report.speed != 0.0) == (report.speed != 0.0);
+    };
+    const auto sameLoop = [&report](const Found& found) {
+        return found.report.gains && report.gains &&
+               changeOf(*found.report.gains, *report.gains) == LoopChange::None;
     };
     Responses& kept = m_found[report.module];
     if (kept.shown.empty() || kept.shown.back().report.over())
         kept.before = kept.shown;
     kept.shown = kept.before;
-    std::erase_if(kept.shown, replaced);
+    std::erase_if(kept.shown, [&](const Found& found) { return sameKind(found) || !sameLoop(found); });
     kept.shown.push_back({report, QDateTime::currentDateTime(), port, simulated});
     const bool early = report.over() && report.stage != ProcedureStage::Done;
-    kept.discarded =
-        early && std::ranges::any_of(kept.before, [&](const Found& found) {
-            return replaced(found) && found.report.frequencies.size() >= report.frequencies.size();
-        });
+    kept.discarded = early && std::ranges::any_of(kept.before, [&](const Found& found) {
+                         return sameKind(found) && sameLoop(found) &&
+                                found.report.frequencies.size() >= report.frequencies.size();
+                     });
     if (kept.discarded)
         kept.shown = kept.before;
     refresh();

@@ -20,8 +20,8 @@ class TestForm;
 
 /// The frequency response of the selected servo: how its loop follows sines of the command, and how it would
 /// with the gains in the fields. The last response of each module is kept until the next; of those at rest
-/// and in motion, both are, as long as the gains are the same. A response that ended early replaces only
-/// those with fewer frequencies.
+/// and in motion, both are, as long as the gains are the same. One that ended early leaves one of
+/// the same gains with at least as many frequencies in its place.
 class FrequencyPage : public QWidget {
     Q_OBJECT
 

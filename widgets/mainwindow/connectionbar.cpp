@@ -228,7 +228,8 @@ void ConnectionBar::showLink(const LinkState& state) {
     const QString reach = asked ? texts::stopReach(reachable, modules) : Common::tr("goes to all modules");
     m_stop->showReach(open ? reach : state.hasChain() ? Common::tr("waits for the port") : QString());
     // The result of the last stop is out of date once something moves again or the port is closed.
-    const bool moving = std::ranges::any_of(state.modules, [](const ModuleState& m) { return m.moving(); });
+    const bool moving =
+        std::ranges::any_of(state.modules, [](const ModuleState& m) { return m.stillMoves(); });
     const QString seen = u"%1 %2"_s.arg(static_cast<int>(state.phase)).arg(moving);
     if (seen != m_linkSeen) {
         m_linkSeen = seen;

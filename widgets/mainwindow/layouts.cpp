@@ -107,17 +107,35 @@ void Layouts::add(QDockWidget& dock) {
     if (const auto* lazy = qobject_cast<LazyDock*>(&dock))
         connect(
             lazy, &LazyDock::roomWanted, this, [this, &dock] { makeRoomFor(dock); }, Qt::QueuedConnection);
-    // The action changes before the dock if the user chose it, and after it otherwise.
+    // The action changes before its dock is shown, and a dock is closed before it is hidden.
     connect(dock.toggleViewAction(), &QAction::toggled, this, [this, &dock](bool on) {
-        const bool chosenNow = on == dock.isHidden() && m_window.layout() != nullptr;
-        if (!chosenNow || m_window.dockWidgetArea(&dock) != kRight)
-            return;
-        const auto keep = [this, column = m_window.centralWidget()->width()] {
-            m_window.layout()->activate();
-            keepColumn(m_window.centralWidget()->width() - column);
-        };
-        QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);
+        if (on && dock.isHidden())
+            keepColumnBeside(dock);
     });
+    dock.installEventFilter(this);
+}
+
+bool Layouts::eventFilter(QObject* watched, QEvent* event) {
+    if (auto* dock = qobject_cast<QDockWidget*>(watched); dock != nullptr && event->type() == QEvent::Close)
+        keepColumnBeside(*dock);
+    return QObject::eventFilter(watched, event);
+}
+
+void Layouts::open(QDockWidget& dock) {
+    if (dock.isHidden())
+        keepColumnBeside(dock);
+    dock.show();
+    dock.raise();
+}
+
+void Layouts::keepColumnBeside(QDockWidget& dock) {
+    if (m_window.layout() == nullptr || m_window.dockWidgetArea(&dock) != kRight)
+        return;
+    const auto keep = [this, column = m_window.centralWidget()->width()] {
+        m_window.layout()->activate();
+        keepColumn(m_window.centralWidget()->width() - column);
+    };
+    QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);
 }
 
 QDockWidget& Layouts::dock(const QString& objectName) const {

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] Kind kind() const { return m_kind; }
     /// The key of a setting that each layout has for itself.
     [[nodiscard]] QString key(const QString& setting) const;
+    /// Shows the dock, in front of those that share its place.
+    void open(QDockWidget& dock);
     /// Whether a dock is open in the initial arrangement of the present layout.
     [[nodiscard]] bool opens(const QDockWidget& dock) const;
 
@@ -53,6 +55,9 @@ signals:
     /// The docks have been arranged already.
     void chosen(nmc::Layouts::Kind kind);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void addAction(const QString& objectName, const QString& text, const QString& meaning,
                    const QKeySequence& key);
@@ -60,6 +65,8 @@ private:
     void show();
     void arrange();
     void makeRoomFor(QDockWidget& dock);
+    /// The dock is about to be opened or closed.
+    void keepColumnBeside(QDockWidget& dock);
     [[nodiscard]] QDockWidget* beside(QDockWidget& dock) const;
 
     QMainWindow& m_window;

@@ -498,10 +498,8 @@ QDockWidget* MainWindow::newDock(const QString& objectName, const QString& title
 
 void MainWindow::showDockOf(const QWidget& content) {
     for (QDockWidget* dock : m_layouts->docks())
-        if (dock->isAncestorOf(&content)) {
-            dock->show();
-            dock->raise();
-        }
+        if (dock->isAncestorOf(&content))
+            m_layouts->open(*dock);
 }
 
 void MainWindow::buildDocks() {

@@ -428,8 +428,10 @@ void SequencesPage::showAxes() {
     for (int i = 0; i < m_axes->count(); ++i) {
         QListWidgetItem* item = m_axes->item(i);
         const ModuleState* module = i < modules ? &m_link.modules[static_cast<std::size_t>(i)] : nullptr;
-        // Other modules never have a position.
-        item->setHidden(module == nullptr || !(module->isServo() || module->isStepper()));
+        // Other modules never have a position. The list places all rows again even if nothing changes.
+        const bool hidden = module == nullptr || !(module->isServo() || module->isStepper());
+        if (item->isHidden() != hidden)
+            item->setHidden(hidden);
         if (module != nullptr)
             item->setText(texts::moduleName(module->info.index));
     }

@@ -88,12 +88,7 @@ void ApiServer::accept() {
         socket->setReadBufferSize(kLongestLine);
         connect(socket, &QLocalSocket::readyRead, this, [this, client] { read(client); });
         connect(
-            socket, &QLocalSocket::disconnected, this,
-            [this, client] {
-                while (readLine(client)) {  // a stop may be among what it sent before
-                }
-                drop(client);
-            },
+            socket, &QLocalSocket::disconnected, this, [this, client] { read(client); },
             Qt::QueuedConnection);
         emit clientsChanged();
         read(client);
@@ -115,9 +110,15 @@ bool ApiServer::readLine(Client client) {
 }
 
 void ApiServer::read(Client client) {
-    for (int i = 0; i < kLinesAtOnce; ++i)
-        if (!readLine(client))
-            return;
+    for (int i = 0; i < kLinesAtOnce; ++i) {
+        if (readLine(client))
+            continue;
+        // Only now: a stop may be among what it sent before it disappeared.
+        if (const auto found = m_clients.find(client);
+            found != m_clients.end() && found->second->state() == QLocalSocket::UnconnectedState)
+            drop(client);
+        return;
+    }
     QMetaObject::invokeMethod(
         this, [this, client] { read(client); }, Qt::QueuedConnection);
 }

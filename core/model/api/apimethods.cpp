@@ -67,13 +67,16 @@ bool fits(const Field& field, const Json& value) {
 
 /// The request, its parameters, a value, and one more so that a list is not taken for what is in it.
 constexpr int kDeepest = 3;
+/// Absorbs the rounding of units, and of numbers that were read from a sentence.
+constexpr double kGrain = 1 + 1e-9;
 
 Problem wrong(std::string field, std::optional<NumberRange> range = {}) {
     return {Problem::Kind::FieldWrong, std::move(field), {}, std::move(range)};
 }
 
-std::optional<NumberRange> rangeOf(const Field& field) {
-    if (!field.range)
+/// Empty if what is wrong with the value is not its size.
+std::optional<NumberRange> rangeOf(const Field& field, const Json& value) {
+    if (!field.range || !value.is_number_integer())
         return std::nullopt;
     return NumberRange{static_cast<double>(field.range->min), static_cast<double>(field.range->max)};
 }
@@ -101,7 +104,6 @@ struct AxisCall {
     }
     /// Without its sign, which only a jog may have, in the chip's unit.
     [[nodiscard]] Or<double> velocity(double slowest, double fastest, bool isJogged = false) const {
-        constexpr double kGrain = 1 + 1e-9;  // absorbs the rounding of the conversion
         if (module.isIo())
             return tl::unexpected(refused(Refusal::NoMotor));
         const auto native = scale.nativeVelocity(std::abs(value("velocity")));
@@ -132,7 +134,7 @@ struct AxisCall {
                 return tl::unexpected(refused(Refusal::ServoRateUnknown));
             if (module.isStepper())
                 return tl::unexpected(wrong("acceleration"));
-            if (*native < servodefaults::kSmallest || *native > servodefaults::kLargest)
+            if (*native * kGrain < servodefaults::kSmallest || *native > servodefaults::kLargest * kGrain)
                 return tl::unexpected(wrong(
                     "acceleration",
                     NumberRange{scale.acceleration(servodefaults::kSmallest).value(),
@@ -445,7 +447,7 @@ tl::expected<Request, BadRequest> readRequest(std::string_view line) {
         if (given == parameters.end())
             continue;
         if (!fits(field, *given))
-            return bad(wrong(field.name, rangeOf(field)));
+            return bad(wrong(field.name, rangeOf(field, *given)));
         request.parameters[field.name] = *given;
     }
     return request;

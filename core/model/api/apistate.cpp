@@ -96,7 +96,7 @@ Json stateOf(const ModuleState& module, const AxisSettings& axis) {
             {"state", enumName<Activity::Ready>(module.activity())},
             {"answers", !module.silent},
             {"on", module.driveOn()},
-            {"moving", module.moving()},
+            {"moving", module.stillMoves()},
             {"position", inUnits(report.position)},
             {"counts", orNull(report.position)},
             {"counts_per_second", orNull(perSecond)},
