@@ -13140,7 +13140,7 @@ Das wirkt nur, solange die Verbindung besteht: zusätzlich einen Hardware-Stopp 
     </message>
     <message>
         <source>Progress of the test</source>
-        <translation>Wie die Prüfung läuft</translation>
+        <translation>Wie der Test läuft</translation>
     </message>
     <message>
         <source>The test is already running.</source>
