@@ -184,7 +184,7 @@ void MessageController::on(const bus::StopFinished& finished) {
     if (finished.unasked && finished.reachedNobody())
         return;
     m_recordings.note(texts::stopOfAll());
-    emit aboutToReport();
+    m_window.showLink(m_store.link());  // the stop may be due to a restart that came just before
     m_window.showStopResult(finished, m_flight.note(texts::stopOfAll(), {}, monotonicNow() - finished.took));
 }
 

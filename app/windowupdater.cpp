@@ -35,7 +35,7 @@ void WindowUpdater::begin() {
 }
 
 void WindowUpdater::catchUp() {
-    if (m_linkTimer.isActive() || m_shown != Shown(m_store.link()))
+    if (m_linkTimer.isActive())
         showLink();
 }
 
