@@ -83,7 +83,7 @@ private:
     [[nodiscard]] std::optional<Pending> read(const QString& path);
     /// Shows what the file would change; in operator mode, loads it whole.
     void openAtStart(const QString& path);
-    /// Nothing is connected yet, so nothing is sent.
+    /// Loads the machine with which operator mode was left, if it is known. Call while nothing is connected.
     void goOnInOperatorMode();
     /// Keeps the machine for goOnInOperatorMode() of the next session.
     void keepForOperator();

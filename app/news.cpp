@@ -19,7 +19,7 @@ using Until = News::Until;
     return command != nullptr && isStop(command->action);
 }
 
-/// Of a module that was found as another host left it, none of these is known.
+/// False if another host left the module running: its gains or parameters are then unknown.
 [[nodiscard]] bool isKnownAgain(const ModuleState& module) {
     return module.isServo() ? module.gains.has_value()
                             : !module.isStepper() || module.stepper.parameters.has_value();

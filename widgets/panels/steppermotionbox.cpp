@@ -189,7 +189,7 @@ void StepperMotionBox::chooseMode() {
 
 void StepperMotionBox::lookedForAnew() {
     showMode(Mode::Trapezoid);
-    m_goal->showNothing();  // another goal than the typed one would be one that nobody chose
+    m_goal->showNothing();  // nobody chose any number that could be put in its place
     m_relative->setChecked(false);
     m_loadOnly->setChecked(false);
     showSpeed();
