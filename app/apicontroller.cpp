@@ -658,10 +658,10 @@ void ApiController::answerWaits() {
 }
 
 ApiController::Json ApiController::stateOf(std::optional<ModuleIndex> module) const {
-    const LinkState link = asShown(m_store.link());
+    const LinkState& link = m_store.link();
     if (module)
-        return api::stateOf(link.modules[module->value()], m_store.machine().axis(*module));
-    Json state = api::stateOf(link, m_store.machine());
+        return api::stateOf(asShown(link.modules[module->value()], link), m_store.machine().axis(*module));
+    Json state = api::stateOf(asShown(link), m_store.machine());
     state["control"] = m_control ? Json(m_sessions.at(*m_control).program.toStdString()) : Json();
     return state;
 }

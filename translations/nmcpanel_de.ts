@@ -5422,6 +5422,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>antwortet nicht</translation>
     </message>
     <message>
+        <source>not asked</source>
+        <translation>nicht abgefragt</translation>
+    </message>
+    <message>
         <source>restarted</source>
         <translation>neu gestartet</translation>
     </message>

@@ -5422,6 +5422,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>no responde</translation>
     </message>
     <message>
+        <source>not asked</source>
+        <translation>sin consultar</translation>
+    </message>
+    <message>
         <source>restarted</source>
         <translation>reiniciado</translation>
     </message>

@@ -5422,6 +5422,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>ne répond pas</translation>
     </message>
     <message>
+        <source>not asked</source>
+        <translation>non interrogé</translation>
+    </message>
+    <message>
         <source>restarted</source>
         <translation>redémarré</translation>
     </message>

@@ -5404,6 +5404,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>応答なし</translation>
     </message>
     <message>
+        <source>not asked</source>
+        <translation>問い合わせ停止</translation>
+    </message>
+    <message>
         <source>restarted</source>
         <translation>再起動</translation>
     </message>

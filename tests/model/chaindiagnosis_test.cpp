@@ -109,6 +109,23 @@ TEST(LinkState, AModuleThatIsNotAskedAnyMoreDoesNotAnswer) {
     }
 }
 
+/// Table and refusals said of modules that answered to the last that they do not.
+TEST(LinkState, OnceSendingHasStoppedModulesAreNotAsked) {
+    LinkState link = linkWith({kServo, kStep, kServo});
+    link.phase = LinkPhase::Lost;
+    link.quiet = true;
+    link.modules[0].restarted();
+    link.modules[2].silent = true;
+    const auto chain = diagnose(machineExpecting({kServo, kStep, kServo}), asShown(link));
+    EXPECT_EQ(chain.finding, Finding::Restarted);
+    EXPECT_EQ(chain.places[0].state, ChainPlace::State::Restarted);
+    EXPECT_EQ(chain.places[1].state, ChainPlace::State::NotAsked);
+    EXPECT_EQ(chain.places[2].state, ChainPlace::State::Unresponsive);
+    EXPECT_EQ(whyInaccessible(IntentKind::Home, asShown(link).modules[1]), Refusal::NotAsked);
+    EXPECT_EQ(whyInaccessible(IntentKind::MotorOff, asShown(link).modules[1]), std::nullopt);
+    EXPECT_EQ(whyInaccessible(IntentKind::Home, asShown(link).modules[2]), Refusal::Unresponsive);
+}
+
 TEST(LinkState, AChainThatIsOnlyLookedForHasNoFault) {
     LinkState link = linkWith({kServo});
     link.phase = LinkPhase::Connecting;

@@ -135,7 +135,7 @@ void GroupsPage::showMember(const Member& row, const ModuleState& module) {
     row.leader->setChecked(place && place->leader);
     auto refusal = whyNoChain(m_link);
     if (!refusal && (module.silent || module.hasRestarted))
-        refusal = Refusal::Unresponsive;
+        refusal = module.notAsked ? Refusal::NotAsked : Refusal::Unresponsive;
     if (!refusal)
         refusal = whyInaccessible(m_link);
     const QString reason = refusal ? texts::refusal(*refusal) : QString();

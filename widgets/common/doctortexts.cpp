@@ -111,6 +111,8 @@ QString chainVerdict(State state) {
             return Texts::tr("missing");
         case State::Unresponsive:
             return Texts::tr("does not answer");
+        case State::NotAsked:
+            return Texts::tr("not asked");
         case State::Restarted:
             return Texts::tr("restarted");
     }
@@ -124,6 +126,7 @@ Severity severityOf(State state) {
             return Severity::Normal;
         case State::Different:
         case State::Missing:
+        case State::NotAsked:
             return Severity::Attention;
         case State::Unresponsive:
         case State::Restarted:

@@ -160,6 +160,8 @@ QString refusal(Refusal refusal) {
             return Texts::tr("This module is not a PIC-I/O.");
         case Refusal::Unresponsive:
             return Texts::tr("The module does not answer, so its state is unknown.");
+        case Refusal::NotAsked:
+            return activityMeaning(Activity::NotAsked);
         case Refusal::Looking:
             return Texts::tr("Looking for modules… Until they are found, only stop commands work.");
         case Refusal::OtherType:

@@ -351,11 +351,12 @@ std::optional<Refusal> whyNotDeclare(const ModuleState& module) {
 
 std::optional<Refusal> whyInaccessible(IntentKind kind, const ModuleState& module) {
     const bool heard = !module.silent && module.latest;
+    const Refusal unheard = module.notAsked ? Refusal::NotAsked : Refusal::Unresponsive;
     return firstUnmet({{!module.lent, Refusal::Lent},
                        {!module.readOnly, Refusal::ReadOnly},
                        {!module.rights || allows(*module.rights, kind), Refusal::OperatorMode},
                        {!module.lookedFor || isStop(kind), Refusal::Looking},
-                       {heard || kind == IntentKind::MotorOff, Refusal::Unresponsive},
+                       {heard || kind == IntentKind::MotorOff, unheard},
                        {!module.otherType() || isStop(kind), Refusal::OtherType}});
 }
 

@@ -251,6 +251,7 @@ enum class Refusal : std::uint8_t {
     NoMotor,  ///< a PIC-I/O
     NotAnIoModule,
     Unresponsive,
+    NotAsked,   ///< sending has stopped, because another module restarted
     Looking,    ///< the chain is being searched for again; stops still work
     OtherType,  ///< the machine has another type of module at this place; stops still work
     NoPower,

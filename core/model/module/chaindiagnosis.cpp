@@ -25,6 +25,8 @@ ChainPlace placeOf(std::size_t index, const Machine& machine, const LinkState& l
     place.otherType = module.otherType();
     if (module.hasRestarted)
         place.state = ChainPlace::State::Restarted;
+    else if (module.notAsked)
+        place.state = ChainPlace::State::NotAsked;
     else if (!module.lookedFor && !isLive(link, module))
         place.state = ChainPlace::State::Unresponsive;
     else if (!place.expected)

@@ -19,6 +19,7 @@ struct ChainPlace {
         Different,     ///< another type or version
         Missing,       ///< expected, but did not answer when the chain was found
         Unresponsive,  ///< was found, but no longer answers
+        NotAsked,      ///< sending has stopped, because another module restarted
         Restarted,
     };
     ModuleIndex module;

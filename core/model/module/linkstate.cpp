@@ -2,6 +2,7 @@
 #include "model/module/linkstate.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "bus/exchange.h"
 #include "bus/pollschedule.h"
@@ -45,16 +46,20 @@ bool isSetUp(const Machine& machine, ModuleIndex module) {
            std::ranges::any_of(machine.program.sequences, isUsed);
 }
 
-LinkState asShown(LinkState link) {
-    const bool looking = link.phase == LinkPhase::Connecting && link.looking;
-    for (ModuleState& module : link.modules) {
-        module.lookedFor = looking;
-        if (link.phase != LinkPhase::Connected && !looking) {
-            module.notAsked = link.phase == LinkPhase::Lost && link.quiet && !module.silent;
-            module.silent = true;
-            module.repliesPerSecond = 0;
-        }
+ModuleState asShown(ModuleState module, const LinkState& link) {
+    module.lookedFor = link.phase == LinkPhase::Connecting && link.looking;
+    if (link.phase != LinkPhase::Connected && !module.lookedFor) {
+        module.notAsked =
+            link.phase == LinkPhase::Lost && link.quiet && !module.silent && !module.hasRestarted;
+        module.silent = true;
+        module.repliesPerSecond = 0;
     }
+    return module;
+}
+
+LinkState asShown(LinkState link) {
+    for (ModuleState& module : link.modules)
+        module = asShown(std::move(module), link);
     return link;
 }
 

@@ -77,6 +77,8 @@ struct LinkState {
 /// LinkState::quiet, those that did answer are shown as not asked. While modules are only searched for, this
 /// does not apply. Everything that displays modules uses this.
 [[nodiscard]] LinkState asShown(LinkState link);
+/// The same for one module of `link`.
+[[nodiscard]] ModuleState asShown(ModuleState module, const LinkState& link);
 /// True if the module's last report may be shown as current. Every display uses this rule.
 [[nodiscard]] bool isLive(const LinkState& link, const ModuleState& module);
 
