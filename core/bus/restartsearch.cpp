@@ -12,6 +12,8 @@ constexpr unsigned kLookEvery = 4;
 /// The module may be in the middle of what it took for a packet in the others' bytes, and take the first
 /// query for the rest of that; and an answer may be lost.
 constexpr unsigned kAsks = 3;
+/// A late answer of another module fits at most one of two queries whose replies differ in length.
+constexpr unsigned kAnswers = 2;
 
 }  // namespace
 
@@ -42,10 +44,14 @@ Next RestartSearch::next(TimePoint /*now*/) {
             if (m_line.baud() != kPowerUpBaud)
                 return Line::toRate(kPowerUpBaud);
             m_stage = Stage::Back;
-            m_unaddressed.reset();  // the answer to an earlier query; this one may be dropped by a stop
+            if (m_answers == 0)
+                m_unaddressed
+                    .reset();  // the answer to an earlier search; this query may be dropped by a stop
+            const ModuleIdentity identity = m_unaddressed.value_or(ModuleIdentity{});
+            const StatusItems items = m_unaddressed ? fullItems(identity) : kIdentityItems;
             bus::Ask ask;
             ask.purpose = Purpose::Challenge;
-            ask.request = {BusAddress(0), encode(ReadStatus{kIdentityItems}), {{}, kIdentityItems}};
+            ask.request = {BusAddress(0), encode(ReadStatus{items}), {identity, items}};
             ask.handlesFailure = true;
             ask.believed = false;
             return ask;
@@ -71,7 +77,11 @@ Next RestartSearch::next(TimePoint /*now*/) {
 
 Line::Script RestartSearch::onEnd(const bus::Ask& ask, const ReplyEnd& end, TimePoint now) {
     if (!ask.module) {
-        const bool again = unanswered(end.result) && ++m_asks < kAsks;
+        const bool again = unanswered(end.result) ? ++m_asks < kAsks : ++m_answers < kAnswers;
+        if (!unanswered(end.result)) {
+            m_unaddressed = end.report.identity;
+            m_asks = 0;
+        }
         if (again)
             m_stage = Stage::Ask;
         else
@@ -94,8 +104,7 @@ void RestartSearch::onUnaddressed(const ReplyEnd& end) {
     if (end.result == ReplyResult::Unresponsive)
         m_chain.schedule().noteSought();
     if (unanswered(end.result) || m_chain.anyRestarted())
-        return;
-    m_unaddressed = end.report.identity;
+        return m_unaddressed.reset();
     m_others.clear();
     m_again = false;
     for (const Chain::Module& module : m_chain.modules())

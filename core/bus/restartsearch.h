@@ -37,13 +37,13 @@ public:
 private:
     enum class Stage : std::uint8_t {
         None,
-        Ask,     ///< at the power-up rate: is there a module without an address?
+        Ask,     ///< at the power-up rate, twice: is there a module without an address?
         Back,    ///< switches back to the chain's rate
         Others,  ///< there is one: do the others still answer?
     };
     void begin() {
         m_stage = Stage::Ask;
-        m_asks = 0;
+        m_asks = m_answers = 0;
     }
     void onUnaddressed(const ReplyEnd& end);
     void name();
@@ -51,10 +51,11 @@ private:
 
     Recovery& m_recovery;
     Stage m_stage = Stage::None;
-    std::optional<ModuleIdentity> m_unaddressed;
+    std::optional<ModuleIdentity> m_unaddressed;  ///< as it answered first
     std::vector<ModuleIndex> m_others;
-    bool m_again = false;  ///< the next of these modules has been queried once
-    unsigned m_asks = 0;   ///< consecutive unanswered ones at the power-up rate
+    bool m_again = false;    ///< the next of these modules has been queried once
+    unsigned m_asks = 0;     ///< consecutive unanswered ones at the power-up rate
+    unsigned m_answers = 0;  ///< right ones since begin()
     unsigned m_probes = 0;
     bool m_quiet = false;  ///< until takeQuiet(); never set at the power-up rate
 };

@@ -174,6 +174,18 @@ TEST(F16_PowerCycledAtTheHigherRate, IsRecognisedAndTheBusGoesQuiet) {
     EXPECT_EQ(bus.executed(1, CommandCode::SetGain), 1U) << "the gains are not sent again";
 }
 
+/// This has happened: the motor's late answer to the last query by its address was taken for that of a module
+/// that had lost it, and no stop reached the motor any more.
+TEST(F16_LateAnswers, AreNoSignOfARestart) {
+    for (int late = 10; late <= 150; ++late) {
+        FaultyBus bus(servos(1), kFast);
+        ASSERT_TRUE(bus.connectAndEnable());
+        bus.fault("bus delay p=.5 t=" + std::to_string(late) + "ms for=1s");
+        bus.runFor(2s);
+        EXPECT_EQ(bus.count<ModuleRestarted>(), 0U) << late << " ms late";
+    }
+}
+
 TEST(F16_PowerCycledAtTheHigherRate, IsLeftInPeace) {
     FaultyBus bus(servos(2), kFast);
     ASSERT_TRUE(bus.connectAndEnable());
