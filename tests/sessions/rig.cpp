@@ -187,12 +187,12 @@ void Rig::replaceEngine(std::uint32_t baud, bool readOnly) {
     m_hand.reset();
     m_oath.reset();
     m_owedStops.forget();
-    m_searching = false;
+    m_searching = m_searchesItself = false;
     m_operations.clear();
     m_groupOperations.clear();
     m_rateChanges = m_rateEnds = 0;
     m_seen = 0;
-    restartAsked = lost = false;
+    restartAsked = lost = m_givenUp = false;
     m_look.begin();
 }
 
@@ -264,7 +264,7 @@ void Rig::expectEnds() {
         if (const auto n = endsOf<GroupFinished>(bus, id); n != 1)
             complain("finished: " + std::to_string(n) + " ends of group operation " +
                      std::to_string(id.value()));
-    if (searching())
+    if (m_searching)
         complain("finished: a search has no end");
     if (m_rateEnds != m_rateChanges)
         complain("finished: " + std::to_string(m_rateEnds) + " ends of " + std::to_string(m_rateChanges) +
@@ -353,6 +353,8 @@ void Rig::handle(const Event& event) {
         chainFound(*found);
     } else if (std::holds_alternative<ConnectFailed>(event)) {
         searchEnded(false);
+    } else if (std::holds_alternative<ConnectProgress>(event)) {
+        m_searchesItself = m_givenUp;  // it does once all answers are right again
     } else if (const auto* changed = std::get_if<RateChanged>(&event)) {
         ++m_rateEnds;
         if (known)
@@ -367,7 +369,9 @@ void Rig::handle(const Event& event) {
         if (restarted->quiet && !world.readOnly)
             m_oath.stopsByItself();
     } else if (const auto* health = std::get_if<HealthChanged>(&event)) {
-        if (health->health == LinkHealth::Lost && !health->module && !world.readOnly)
+        if (!health->module)
+            m_givenUp = health->health == LinkHealth::Lost;
+        if (m_givenUp && !health->module && !world.readOnly)
             m_oath.stopsByItself();
     } else if (std::holds_alternative<ForeignTraffic>(event) && !m_foreignHost) {
         complain("foreign: nobody else is on the line");
@@ -383,13 +387,15 @@ void Rig::handle(const Event& event) {
 
 void Rig::searchEnded(bool found) {
     m_foundNobody = !found;
-    if (!std::exchange(m_searching, false))
+    const bool asked = std::exchange(m_searching, false);
+    const bool itself = std::exchange(m_searchesItself, false);
+    if (!asked && !itself)
         complain("finished: an end of a search that nobody asked for");
 }
 
 void Rig::chainFound(const ChainFound& found) {
     searchEnded(true);
-    lost = false;
+    lost = m_givenUp = false;
     KnownChain chain;
     chain.baud = found.baud;
     for (const ModuleInfo& info : found.modules) {

@@ -109,7 +109,7 @@ public:
     [[nodiscard]] std::uint64_t replies(std::uint8_t place) const;
     [[nodiscard]] bool isDriven(std::uint8_t place) const { return m_driven[place]; }
 
-    [[nodiscard]] bool searching() const { return m_searching; }
+    [[nodiscard]] bool searching() const { return m_searching || m_searchesItself; }
     [[nodiscard]] bool rateChanging() const { return m_rateChanges > m_rateEnds; }
     [[nodiscard]] bool stopping() const { return m_oath.running(); }
     [[nodiscard]] std::size_t stopsFinished() const { return bus.count<bus::StopFinished>(); }
@@ -158,7 +158,9 @@ private:
     LookOath m_look;
     std::optional<Hand> m_hand;
     std::uint32_t m_presses = 0;
-    bool m_searching = false;
+    bool m_searching = false;  ///< as asked
+    bool m_searchesItself = false;
+    bool m_givenUp = false;  ///< the link was, because of errors
     bool m_foundNobody = false;
     unsigned m_rateChanges = 0;
     unsigned m_rateEnds = 0;

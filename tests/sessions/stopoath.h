@@ -29,8 +29,11 @@ class StopOath {
 public:
     /// Counted from the last stopAll(), if a chain is known.
     static constexpr Duration kStopBound = std::chrono::milliseconds(2'500);
-    /// The longest search: 32 addresses at four rates, an adapter of 16 ms, noise.
-    static constexpr Duration kSearchBound = std::chrono::seconds(20);
+    /// The longest search, with an adapter of 16 ms: 34 addresses at four rates, twice, of 46 ms each (12.5
+    /// s); then, if a module without an address answers, up to eight known addresses at four rates, three
+    /// times, and the last time 50 ms longer (6 s); usual places again, and owed stops all the while, which
+    /// take a sixth of the time.
+    static constexpr Duration kSearchBound = std::chrono::seconds(27);
     /// How long a module that was reported as stopped is watched.
     static constexpr Duration kWatched = std::chrono::seconds(2);
 
