@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window costs and how soon it reacts, with 32 modules moving at the wire's limit and four strips:
 //   window_bench [SECONDS]   the GUI thread's share of a core; a keystroke to its repaint; switching modules
-//   window_bench events      what holds the thread up, at rest and while modules are switched
+//   window_bench events      what holds the thread up, at rest, while digits are typed, and while modules are switched
 //   window_bench paints      which widgets are painted, and how often
 #include <QApplication>
 #include <QEventLoop>
@@ -290,6 +290,8 @@ int events(EventTimes& application, Bench& bench) {
         application.watching = true;
     };
     print("in 20 s at rest");
+    bench.keystrokes();
+    print("while digits are typed");
     bench.switches();
     print("while modules are switched");
     return 0;
