@@ -10,7 +10,7 @@ namespace nmc {
 
 namespace {
 
-constexpr int kFrameIntervalMs = 16;
+constexpr int kQuietFrameMs = 25;  ///< the plots' time goes on when nothing is reported
 constexpr int kFiguresIntervalMs = 1'000;
 constexpr int kReadableMs = 100;  ///< ten numbers a second can be followed by eye
 
@@ -22,15 +22,22 @@ WindowUpdater::WindowUpdater(MainWindow& window, BusStore& store, BusWorker& wor
     m_linkTimer.setSingleShot(true);
     connect(&m_linkTimer, &QTimer::timeout, this, &WindowUpdater::showLink);
     connect(&m_store, &BusStore::linkChanged, this, &WindowUpdater::showLinkSoon);
-    m_frameTimer.setInterval(kFrameIntervalMs);
+    m_frameTimer.setSingleShot(true);
     connect(&m_frameTimer, &QTimer::timeout, this, &WindowUpdater::showFrame);
+    // Frames of a timer of their own would wake the thread once more for each report. The frame has a turn of
+    // its own, so that a key is not kept waiting by both.
+    connect(&m_store, &BusStore::linkChanged, this, [this] {
+        if (m_frames)
+            m_frameTimer.start(0);
+    });
     connect(&m_window.scope(), &ScopePanel::frameWanted, this, &WindowUpdater::showFrameSoon);
     m_figuresTimer.setInterval(kFiguresIntervalMs);
     connect(&m_figuresTimer, &QTimer::timeout, this, &WindowUpdater::showFigures);
 }
 
 void WindowUpdater::begin() {
-    m_frameTimer.start();
+    m_frames = true;
+    m_frameTimer.start(0);
     m_figuresTimer.start();
 }
 
@@ -49,6 +56,7 @@ void WindowUpdater::take(const StoreEvent& event) {
         return;
     m_window.monitor().showPackets(m_worker.takeRecords());
     m_flight.keepAll();
+    m_frames = false;
     m_frameTimer.stop();
     // The last reported values continue to age.
     if (!m_store.link().unplugged)
@@ -93,12 +101,14 @@ void WindowUpdater::showFrame() {
     const TimePoint now = m_worker.isOpen() ? monotonicNow() : history.end().value_or(TimePoint{});
     m_flight.keep(now);
     // A newer frame would only be computed twice for the strips that still wait to be painted.
-    if (!m_frameTimer.isActive() || !m_window.scope().isPainting())
+    if (!m_frames || !m_window.scope().isPainting())
         m_window.showHistory(history, now);
+    if (m_frames)
+        m_frameTimer.start(kQuietFrameMs);
 }
 
 void WindowUpdater::showFrameSoon() {
-    if (!m_frameTimer.isActive())
+    if (!m_frames)
         QTimer::singleShot(0, this, &WindowUpdater::showFrame);
 }
 

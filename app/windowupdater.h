@@ -62,6 +62,7 @@ private:
     QTimer m_linkTimer;
     QElapsedTimer m_linkShown;
     std::optional<Shown> m_shown;
+    bool m_frames = false;  ///< a frame follows each report; otherwise, each wish of the scope
     QTimer m_frameTimer;
     QTimer m_figuresTimer;
     std::set<ModuleIndex> m_watched;  ///< polled most by the worker: shown in panels and scope

@@ -10,7 +10,6 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "widgets/common/dates.h"
 #include "widgets/common/look.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/scope/cursorpanel.h"
@@ -352,10 +351,13 @@ void ScopePanel::showHistory(const History& history, TimePoint now) {
     }
     // While the computer is suspended, the dates go on, but not the time of the samples. Without a
     // connection, that has ended.
-    const QDateTime zero = dateOf(m_zero.value_or(now), now);
+    const qint64 zero =
+        QDateTime::currentMSecsSinceEpoch() - qRound64(toSeconds(now - m_zero.value_or(now)) * 1e3);
     const bool goesOn = history.end() != now;
-    if (!m_origin.zero.isValid() || (goesOn && qAbs(m_origin.zero.msecsTo(zero)) > kSuspended))
-        m_origin.zero = zero;
+    if (!m_origin.zero.isValid() || (goesOn && qAbs(m_zeroMs - zero) > kSuspended)) {
+        m_zeroMs = zero;
+        m_origin.zero = QDateTime::fromMSecsSinceEpoch(zero);
+    }
     m_trigger->follow(history, now, m_origin.zero);
     if (m_strips == nullptr || (!isVisible() && !m_files->exporting().isDue()))
         return;

@@ -120,7 +120,9 @@ private:
     std::unique_ptr<Underlay> m_under;
     ScopeOrigin m_origin;             ///< of the live samples
     std::optional<TimePoint> m_zero;  ///< of the live history
-    bool m_another = false;           ///< the live history is not the one that the strips have shown
+    qint64 m_zeroMs =
+        0;  ///< its date in ms of Unix time, because asking the time zone takes long for a frame
+    bool m_another = false;  ///< the live history is not the one that the strips have shown
     std::optional<ScopeTrigger::Picture> m_picture;  ///< the trigger's picture that was shown last
     bool m_touched = true;
     bool m_everythingWanted = false;
