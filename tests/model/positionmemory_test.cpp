@@ -86,6 +86,27 @@ TEST(PositionMemory, AModuleThatRestartedHasItsHomeOnTheOtherSideOfZero) {
     EXPECT_TRUE(axis.look().empty()) << "it is offered only once";
 }
 
+/// This has happened: a servo reports the end of its motion 3 counts before its goal, and that was remembered
+/// for good.
+TEST(PositionMemory, AServoIsRememberedWhereItHasSettled) {
+    Axis axis;
+    axis.wasLeft();
+    axis.says(1'000, kPower);
+    (void)axis.look();
+    axis.says(1'997);
+    (void)axis.look(kMonday + 10);
+    axis.says(2'000);
+    (void)axis.look(kMonday + 10);
+    EXPECT_EQ(axis.memory.remembered().at(kFirst).counter, 1'997);
+    (void)axis.look(kMonday + 12);
+    EXPECT_EQ(axis.memory.remembered().at(kFirst).counter, 2'000);
+    EXPECT_EQ(axis.memory.remembered().at(kFirst).fromHome, 1'700) << "home is at 300";
+    EXPECT_EQ(axis.memory.remembered().at(kFirst).seen, kMonday + 12);
+    axis.says(2'001);
+    (void)axis.look(kMonday + 20);
+    EXPECT_EQ(axis.memory.remembered().at(kFirst).counter, 2'000) << "it hunts";
+}
+
 TEST(PositionMemory, WhatIsTakenIsNotVerifiedUntilItIsFoundAgain) {
     Axis axis;
     axis.wasLeft();

@@ -5,6 +5,10 @@
 
 namespace nmc {
 
+namespace {
+constexpr std::int64_t kSettles = 2;  ///< s
+}
+
 void PositionMemory::found(const std::vector<bus::ModuleInfo>& modules, bool attached) {
     m_new.clear();
     for (const bus::ModuleInfo& module : modules)
@@ -65,8 +69,16 @@ void PositionMemory::follow(const ModuleState& module, std::int64_t now) {
     news.moving = module.moving();
     const std::int32_t fromHome = countsBetween(*home, position);
     const bool samePlaces = known && samePlace(news.fromHome, fromHome) && samePlace(news.counter, position);
-    // A moving axis is recorded where it comes to rest, and a servo at rest hunts.
-    if (sameMotion && (news.moving || samePlaces) && news == before->second)
+    // A moving axis is recorded where it comes to rest, and once more when it has settled there: a servo
+    // reports the end of a motion while it still approaches its goal. After that, it hunts.
+    const bool settles = samePlaces && sameMotion && !news.moving;
+    const auto since = m_settling.find(index);
+    const bool settled = settles && since != m_settling.end() && now - since->second >= kSettles;
+    if (settled)
+        m_settling.erase(since);
+    else if (!settles)
+        m_settling[index] = now;
+    if (sameMotion && (news.moving || samePlaces) && !settled && news == before->second)
         return;
     news.fromHome = fromHome;
     news.counter = position;

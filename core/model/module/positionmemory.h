@@ -55,7 +55,8 @@ private:
     void follow(const ModuleState& module, std::int64_t now);
 
     RememberedPositions m_remembered;
-    std::map<ModuleIndex, Counter> m_new;  ///< found, but not yet seen with a position
+    std::map<ModuleIndex, Counter> m_new;            ///< found, but not yet seen with a position
+    std::map<ModuleIndex, std::int64_t> m_settling;  ///< since when at rest, until it has settled
 };
 
 }  // namespace nmc
