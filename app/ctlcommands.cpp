@@ -485,8 +485,9 @@ CtlCommands::Exit CtlCommands::callMethod(const Command& command, const Words& w
 }
 
 CtlCommands::Exit CtlCommands::request(const api::Method& method, const Json& parameters, bool waits) {
-    if (const auto problem = method.access == api::Access::Control ? takeControl() : std::nullopt)
-        return *problem;
+    if (method.access == api::Access::Control)
+        if (const auto problem = takeControl(parameters.value("axis", Json())))
+            return *problem;
     if (movesToGoal(method.name))
         warnOfLimits(shown(parameters["axis"]));
     if (const auto done = m_client.call(method.name, parameters); !done)
@@ -523,10 +524,10 @@ CtlCommands::Exit CtlCommands::jog(const Command& command, const Words& words) {
     auto until = endAfter(words.values[2]);
     if (!velocity || !until)
         return usage(command, velocity ? until.error() : velocity.error());
-    if (const auto problem = takeControl())
+    const Json parameters{{"axis", axisOf(words.values[0])}, {"velocity", *velocity}};
+    if (const auto problem = takeControl(parameters["axis"]))
         return *problem;
     until = endAfter(words.values[2]);  // from now on: the user may have taken a while to answer
-    const Json parameters{{"axis", axisOf(words.values[0])}, {"velocity", *velocity}};
     for (bool begun = false; !until->hasExpired(); begun = true) {
         if (const auto held = m_client.call("jog", parameters); !held)
             return begun ? reportEnd(held.error()) : report(held.error());
@@ -550,7 +551,11 @@ void CtlCommands::showPlace(const Json& axis) {
         m_out << nameOf(axis) << '\t' << placeOf(axis) << '\n';
 }
 
-std::optional<CtlCommands::Exit> CtlCommands::takeControl() {
+std::optional<CtlCommands::Exit> CtlCommands::takeControl(const Json& axis) {
+    // The user is not asked about an axis that does not exist.
+    if (!m_control && !axis.is_null())
+        if (const auto state = m_client.call("state", {{"axis", axis}}); !state)
+            return report(state.error());
     if (mayMove())
         return std::nullopt;
     // A panel answers at once unless it really asks.

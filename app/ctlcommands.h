@@ -83,7 +83,8 @@ private:
                                                       const Json& axis);
     /// The state of one axis, or why the panel refuses it.
     [[nodiscard]] tl::expected<Json, ApiClient::Error> axisState(const QString& axis);
-    [[nodiscard]] std::optional<Exit> takeControl();
+    /// Unless this program has it. `axis`: that of the command; null if it has none.
+    [[nodiscard]] std::optional<Exit> takeControl(const Json& axis);
     [[nodiscard]] Exit request(const api::Method& method, const Json& parameters, bool waits);
     /// Calls `take` with each notification until then, or until it does not return Done.
     [[nodiscard]] tl::expected<Exit, ApiClient::Error> follow(

@@ -357,6 +357,13 @@ class AtAPanelThatAnswersAsWritten(unittest.TestCase):
                 # On a busy computer, an answer may come late enough to be announced.
                 self.assertEqual((code, out, err if asked in expected[2] else err.replace(asked, "")), expected)
 
+    def test_asks_nobody_about_an_axis_that_does_not_exist(self):
+        for words in (("move", "9", "5"), ("enable", "9"), ("jog", "9", "1", "5")):
+            with self.subTest(words):
+                panel = PanelAsWritten(self, {"state": ["AxisUnknown"]})
+                self.assertEqual(panel.ctl(*words), (BAD_ARGUMENTS, "", "Bad news.\n"))
+                self.assertEqual(panel.parameters_of("request_control"), [])
+
     def test_a_stop_is_carried_out_although_it_cancels_what_was_begun(self):
         panel = PanelAsWritten(self, {"wait": ["NotCarriedOut"]})
         self.assertEqual(panel.ctl("-", text="move 1 500\nstop --wait\nlist\n")[0], DONE)
