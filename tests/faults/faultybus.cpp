@@ -135,7 +135,9 @@ bool FaultyBus::stands(std::uint8_t module) {
     const sim::ModuleSnapshot snapshot = chain.snapshot(ModuleIndex(module), now);
     if (snapshot.stepper)
         return !snapshot.stepper->moving;
-    return snapshot.servo.commandVelocity == 0 && std::abs(snapshot.servo.velocity) < 1;
+    // With the servo off, the command follows the shaft, count by count.
+    const bool commanded = snapshot.servo.servoOn && snapshot.servo.commandVelocity != 0;
+    return !commanded && std::abs(snapshot.servo.velocity) < 1;
 }
 
 bool FaultyBus::stopped(const bus::StopFinished& event, std::uint8_t module) {

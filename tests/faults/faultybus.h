@@ -54,7 +54,7 @@ public:
     /// The last reported health of the bus, at first Good; also Lost if only one module is the cause.
     [[nodiscard]] bus::LinkHealth health() const;
     [[nodiscard]] std::size_t motionSuspects(std::uint8_t module) const;
-    /// True if its command velocity is 0 and it moves by less than the velocity item can show: one count per
+    /// True if nothing commands it to move and it moves by less than the velocity item can show: one count per
     /// tick.
     [[nodiscard]] bool stands(std::uint8_t module);
     /// True if the module is listed as stopped.
