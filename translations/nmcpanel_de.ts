@@ -4423,20 +4423,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Stoppt: %1</translation>
     </message>
     <message>
-        <source>Paused on a fault, motors stopped: %1. %2</source>
-        <translation>Wegen einer Störung pausiert, Motoren gestoppt: %1. %2</translation>
-    </message>
-    <message>
         <source>Ended: %1. %2</source>
         <translation>Beendet: %1. %2</translation>
     </message>
     <message>
         <source>%1 is done.</source>
         <translation>%1 ist fertig.</translation>
-    </message>
-    <message>
-        <source>%1 paused, and its motors were commanded to stop.</source>
-        <translation>%1 pausiert; an die Motoren ging ein Stoppbefehl.</translation>
     </message>
     <message>
         <source>%1 ended, and its motors were commanded to stop.</source>

@@ -4423,20 +4423,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Parando: %1</translation>
     </message>
     <message>
-        <source>Paused on a fault, motors stopped: %1. %2</source>
-        <translation>En pausa por un fallo, motores parados: %1. %2</translation>
-    </message>
-    <message>
         <source>Ended: %1. %2</source>
         <translation>Terminó: %1. %2</translation>
     </message>
     <message>
         <source>%1 is done.</source>
         <translation>%1: completado.</translation>
-    </message>
-    <message>
-        <source>%1 paused, and its motors were commanded to stop.</source>
-        <translation>%1 está en pausa, y se ordenó parar a sus motores.</translation>
     </message>
     <message>
         <source>%1 ended, and its motors were commanded to stop.</source>

@@ -4423,20 +4423,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Arrêt en cours&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Paused on a fault, motors stopped: %1. %2</source>
-        <translation>En pause sur défaut, moteurs arrêtés&#xa0;: %1. %2</translation>
-    </message>
-    <message>
         <source>Ended: %1. %2</source>
         <translation>Interruption&#xa0;: %1. %2</translation>
     </message>
     <message>
         <source>%1 is done.</source>
         <translation>%1&#xa0;: terminé.</translation>
-    </message>
-    <message>
-        <source>%1 paused, and its motors were commanded to stop.</source>
-        <translation>%1&#xa0;: en pause&#x202f;; ses moteurs ont reçu l’ordre d’arrêt.</translation>
     </message>
     <message>
         <source>%1 ended, and its motors were commanded to stop.</source>

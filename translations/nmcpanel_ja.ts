@@ -4410,20 +4410,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>停止処理中：%1</translation>
     </message>
     <message>
-        <source>Paused on a fault, motors stopped: %1. %2</source>
-        <translation>異常により一時停止、モーターは停止：%1。%2</translation>
-    </message>
-    <message>
         <source>Ended: %1. %2</source>
         <translation>終了：%1。%2</translation>
     </message>
     <message>
         <source>%1 is done.</source>
         <translation>%1が完了しました。</translation>
-    </message>
-    <message>
-        <source>%1 paused, and its motors were commanded to stop.</source>
-        <translation>%1を一時停止し、モーターに停止を指令しました。</translation>
     </message>
     <message>
         <source>%1 ended, and its motors were commanded to stop.</source>

@@ -246,7 +246,9 @@ TEST_F(SequencePage, ARunMarksItsRowAndForbidsAnother) {
     report.stage = SequenceStage::Over;
     report.end = SequenceEnd::LinkInDoubt;
     window->sequences().showRun(report);
-    EXPECT_TRUE(text(u"sequenceStateLabel"_s).startsWith(u"Paused on a fault"_s));
+    EXPECT_TRUE(text(u"sequenceStateLabel"_s).startsWith(u"Ended: "_s))
+        << "it cannot be continued as a pause can";
+    EXPECT_FALSE(whyNot(u"pauseSequenceButton"_s).isEmpty());
     EXPECT_EQ(whyNot(u"runSequenceButton"_s), QString());
 }
 

@@ -221,9 +221,7 @@ QString sequenceState(const SequenceReport& report) {
         case SequenceStage::Done:
             return Texts::tr("Done: %1").arg(runName(report));
         case SequenceStage::Over:
-            return (isDoubt(*report.end) ? Texts::tr("Paused on a fault, motors stopped: %1. %2")
-                                         : Texts::tr("Ended: %1. %2"))
-                .arg(where, why(report));
+            return Texts::tr("Ended: %1. %2").arg(where, why(report));
     }
     return {};
 }
@@ -238,9 +236,7 @@ std::optional<Message> sequenceOver(const SequenceReport& report) {
         return message;
     message.module = report.module;
     message.severity = Severity::Attention;
-    message.headline = (isDoubt(*report.end) ? Texts::tr("%1 paused, and its motors were commanded to stop.")
-                                             : Texts::tr("%1 ended, and its motors were commanded to stop."))
-                           .arg(runName(report));
+    message.headline = Texts::tr("%1 ended, and its motors were commanded to stop.").arg(runName(report));
     message.body = why(report);
     if (hasRows(report))
         message.body +=

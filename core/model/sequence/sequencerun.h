@@ -51,11 +51,6 @@ enum class SequenceEnd : std::uint8_t {
     Unresponsive,  ///< `module` does not answer, or has restarted
     NotExecuted,   ///< a command was refused or not answered
 };
-/// True if the sequence may be started again from a row once the doubt is resolved.
-[[nodiscard]] constexpr bool isDoubt(SequenceEnd end) {
-    return end == SequenceEnd::LinkInDoubt || end == SequenceEnd::Unresponsive ||
-           end == SequenceEnd::NotExecuted;
-}
 
 /// What the window shows of a run.
 struct SequenceReport {
