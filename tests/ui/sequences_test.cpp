@@ -150,6 +150,50 @@ TEST_F(SequencePage, ADryRunIsNotShownForOtherRows) {
     EXPECT_EQ(result->text(), QString()) << "it was begun with the rows before";
 }
 
+/// This has happened: they were below the table, and moved when a result appeared, so that a click meant for
+/// Run added a row.
+TEST_F(SequencePage, WhatRunsASequenceIsAlwaysVisibleAndNeverMoves) {
+    load(twoPoints());
+    auto* scroll = find<QScrollArea>(u"sequencesPageScroll"_s);
+    const auto places = [&] {
+        QApplication::processEvents();
+        QList<QRect> all;
+        for (const QString& name : {u"runSequenceButton"_s, u"pauseSequenceButton"_s, u"stopSequenceButton"_s,
+                                    u"runFromRowButton"_s, u"stepSequenceButton"_s, u"dryRunButton"_s,
+                                    u"addRowButton"_s, u"removePointButton"_s}) {
+            const auto* control = window->findChild<QAbstractButton*>(name);
+            all << QRect(control->mapTo(window.get(), QPoint()), control->size());
+        }
+        return all;
+    };
+    for (const QString& name : {u"sequenceBox"_s, u"runSequenceButton"_s, u"pauseSequenceButton"_s,
+                                u"stopSequenceButton"_s, u"sequenceStateLabel"_s})
+        EXPECT_FALSE(scroll->isAncestorOf(find(name))) << name.toStdString();
+    const QList<QRect> before = places();
+    click(u"dryRunButton"_s);
+    EXPECT_EQ(places(), before) << "it says End dry run now";
+    window->sequences().showForesight({});
+    EXPECT_EQ(places(), before) << "a result has appeared";
+    SequenceReport report;
+    report.places = {{"Main", 1}};
+    report.stage = SequenceStage::Paused;
+    window->sequences().showRun(report);
+    EXPECT_EQ(places(), before) << "Pause says Continue now";
+    report.stage = SequenceStage::Over;
+    report.end = SequenceEnd::NotSettled;
+    report.module = ModuleIndex(0);
+    window->sequences().showRun(report);
+    EXPECT_EQ(places(), before) << "a long reason why it ended";
+
+    scroll->verticalScrollBar()->setValue(scroll->verticalScrollBar()->maximum());
+    EXPECT_EQ(places().first(6), before.first(6));
+    for (const QString& name : {u"runSequenceButton"_s, u"pauseSequenceButton"_s, u"stopSequenceButton"_s,
+                                u"sequenceStateLabel"_s}) {
+        const auto* control = window->findChild<QWidget*>(name);
+        EXPECT_EQ(control->visibleRegion().boundingRect(), control->rect()) << name.toStdString();
+    }
+}
+
 TEST_F(SequencePage, ANameBeingTypedGoesToNoOtherSequence) {
     Program program = twoPoints();
     program.sequences.push_back({"Other", {action::Wait{1}}});

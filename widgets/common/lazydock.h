@@ -53,7 +53,7 @@ public:
         if (m_page == nullptr) {
             m_page = new Page(m_requests, this);
             showSoFar();
-            setWidget(scrolled(m_page));
+            setWidget(framed());
         }
         return *m_page;
     }
@@ -74,6 +74,8 @@ protected:
         if (m_told)
             m_told(*m_page);
     }
+    /// What the dock contains: the page, which is new, in a scroll area unless it scrolls by itself.
+    [[nodiscard]] virtual QWidget* framed() { return scrolled(m_page); }
 
     Page* m_page = nullptr;
 

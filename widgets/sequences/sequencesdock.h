@@ -24,6 +24,7 @@ signals:
 
 private:
     void showSoFar() override;
+    [[nodiscard]] QWidget* framed() override { return m_page; }
 
     std::optional<SequenceReport> m_run;
 };

@@ -18,10 +18,12 @@
 #include "model/module/modulescale.h"
 #include "model/sequence/sequencecheck.h"
 #include "model/sequence/sequenceedit.h"
+#include "widgets/common/elidedlabel.h"
 #include "widgets/common/flowlayout.h"
 #include "widgets/common/form.h"
 #include "widgets/common/look.h"
 #include "widgets/common/requests.h"
+#include "widgets/common/scrolled.h"
 #include "widgets/common/sequencetexts.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
@@ -83,7 +85,12 @@ QWidget* newRow(QWidget* box, Commands*... commands) {
 SequencesPage::SequencesPage(Requests& requests, QWidget* parent)
     : QWidget(parent), m_requests(requests), m_points(new PointsModel(this)), m_rows(new RowsModel(this)) {
     look::name(this, u"sequencesPage"_s, Common::tr("Points and sequences"));
-    setLayout(form::newLine(this, {{buildPoints(), 2}, {buildSequences(), 3}}, form::kUsual));
+    // Outside what scrolls, so that a run can be paused and stopped whatever is being looked at.
+    QWidget* run = buildRun();
+    auto* tables = new QWidget(this);
+    tables->setLayout(form::newLine(tables, {{buildPoints(), 2}, {buildSequences(), 3}}, form::kUsual));
+    auto* scroll = scrolled(tables, u"sequencesPageScroll"_s, accessibleName());
+    form::fill(this, form::newColumn(this, {run, {scroll, 1}}, 0));
     connect(m_points, &PointsModel::renameWanted, this,
             [this](const std::string& from, const std::string& to) {
                 edit(tr("Rename point"), [&](Program& program) { renamePoint(program, from, to); });
@@ -153,9 +160,6 @@ QWidget* SequencesPage::buildPoints() {
 QWidget* SequencesPage::buildSequences() {
     auto* box = new QGroupBox(tr("Sequences"), this);
     look::name(box, u"sequencesBox"_s, tr("Sequences"));
-    m_sequence = form::newChoice({u"sequenceBox"_s, tr("Sequence"), {}}, box);
-    m_sequence->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_sequence->setMinimumContentsLength(6);
     m_sequenceName = form::newText({u"sequenceNameField"_s, tr("Name of the sequence"), 60}, box);
     m_newSequence = new Command(
         {.name = u"newSequenceButton"_s, .text = tr("New sequence"), .accessible = tr("New sequence")}, box,
@@ -180,25 +184,20 @@ QWidget* SequencesPage::buildSequences() {
     QFont bold = m_rowTable->font();
     bold.setBold(true);
     m_rowTable->verticalHeader()->setMinimumWidth(QFontMetrics(bold).horizontalAdvance(u"▸ 100 "_s));
-    m_state = form::newParagraph(u"sequenceStateLabel"_s, {}, box);
     m_foresight = form::newRemark({}, box, u"dryRunLabel"_s);
     m_foresight->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* result = m_foresightArea = new QScrollArea(box);
+    auto* result = new QScrollArea(box);
     look::name(result, u"dryRunArea"_s, tr("Result of the dry run"));
     result->setWidget(m_foresight);
     result->setWidgetResizable(true);
     result->setFrameShape(QFrame::NoFrame);
-    result->setMaximumHeight(fontMetrics().height() * 6);
-    result->hide();
+    // Empty or not, it takes the same room, so that no button moves under the pointer when a result appears.
+    result->setFixedHeight(fontMetrics().height() * 4);
     m_foresight->setAlignment(Qt::AlignTop | Qt::AlignLeft);
 
     auto* head = form::newLine(
-        box, {{m_sequence, 1}, {m_sequenceName, 1}, m_newSequence->button(), m_removeSequence->button()},
-        form::kUsual);
-    box->setLayout(form::newColumn(
-        box, {head, {m_rowTable, 1}, buildRowButtons(box), buildRunButtons(box), m_state, result},
-        form::kUsual));
-    connect(m_sequence, &QComboBox::currentIndexChanged, this, &SequencesPage::showProgram);
+        box, {{m_sequenceName, 1}, m_newSequence->button(), m_removeSequence->button()}, form::kUsual);
+    box->setLayout(form::newColumn(box, {head, {m_rowTable, 1}, buildRowButtons(box), result}, form::kUsual));
     connect(m_sequenceName, &QLineEdit::editingFinished, this, [this] {
         const std::string from = sequence();
         const std::string to = m_sequenceName->text().simplified().toStdString();
@@ -254,21 +253,13 @@ QWidget* SequencesPage::buildRowButtons(QGroupBox* box) {
     return newRow(box, m_addRow, m_duplicateRow, m_removeRow, m_rowUp, m_rowDown, m_undo, m_redo);
 }
 
-QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
-    m_foresee = new Command(
-        {u"dryRunButton"_s, u"wand"_s, tr("Dry run"), tr("Dry run: simulate the sequence; nothing moves")},
-        box, [this] {
-            if (m_foreseeing) {
-                m_foreseeing = false;
-                showForesightText({});
-                emit m_requests.foresightDropped();
-            } else {
-                m_foreseeing = true;
-                showForesightText(tr("Dry run…"));
-                emit m_requests.foresee(sequence(), 0);
-            }
-            refreshRun();
-        });
+QWidget* SequencesPage::buildRun() {
+    auto* box = new QWidget(this);
+    look::name(box, u"sequenceRunBox"_s, tr("Sequence"));
+    m_sequence = form::newChoice({u"sequenceBox"_s, tr("Sequence"), {}}, box);
+    m_sequence->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_sequence->setMinimumContentsLength(12);
+    connect(m_sequence, &QComboBox::currentIndexChanged, this, &SequencesPage::showProgram);
     m_start = new Command({u"runSequenceButton"_s, u"player-play"_s, tr("Run"), tr("Run the sequence")}, box,
                           [this] { start(0, false); });
     m_startHere = new Command({u"runFromRowButton"_s, u"player-play"_s, tr("Run from row"),
@@ -293,7 +284,38 @@ QWidget* SequencesPage::buildRunButtons(QGroupBox* box) {
     m_stop = new Command(
         {u"stopSequenceButton"_s, u"player-stop"_s, tr("Stop sequence"), tr("Stop sequence and its motors")},
         box, [this] { emit m_requests.stopSequence(); });
-    return newRow(box, m_foresee, m_start, m_startHere, m_pause, m_step, m_stop);
+    m_foresee = new Command(
+        {u"dryRunButton"_s, u"wand"_s, tr("Dry run"), tr("Dry run: simulate the sequence; nothing moves")},
+        box, [this] {
+            if (m_foreseeing) {
+                m_foreseeing = false;
+                m_foresight->clear();
+                emit m_requests.foresightDropped();
+            } else {
+                m_foreseeing = true;
+                m_foresight->setText(tr("Dry run…"));
+                emit m_requests.foresee(sequence(), 0);
+            }
+            refreshRun();
+        });
+    // As wide as their longer text, so that no button moves under the pointer.
+    const auto keepRoomFor = [](QPushButton* button, const QString& other) {
+        const QString text = button->text();
+        const int width = button->sizeHint().width();
+        button->setText(other);
+        button->setMinimumWidth(qMax(width, button->sizeHint().width()));
+        button->setText(text);
+    };
+    keepRoomFor(m_pause->button(), tr("Continue"));
+    keepRoomFor(m_foresee->button(), tr("End dry run"));
+    auto* line = new QWidget(box);
+    line->setLayout(new FlowLayout(look::gridUnit(box) / 2,
+                                   {m_sequence, m_start->button(), m_pause->button(), m_stop->button(),
+                                    m_startHere->button(), m_step->button(), m_foresee->button()}));
+    m_state = new ElidedLabel(2, box);
+    m_state->setObjectName(u"sequenceStateLabel"_s);
+    box->setLayout(form::newColumn(box, {line, m_state}, form::kUsual));
+    return box;
 }
 
 // ---- edits ----
@@ -365,14 +387,8 @@ void SequencesPage::showRun(const SequenceReport& report) {
 void SequencesPage::showForesight(const DryRun& dryRun) {
     if (!std::exchange(m_foreseeing, false))
         return;
-    showForesightText(texts::foreseen(dryRun, [this](ModuleIndex module) { return scaleOf(module); }));
+    m_foresight->setText(texts::foreseen(dryRun, [this](ModuleIndex module) { return scaleOf(module); }));
     refreshRun();
-}
-
-/// The area takes up room only if there is something to read.
-void SequencesPage::showForesightText(const QString& text) {
-    m_foresight->setText(text);
-    m_foresightArea->setVisible(!text.isEmpty());
 }
 
 void SequencesPage::showProgram() {
@@ -411,7 +427,7 @@ void SequencesPage::showProgram() {
     if (m_rows->showRows(m_machine.program, sequence(), modules, types)) {
         // A dry run was one of the rows before.
         m_foreseeing = false;
-        showForesightText({});
+        m_foresight->clear();
     }
     refresh();
 }

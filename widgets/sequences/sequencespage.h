@@ -16,7 +16,6 @@ class QGroupBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
-class QScrollArea;
 class QTableView;
 
 namespace nmc {
@@ -26,7 +25,8 @@ class PointsModel;
 class Requests;
 class RowsModel;
 
-/// Points and sequences are taught, edited, simulated and run here. Each edit can be undone as one step.
+/// Points and sequences are taught, edited, simulated and run here. Each edit can be undone as one step. What
+/// runs a sequence is at the top; the tables below it scroll.
 class SequencesPage : public QWidget {
     Q_OBJECT
 
@@ -41,15 +41,14 @@ public:
 
 private:
     class Edit;
+    [[nodiscard]] QWidget* buildRun();
     [[nodiscard]] QWidget* buildPoints();
     [[nodiscard]] QWidget* buildSequences();
     [[nodiscard]] QWidget* buildRowButtons(QGroupBox* box);
-    [[nodiscard]] QWidget* buildRunButtons(QGroupBox* box);
 
     void edit(const QString& what, const std::function<void(Program&)>& change);
     void editRows(const QString& what, const std::function<void(Sequence&)>& change);
     void put(const Program& program);
-    void showForesightText(const QString& text);
     void showProgram();
     void showAxes();
     void refresh();
@@ -90,7 +89,6 @@ private:
     QLineEdit* m_sequenceName = nullptr;
     QLabel* m_state = nullptr;
     QLabel* m_foresight = nullptr;
-    QScrollArea* m_foresightArea = nullptr;
     Command* m_teach = nullptr;
     Command* m_goTo = nullptr;
     Command* m_removePoint = nullptr;
