@@ -188,6 +188,23 @@ TEST_F(Messages, WhatIsFilteredOutIsHiddenAndComesBack) {
     EXPECT_EQ(shownKeys().size(), 3);
 }
 
+/// This has happened: the second one read "All modul".
+TEST_F(Messages, TheFiltersAreNotCutInTheSmallestWindow) {
+    tellThree();
+    window->resize(1'024, 700);
+    QApplication::processEvents();
+    for (const QString& name : {u"messageKindBox"_s, u"messageModuleBox"_s}) {
+        const auto* box = find<QComboBox>(name);
+        ASSERT_TRUE(box->isVisible()) << name.toStdString();
+        QStyleOptionComboBox option;
+        option.initFrom(box);
+        const QRect room =
+            box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
+        EXPECT_GE(room.width(), box->fontMetrics().horizontalAdvance(box->itemText(0)))
+            << name.toStdString() << ", width " << box->width();
+    }
+}
+
 TEST_F(Messages, TheFilterHasThePresentNamesOfTheModules) {
     tellThree();
     const auto* modules = find<QComboBox>(u"messageModuleBox"_s);

@@ -53,8 +53,8 @@ MessagePanel::MessagePanel(const MessageModel& model, Requests& requests, QWidge
     connect(m_notOver, &QCheckBox::toggled, this, &MessagePanel::filter);
     connect(m_text, &QLineEdit::textChanged, this, &MessagePanel::filter);
     connect(save, &QPushButton::clicked, this, &MessagePanel::saveAs);
-    auto* first = form::newLine(this, {{m_kind, 1}, {m_module, 1}, m_notOver}, 0.5);
-    auto* second = form::newLine(this, {{m_text, 1}, save}, 0.5);
+    auto* first = form::newLine(this, {{m_kind, 1}, {m_module, 1}}, 0.5);
+    auto* second = form::newLine(this, {m_notOver, {m_text, 1}, save}, 0.5);
     form::fill(this, form::newColumn(this, {first, second, {m_list, 1}, m_place}, 0.5), 0.5);
     showLogFile({});
 }
