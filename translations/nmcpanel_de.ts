@@ -1706,16 +1706,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 antwortet seit %2 s nicht. Motorzustand unbekannt; zuletzt stand der Motor.</translation>
     </message>
     <message>
+        <source>Module %1 has not answered for %2 s. The state of its outputs is unknown.</source>
+        <translation>Modul %1 antwortet seit %2 s nicht. Der Zustand seiner Ausgänge ist unbekannt.</translation>
+    </message>
+    <message>
         <source>Use the hardware stop if needed. Check its power and the plug next to it; the panel keeps trying.</source>
         <translation>Bei Bedarf den Hardware-Stopp benutzen. Versorgung des Moduls und den Stecker neben ihm prüfen; das Programm versucht es weiter.</translation>
     </message>
     <message>
         <source>Module %1 may not answer until module %2 has its address again.</source>
         <translation>Modul %1 antwortet möglicherweise erst, wenn Modul %2 wieder seine Adresse hat.</translation>
-    </message>
-    <message>
-        <source>Module %1 restarted: its position and gains are lost.</source>
-        <translation>Modul %1 ist neu gestartet: Position und Reglerwerte sind verloren.</translation>
     </message>
     <message>
         <source>Restart the network…</source>
@@ -2267,6 +2267,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Sein Motor ist aus.</translation>
     </message>
     <message>
+        <source>Set its outputs again once it has its address.</source>
+        <translation>Seine Ausgänge neu setzen, sobald es seine Adresse wieder hat.</translation>
+    </message>
+    <message>
         <source>Every module loses its position, gains and address, and switches its motor off.</source>
         <translation>Jedes Modul verliert Position, Reglerwerte und Adresse und schaltet seinen Motor ab.</translation>
     </message>
@@ -2284,6 +2288,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.</source>
         <translation>Das Modul ist neu gestartet: Sein Motor ist aus, Position, Reglerwerte und Adresse sind verloren. Die Adresse neu vergeben, wenn es angeboten wird, oder das Netzwerk neu starten.</translation>
+    </message>
+    <message>
+        <source>The module restarted: its pins are inputs again, its outputs release what they drove, and its address is lost. Assign its address again if offered, or restart the network.</source>
+        <translation>Das Modul ist neu gestartet: Seine Pins sind wieder Eingänge, seine Ausgänge haben losgelassen, was sie getrieben haben, und seine Adresse ist verloren. Die Adresse neu vergeben, wenn es angeboten wird, oder das Netzwerk neu starten.</translation>
+    </message>
+    <message>
+        <source>The module restarted: its motor is off, and its position, parameters and address are lost. Assign its address again if offered, or restart the network.</source>
+        <translation>Das Modul ist neu gestartet: Sein Motor ist aus, Position, Parameter und Adresse sind verloren. Die Adresse neu vergeben, wenn es angeboten wird, oder das Netzwerk neu starten.</translation>
     </message>
     <message>
         <source>all bytes are 00, or all FF, as on a line that is held low or high</source>
@@ -3654,8 +3666,24 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Modul %1 hat seine Adresse wieder. Sein Motor ist aus, seine Position ist 0, und es hat keine Reglerwerte.</translation>
     </message>
     <message>
+        <source>Module %1 has its address again. Its pins are inputs, and its outputs drive nothing.</source>
+        <translation>Modul %1 hat seine Adresse wieder. Seine Pins sind Eingänge, seine Ausgänge treiben nichts.</translation>
+    </message>
+    <message>
+        <source>Module %1 has its address again. Its motor is off, its position is 0, and it has no parameters.</source>
+        <translation>Modul %1 hat seine Adresse wieder. Sein Motor ist aus, seine Position ist 0, und es hat keine Parameter.</translation>
+    </message>
+    <message>
         <source>The other modules are unchanged. Apply its gains and home it before you use it.</source>
         <translation>Die anderen Module sind unverändert. Vor dem Benutzen seine Reglerwerte anwenden und es referenzieren.</translation>
+    </message>
+    <message>
+        <source>The other modules are unchanged. Set its outputs again before you use it.</source>
+        <translation>Die anderen Module sind unverändert. Vor dem Benutzen seine Ausgänge neu setzen.</translation>
+    </message>
+    <message>
+        <source>The other modules are unchanged. Apply its parameters and home it before you use it.</source>
+        <translation>Die anderen Module sind unverändert. Vor dem Benutzen seine Parameter anwenden und es referenzieren.</translation>
     </message>
     <message>
         <source>Could not assign the address of module %1. No motor was moved.</source>
@@ -5356,6 +5384,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
     <message>
         <source>%1 restarted: its position and gains are lost.</source>
         <translation>%1 ist neu gestartet: Position und Reglerwerte sind verloren.</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its pins are inputs again, and its outputs release what they drove.</source>
+        <translation>%1 ist neu gestartet: Seine Pins sind wieder Eingänge, seine Ausgänge haben losgelassen, was sie getrieben haben.</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its position and parameters are lost.</source>
+        <translation>%1 ist neu gestartet: Position und Parameter sind verloren.</translation>
     </message>
     <message>
         <source>Choose a port and connect.</source>

@@ -1706,16 +1706,16 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El módulo %1 no responde desde hace %2 s. Estado del motor desconocido; estaba parado en la última lectura.</translation>
     </message>
     <message>
+        <source>Module %1 has not answered for %2 s. The state of its outputs is unknown.</source>
+        <translation>El módulo %1 no responde desde hace %2 s. El estado de sus salidas es desconocido.</translation>
+    </message>
+    <message>
         <source>Use the hardware stop if needed. Check its power and the plug next to it; the panel keeps trying.</source>
         <translation>Use la parada por hardware si es necesario. Compruebe su alimentación y el conector contiguo; el panel sigue intentándolo.</translation>
     </message>
     <message>
         <source>Module %1 may not answer until module %2 has its address again.</source>
         <translation>El módulo %1 puede no responder hasta que el módulo %2 recupere su dirección.</translation>
-    </message>
-    <message>
-        <source>Module %1 restarted: its position and gains are lost.</source>
-        <translation>El módulo %1 se reinició: ha perdido su posición y sus ganancias.</translation>
     </message>
     <message>
         <source>Restart the network…</source>
@@ -2267,6 +2267,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Su motor está apagado.</translation>
     </message>
     <message>
+        <source>Set its outputs again once it has its address.</source>
+        <translation>Ajuste de nuevo sus salidas cuando vuelva a tener su dirección.</translation>
+    </message>
+    <message>
         <source>Every module loses its position, gains and address, and switches its motor off.</source>
         <translation>Todos los módulos pierden su posición, sus ganancias y su dirección, y apagan su motor.</translation>
     </message>
@@ -2284,6 +2288,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.</source>
         <translation>El módulo se reinició: su motor está apagado y ha perdido su posición, sus ganancias y su dirección. Asígnele de nuevo su dirección si se ofrece, o reinicie la red.</translation>
+    </message>
+    <message>
+        <source>The module restarted: its pins are inputs again, its outputs release what they drove, and its address is lost. Assign its address again if offered, or restart the network.</source>
+        <translation>El módulo se reinició: sus pines vuelven a ser entradas, sus salidas dejan libre lo que gobernaban y ha perdido su dirección. Asígnele de nuevo su dirección si se ofrece, o reinicie la red.</translation>
+    </message>
+    <message>
+        <source>The module restarted: its motor is off, and its position, parameters and address are lost. Assign its address again if offered, or restart the network.</source>
+        <translation>El módulo se reinició: su motor está apagado y ha perdido su posición, sus parámetros y su dirección. Asígnele de nuevo su dirección si se ofrece, o reinicie la red.</translation>
     </message>
     <message>
         <source>all bytes are 00, or all FF, as on a line that is held low or high</source>
@@ -3654,8 +3666,24 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El módulo %1 vuelve a tener su dirección. Su motor está apagado, su posición es 0 y no tiene ganancias.</translation>
     </message>
     <message>
+        <source>Module %1 has its address again. Its pins are inputs, and its outputs drive nothing.</source>
+        <translation>El módulo %1 vuelve a tener su dirección. Sus pines son entradas y sus salidas no gobiernan nada.</translation>
+    </message>
+    <message>
+        <source>Module %1 has its address again. Its motor is off, its position is 0, and it has no parameters.</source>
+        <translation>El módulo %1 vuelve a tener su dirección. Su motor está apagado, su posición es 0 y no tiene parámetros.</translation>
+    </message>
+    <message>
         <source>The other modules are unchanged. Apply its gains and home it before you use it.</source>
         <translation>Los demás módulos no han cambiado. Aplique sus ganancias y referéncielo antes de usarlo.</translation>
+    </message>
+    <message>
+        <source>The other modules are unchanged. Set its outputs again before you use it.</source>
+        <translation>Los demás módulos no han cambiado. Ajuste de nuevo sus salidas antes de usarlo.</translation>
+    </message>
+    <message>
+        <source>The other modules are unchanged. Apply its parameters and home it before you use it.</source>
+        <translation>Los demás módulos no han cambiado. Aplique sus parámetros y referéncielo antes de usarlo.</translation>
     </message>
     <message>
         <source>Could not assign the address of module %1. No motor was moved.</source>
@@ -5356,6 +5384,14 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
     <message>
         <source>%1 restarted: its position and gains are lost.</source>
         <translation>%1 se reinició: ha perdido su posición y sus ganancias.</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its pins are inputs again, and its outputs release what they drove.</source>
+        <translation>%1 se reinició: sus pines vuelven a ser entradas y sus salidas dejan libre lo que gobernaban.</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its position and parameters are lost.</source>
+        <translation>%1 se reinició: ha perdido su posición y sus parámetros.</translation>
     </message>
     <message>
         <source>Choose a port and connect.</source>

@@ -1706,16 +1706,16 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le module %1 n’a pas répondu depuis %2&#xa0;s. État du moteur inconnu&#x202f;; il était à l’arrêt à la dernière lecture.</translation>
     </message>
     <message>
+        <source>Module %1 has not answered for %2 s. The state of its outputs is unknown.</source>
+        <translation>Le module %1 n’a pas répondu depuis %2&#xa0;s. L’état de ses sorties est inconnu.</translation>
+    </message>
+    <message>
         <source>Use the hardware stop if needed. Check its power and the plug next to it; the panel keeps trying.</source>
         <translation>Utilisez l’arrêt câblé si nécessaire. Vérifiez son alimentation et le connecteur voisin&#x202f;; le programme continue d’essayer.</translation>
     </message>
     <message>
         <source>Module %1 may not answer until module %2 has its address again.</source>
         <translation>Le module %1 peut ne pas répondre tant que le module %2 n’a pas retrouvé son adresse.</translation>
-    </message>
-    <message>
-        <source>Module %1 restarted: its position and gains are lost.</source>
-        <translation>Le module %1 a redémarré&#xa0;: sa position et ses gains sont perdus.</translation>
     </message>
     <message>
         <source>Restart the network…</source>
@@ -2267,6 +2267,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Son moteur est coupé.</translation>
     </message>
     <message>
+        <source>Set its outputs again once it has its address.</source>
+        <translation>Réglez de nouveau ses sorties dès qu’il a retrouvé son adresse.</translation>
+    </message>
+    <message>
         <source>Every module loses its position, gains and address, and switches its motor off.</source>
         <translation>Chaque module perd sa position, ses gains et son adresse, et coupe son moteur.</translation>
     </message>
@@ -2284,6 +2288,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.</source>
         <translation>Le module a redémarré&#xa0;: son moteur est coupé&#x202f;; sa position, ses gains et son adresse sont perdus. Réattribuez son adresse si le programme le propose, ou redémarrez le réseau.</translation>
+    </message>
+    <message>
+        <source>The module restarted: its pins are inputs again, its outputs release what they drove, and its address is lost. Assign its address again if offered, or restart the network.</source>
+        <translation>Le module a redémarré&#xa0;: ses broches sont de nouveau des entrées, ses sorties relâchent ce qu’elles pilotaient et son adresse est perdue. Réattribuez son adresse si le programme le propose, ou redémarrez le réseau.</translation>
+    </message>
+    <message>
+        <source>The module restarted: its motor is off, and its position, parameters and address are lost. Assign its address again if offered, or restart the network.</source>
+        <translation>Le module a redémarré&#xa0;: son moteur est coupé&#xa0;; sa position, ses paramètres et son adresse sont perdus. Réattribuez son adresse si le programme le propose, ou redémarrez le réseau.</translation>
     </message>
     <message>
         <source>all bytes are 00, or all FF, as on a line that is held low or high</source>
@@ -3654,8 +3666,24 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le module %1 a retrouvé son adresse. Son moteur est coupé, sa position est 0 et il n’a pas de gains.</translation>
     </message>
     <message>
+        <source>Module %1 has its address again. Its pins are inputs, and its outputs drive nothing.</source>
+        <translation>Le module %1 a retrouvé son adresse. Ses broches sont des entrées et ses sorties ne pilotent rien.</translation>
+    </message>
+    <message>
+        <source>Module %1 has its address again. Its motor is off, its position is 0, and it has no parameters.</source>
+        <translation>Le module %1 a retrouvé son adresse. Son moteur est coupé, sa position est 0 et il n’a pas de paramètres.</translation>
+    </message>
+    <message>
         <source>The other modules are unchanged. Apply its gains and home it before you use it.</source>
         <translation>Les autres modules sont inchangés. Appliquez ses gains et faites la prise d’origine avant de l’utiliser.</translation>
+    </message>
+    <message>
+        <source>The other modules are unchanged. Set its outputs again before you use it.</source>
+        <translation>Les autres modules sont inchangés. Réglez de nouveau ses sorties avant de l’utiliser.</translation>
+    </message>
+    <message>
+        <source>The other modules are unchanged. Apply its parameters and home it before you use it.</source>
+        <translation>Les autres modules sont inchangés. Appliquez ses paramètres et faites la prise d’origine avant de l’utiliser.</translation>
     </message>
     <message>
         <source>Could not assign the address of module %1. No motor was moved.</source>
@@ -5356,6 +5384,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>%1 restarted: its position and gains are lost.</source>
         <translation>%1 a redémarré&#xa0;: sa position et ses gains sont perdus.</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its pins are inputs again, and its outputs release what they drove.</source>
+        <translation>%1 a redémarré&#xa0;: ses broches sont de nouveau des entrées, et ses sorties relâchent ce qu’elles pilotaient.</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its position and parameters are lost.</source>
+        <translation>%1 a redémarré&#xa0;: sa position et ses paramètres sont perdus.</translation>
     </message>
     <message>
         <source>Choose a port and connect.</source>

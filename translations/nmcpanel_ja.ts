@@ -1704,16 +1704,16 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モジュール%1が%2秒間応答していません。モーターの状態は不明です。最後の確認時は停止していました。</translation>
     </message>
     <message>
+        <source>Module %1 has not answered for %2 s. The state of its outputs is unknown.</source>
+        <translation>モジュール%1が%2秒間応答していません。出力の状態は不明です。</translation>
+    </message>
+    <message>
         <source>Use the hardware stop if needed. Check its power and the plug next to it; the panel keeps trying.</source>
         <translation>必要ならハードウェア停止装置を使用してください。モジュールの電源と隣のプラグを確認してください。パネルは試行を続けます。</translation>
     </message>
     <message>
         <source>Module %1 may not answer until module %2 has its address again.</source>
         <translation>モジュール%2のアドレスが戻るまで、モジュール%1は応答しないことがあります。</translation>
-    </message>
-    <message>
-        <source>Module %1 restarted: its position and gains are lost.</source>
-        <translation>モジュール%1が再起動しました。位置とゲインは失われました。</translation>
     </message>
     <message>
         <source>Restart the network…</source>
@@ -2262,6 +2262,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>そのモーターはオフです。</translation>
     </message>
     <message>
+        <source>Set its outputs again once it has its address.</source>
+        <translation>アドレスが戻ったら、出力を設定し直してください。</translation>
+    </message>
+    <message>
         <source>Every module loses its position, gains and address, and switches its motor off.</source>
         <translation>すべてのモジュールが位置、ゲイン、アドレスを失い、モーターをオフにします。</translation>
     </message>
@@ -2278,6 +2282,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.</source>
         <translation>モジュールが再起動しました。モーターはオフで、位置、ゲイン、アドレスは失われました。アドレスの再割り当てが提示された場合は実行し、提示されない場合はネットワークを再起動してください。</translation>
+    </message>
+    <message>
+        <source>The module restarted: its pins are inputs again, its outputs release what they drove, and its address is lost. Assign its address again if offered, or restart the network.</source>
+        <translation>モジュールが再起動しました。ピンは入力に戻り、出力は駆動をやめ、アドレスは失われました。アドレスの再割り当てが提示された場合は実行し、提示されない場合はネットワークを再起動してください。</translation>
+    </message>
+    <message>
+        <source>The module restarted: its motor is off, and its position, parameters and address are lost. Assign its address again if offered, or restart the network.</source>
+        <translation>モジュールが再起動しました。モーターはオフで、位置、パラメーター、アドレスは失われました。アドレスの再割り当てが提示された場合は実行し、提示されない場合はネットワークを再起動してください。</translation>
     </message>
     <message>
         <source>all bytes are 00, or all FF, as on a line that is held low or high</source>
@@ -3644,8 +3656,24 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モジュール%1のアドレスが戻りました。モーターはオフ、位置は0で、ゲインはありません。</translation>
     </message>
     <message>
+        <source>Module %1 has its address again. Its pins are inputs, and its outputs drive nothing.</source>
+        <translation>モジュール%1のアドレスが戻りました。ピンは入力で、出力は何も駆動していません。</translation>
+    </message>
+    <message>
+        <source>Module %1 has its address again. Its motor is off, its position is 0, and it has no parameters.</source>
+        <translation>モジュール%1のアドレスが戻りました。モーターはオフ、位置は0で、パラメーターはありません。</translation>
+    </message>
+    <message>
         <source>The other modules are unchanged. Apply its gains and home it before you use it.</source>
         <translation>ほかのモジュールは変わりません。使用する前にゲインを適用し、原点復帰を行ってください。</translation>
+    </message>
+    <message>
+        <source>The other modules are unchanged. Set its outputs again before you use it.</source>
+        <translation>ほかのモジュールは変わりません。使用する前に出力を設定し直してください。</translation>
+    </message>
+    <message>
+        <source>The other modules are unchanged. Apply its parameters and home it before you use it.</source>
+        <translation>ほかのモジュールは変わりません。使用する前にパラメーターを適用し、原点復帰を行ってください。</translation>
     </message>
     <message>
         <source>Could not assign the address of module %1. No motor was moved.</source>
@@ -5338,6 +5366,14 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
     <message>
         <source>%1 restarted: its position and gains are lost.</source>
         <translation>%1が再起動しました。位置とゲインは失われました。</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its pins are inputs again, and its outputs release what they drove.</source>
+        <translation>%1が再起動しました。ピンは入力に戻り、出力は駆動をやめました。</translation>
+    </message>
+    <message>
+        <source>%1 restarted: its position and parameters are lost.</source>
+        <translation>%1が再起動しました。位置とパラメーターは失われました。</translation>
     </message>
     <message>
         <source>Choose a port and connect.</source>

@@ -69,6 +69,18 @@ TEST_F(StandingTexts, ARestartIsToldInPlaceOfAllThatWasTheCase) {
     EXPECT_THAT(keys(), ElementsAre("restarted.1"));
 }
 
+TEST_F(StandingTexts, AModuleWithoutAMotorIsNotSaidToHaveOne) {
+    servo().info.identity = {ModuleType::Io, 1};
+    servo().silent = true;
+    link.modules.push_back(servoModule());
+    link.modules.back().info.index = ModuleIndex(1);
+    const auto headline = [this] { return texts::standing(link, atSeconds(10)).front().headline; };
+    EXPECT_TRUE(headline().endsWith(u"The state of its outputs is unknown."_s)) << headline().toStdString();
+    servo().restarted();
+    EXPECT_TRUE(headline().startsWith(u"Module 1 restarted: its pins are inputs again"_s))
+        << headline().toStdString();
+}
+
 TEST_F(StandingTexts, SilenceIsToldUnlessItIsThatOfTheWholeLink) {
     link.modules.push_back(servoModule());
     link.modules.back().info.index = ModuleIndex(1);

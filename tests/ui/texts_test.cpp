@@ -201,6 +201,31 @@ TEST(Texts, Restarted) {
     EXPECT_TRUE(texts::restarted({ModuleIndex(2), true}, 3).body.contains(u"sending has stopped"_s));
 }
 
+/// This has happened: a PIC-I/O was said to have lost its gains, and its motor to be off.
+TEST(Texts, ARestartSaysWhatThatTypeOfModuleHasLost) {
+    constexpr ModuleIndex kSecond(1);
+    const Message io = texts::restarted({kSecond, false}, 2, ModuleType::Io);
+    EXPECT_EQ(io.headline,
+              u"Module 2 restarted: its pins are inputs again, and its outputs release what they drove."_s);
+    EXPECT_TRUE(io.body.startsWith(u"Set its outputs again once it has its address. You can assign"_s))
+        << io.body.toStdString();
+    const Message stepper = texts::restarted({kSecond, false}, 2, ModuleType::Stepper);
+    EXPECT_EQ(stepper.headline, u"Module 2 restarted: its position and parameters are lost."_s);
+    EXPECT_TRUE(stepper.body.startsWith(u"Its motor is off."_s));
+    const auto back = [](ModuleType type) {
+        return texts::readdressed({{kSecond, BusAddress(2), {type, 1}}});
+    };
+    EXPECT_TRUE(back(ModuleType::Servo).headline.endsWith(u"its position is 0, and it has no gains."_s));
+    EXPECT_TRUE(back(ModuleType::Stepper).body.contains(u"Apply its parameters and home it"_s));
+    EXPECT_EQ(back(ModuleType::Io).headline,
+              u"Module 2 has its address again. Its pins are inputs, and its outputs drive nothing."_s);
+    for (const Message& m : {io, back(ModuleType::Io), texts::moduleMissing(kSecond, 1, ModuleType::Io),
+                             texts::moduleUnresponsive(kSecond, 1.5, false, ModuleType::Io)})
+        EXPECT_FALSE(m.headline.contains(u"motor"_s, Qt::CaseInsensitive)) << m.headline.toStdString();
+    for (const Activity activity : {Activity::Restarted, Activity::Unresponsive})
+        EXPECT_FALSE(texts::activityMeaning(activity, ModuleType::Io).contains(u"motor"_s));
+}
+
 TEST(Texts, Closing) {
     EXPECT_EQ(texts::closing(2), u"2 motors are moving. They will be stopped before the port closes."_s);
     EXPECT_EQ(texts::closing(1), u"1 motor is moving. It will be stopped before the port closes."_s);

@@ -152,7 +152,8 @@ QVariant ChainModel::data(const QModelIndex& index, int role) const {
             // In full, since there may be no room for all of it in the list.
             return tr("%1, %2, at address %3 on the wire")
                        .arg(row.facts.name, row.type, QString::number(row.facts.address)) +
-                   u'\n' + row.activity + u": "_s + texts::activityMeaning(row.facts.activity) +
+                   u'\n' + row.activity + u": "_s +
+                   texts::activityMeaning(row.facts.activity, row.facts.identity.type) +
                    (row.facts.motor ? u'\n' + texts::homeMeaning(row.facts.home, row.facts.zero, row.seen,
                                                                  row.facts.scale)
                                     : QString()) +

@@ -17,6 +17,13 @@ namespace {
 QString concernedModule(const ChainDiagnosis& chain) {
     return moduleName(chain.at.value_or(ModuleIndex(0)));
 }
+
+/// Its type, as found.
+ModuleType concernedType(const ChainDiagnosis& chain) {
+    const auto place =
+        std::ranges::find(chain.places, chain.at.value_or(ModuleIndex(0)), &ChainPlace::module);
+    return place != chain.places.end() && place->found ? place->found->type : ModuleType::Servo;
+}
 }  // namespace
 
 QString chainFinding(const ChainDiagnosis& chain) {
@@ -45,9 +52,12 @@ QString chainFinding(const ChainDiagnosis& chain) {
                 .arg(chain.found)
                 .arg(chain.expected);
         case Finding::Unresponsive:
-            return Texts::tr("%1 stopped answering. Motor state unknown.").arg(concernedModule(chain));
+            return (concernedType(chain) == ModuleType::Io
+                        ? Texts::tr("%1 does not answer.")
+                        : Texts::tr("%1 stopped answering. Motor state unknown."))
+                .arg(concernedModule(chain));
         case Finding::Restarted:
-            return Texts::tr("%1 restarted: its position and gains are lost.").arg(concernedModule(chain));
+            return lostByRestart(chain.at.value_or(ModuleIndex(0)), concernedType(chain));
     }
     return {};
 }

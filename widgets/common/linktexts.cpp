@@ -90,10 +90,12 @@ Message fewerThanExpected(int found, int expected, const QString& lastName) {
         .actions = {scanAgain(), {MessageAction::WorkWith, Texts::tr("Work with %1").arg(found)}}};
 }
 
-Message moduleMissing(ModuleIndex module, int answering) {
+Message moduleMissing(ModuleIndex module, int answering, ModuleType type) {
     return about(
         key::kSilent, module,
-        {Texts::tr("Module %1 of this chain does not answer. Motor state unknown.").arg(moduleNumber(module)),
+        {type == ModuleType::Io ? Texts::tr("%1 does not answer.").arg(moduleName(module))
+                                : Texts::tr("Module %1 of this chain does not answer. Motor state unknown.")
+                                      .arg(moduleNumber(module)),
          Texts::tr(
              "Check its power and the plug next to it; the panel keeps trying. If you removed it on purpose, work with the others: the panel then forgets it and its settings."),
          Severity::Fault},
@@ -231,12 +233,14 @@ Message badLink(const bus::HealthChanged& health) {
     return m;
 }
 
-Message moduleUnresponsive(ModuleIndex module, double secondsSinceAnswer, bool wasMoving) {
+Message moduleUnresponsive(ModuleIndex module, double secondsSinceAnswer, bool wasMoving, ModuleType type) {
     // An answer that came too late may have been its last a moment ago.
     const QString since = readout(std::max(0.1, std::round(secondsSinceAnswer * 10) / 10), 2);
     return about(
         key::kSilent, module,
-        {(wasMoving
+        {(type == ModuleType::Io
+              ? Texts::tr("Module %1 has not answered for %2 s. The state of its outputs is unknown.")
+          : wasMoving
               ? Texts::tr("Module %1 has not answered for %2 s. Motor state unknown: it was moving.")
               : Texts::tr(
                     "Module %1 has not answered for %2 s. Motor state unknown; it was stopped when last seen."))
@@ -246,9 +250,19 @@ Message moduleUnresponsive(ModuleIndex module, double secondsSinceAnswer, bool w
          Severity::Fault});
 }
 
-Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
+QString lostByRestart(ModuleIndex module, ModuleType type) {
+    return (type == ModuleType::Io
+                ? Texts::tr(
+                      "%1 restarted: its pins are inputs again, and its outputs release what they drove.")
+            : type == ModuleType::Stepper ? Texts::tr("%1 restarted: its position and parameters are lost.")
+                                          : Texts::tr("%1 restarted: its position and gains are lost."))
+        .arg(moduleName(module));
+}
+
+Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain, ModuleType type) {
     const QString number = moduleNumber(restarted.module);
-    QStringList body{Texts::tr("Its motor is off.")};
+    QStringList body{type == ModuleType::Io ? Texts::tr("Set its outputs again once it has its address.")
+                                            : Texts::tr("Its motor is off.")};
     const int next = restarted.module.value() + 2;
     if (next <= modulesInChain)
         body << Texts::tr("Module %1 may not answer until module %2 has its address again.")
@@ -266,19 +280,29 @@ Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain) {
         actions.prepend(scanAgain());
     }
     return about(u"restarted"_s, restarted.module,
-                 {Texts::tr("Module %1 restarted: its position and gains are lost.").arg(number),
-                  body.join(u' '), Severity::Fault},
-                 actions);
+                 {lostByRestart(restarted.module, type), body.join(u' '), Severity::Fault}, actions);
 }
 
 Message readdressed(const bus::Readdressed& readdressed) {
     const ModuleIndex module = readdressed.module.index;
+    const ModuleType type = readdressed.module.identity.type;
+    const bool io = type == ModuleType::Io;
+    const bool stepper = type == ModuleType::Stepper;
     return about(
         u"restarted"_s, module,
-        {Texts::tr(
-             "Module %1 has its address again. Its motor is off, its position is 0, and it has no gains.")
+        {(io ? Texts::tr(
+                   "Module %1 has its address again. Its pins are inputs, and its outputs drive nothing.")
+          : stepper
+              ? Texts::tr(
+                    "Module %1 has its address again. Its motor is off, its position is 0, and it has no parameters.")
+              : Texts::tr(
+                    "Module %1 has its address again. Its motor is off, its position is 0, and it has no gains."))
              .arg(moduleNumber(module)),
-         Texts::tr("The other modules are unchanged. Apply its gains and home it before you use it."),
+         io ? Texts::tr("The other modules are unchanged. Set its outputs again before you use it.")
+         : stepper
+             ? Texts::tr(
+                   "The other modules are unchanged. Apply its parameters and home it before you use it.")
+             : Texts::tr("The other modules are unchanged. Apply its gains and home it before you use it."),
          Severity::Normal});
 }
 

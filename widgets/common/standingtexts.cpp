@@ -90,14 +90,16 @@ std::optional<Message> unheard(const LinkState& link, const ModuleState& module,
     const auto answers = [](const ModuleState& other) { return !other.silent; };
     const auto answering = std::count_if(link.modules.begin(), link.modules.end(), answers);
     const ModuleIndex index = module.info.index;
+    const ModuleType type = module.info.identity.type;
     if (module.hasRestarted)
         return withRecord(restarted({index, link.phase == LinkPhase::Lost && link.quiet},
-                                    static_cast<int>(link.modules.size())));
+                                    static_cast<int>(link.modules.size()), type));
     if (isMissing(module))
-        return moduleMissing(index, static_cast<int>(answering));
+        return moduleMissing(index, static_cast<int>(answering), type);
     // One text for one cause: if the whole link is lost, that is reported instead.
     if (module.silent && (link.phase == LinkPhase::Connected || answering > 0))
-        return withRecord(moduleUnresponsive(index, toSeconds(now - module.latestTime), module.stillMoves()));
+        return withRecord(
+            moduleUnresponsive(index, toSeconds(now - module.latestTime), module.stillMoves(), type));
     return std::nullopt;
 }
 

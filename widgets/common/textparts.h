@@ -30,6 +30,8 @@ class Texts {
 [[nodiscard]] inline QString plainNumber(double number) {
     return QString::number(number, 'g', 12);
 }
+/// What a module of this type has lost by a restart.
+[[nodiscard]] QString lostByRestart(ModuleIndex module, ModuleType type);
 /// The words of a message.
 struct Words {
     QString headline;

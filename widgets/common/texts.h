@@ -37,7 +37,7 @@ namespace texts {
 /// `lastName`: the user's name for the last module that answered; may be empty.
 [[nodiscard]] Message fewerThanExpected(int found, int expected, const QString& lastName = {});
 /// A module of the known chain does not answer at its address; `answering` others do.
-[[nodiscard]] Message moduleMissing(ModuleIndex module, int answering);
+[[nodiscard]] Message moduleMissing(ModuleIndex module, int answering, ModuleType type = ModuleType::Servo);
 /// A missing module cannot be forgotten while motors move, because the chain would be searched for again.
 [[nodiscard]] Message chainNotAccepted();
 /// A missing module cannot be forgotten while the row sets, homes or waits for it.
@@ -67,8 +67,10 @@ namespace texts {
 [[nodiscard]] Message rateNotChanged(const bus::RateChangeFailed& failed);
 
 // ---- one module ----
-[[nodiscard]] Message moduleUnresponsive(ModuleIndex module, double secondsSinceAnswer, bool wasMoving);
-[[nodiscard]] Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain);
+[[nodiscard]] Message moduleUnresponsive(ModuleIndex module, double secondsSinceAnswer, bool wasMoving,
+                                         ModuleType type = ModuleType::Servo);
+[[nodiscard]] Message restarted(const bus::ModuleRestarted& restarted, int modulesInChain,
+                                ModuleType type = ModuleType::Servo);
 [[nodiscard]] Message readdressed(const bus::Readdressed& readdressed);
 [[nodiscard]] Message addressChanged(const bus::AddressChanged& changed);
 [[nodiscard]] Message notReaddressed(const bus::ReaddressFailed& failed);

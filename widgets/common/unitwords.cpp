@@ -131,7 +131,7 @@ QString activityMeaning(const ModuleState& module, const AxisScale& scale) {
     }
     const auto holding = holdingOf(module);
     if (!holding)
-        return activityMeaning(module.activity());
+        return activityMeaning(module.activity(), module.info.identity.type);
     return (holding->atLimit
                 ? Texts::tr(
                       "%1 off the position to hold, and pushing with up to the full output limit. Something may be in the way.")

@@ -27,12 +27,15 @@ struct ActivityTexts {
     QString word;
     QString meaning;
 };
-ActivityTexts textsOf(Activity activity) {
+ActivityTexts textsOf(Activity activity, ModuleType type) {
+    const bool io = type == ModuleType::Io;
     switch (activity) {
         case Activity::Unknown:
             return {Texts::tr("Unknown"), Texts::tr("No status received from this module yet.")};
         case Activity::Unresponsive:
-            return {Texts::tr("No answer"), Texts::tr("The module does not answer. Motor state unknown.")};
+            return {Texts::tr("No answer"),
+                    io ? refusal(Refusal::Unresponsive)
+                       : Texts::tr("The module does not answer. Motor state unknown.")};
         case Activity::NotAsked:
             return {
                 Texts::tr("Not asked"),
@@ -41,8 +44,13 @@ ActivityTexts textsOf(Activity activity) {
         case Activity::Restarted:
             return {
                 Texts::tr("Restarted"),
-                Texts::tr(
-                    "The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.")};
+                io ? Texts::tr(
+                         "The module restarted: its pins are inputs again, its outputs release what they drove, and its address is lost. Assign its address again if offered, or restart the network.")
+                : type == ModuleType::Stepper
+                    ? Texts::tr(
+                          "The module restarted: its motor is off, and its position, parameters and address are lost. Assign its address again if offered, or restart the network.")
+                    : Texts::tr(
+                          "The module restarted: its motor is off, and its position, gains and address are lost. Assign its address again if offered, or restart the network.")};
         case Activity::NoPower:
             return {Texts::tr("No motor power"),
                     Texts::tr("The module has no motor power, so its motor is off.")};
@@ -135,11 +143,11 @@ QString moduleType(const ModuleIdentity& identity) {
 }
 
 QString activity(Activity activity) {
-    return textsOf(activity).word;
+    return textsOf(activity, ModuleType::Servo).word;
 }
 
-QString activityMeaning(Activity activity) {
-    return textsOf(activity).meaning;
+QString activityMeaning(Activity activity, ModuleType type) {
+    return textsOf(activity, type).meaning;
 }
 
 QString refusal(Refusal refusal) {

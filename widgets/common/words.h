@@ -24,7 +24,7 @@ void setModuleNames(const QStringList& names);
 /// "Holding", "Servo off", "Position error"...
 [[nodiscard]] QString activity(Activity activity);
 /// What the state means for the motor, in a sentence or two.
-[[nodiscard]] QString activityMeaning(Activity activity);
+[[nodiscard]] QString activityMeaning(Activity activity, ModuleType type = ModuleType::Servo);
 /// Why a request is not possible now.
 [[nodiscard]] QString refusal(Refusal refusal);
 /// Why the settings of its axis cannot be edited; empty if they can.

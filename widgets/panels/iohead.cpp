@@ -51,7 +51,7 @@ void IoHead::refresh() {
                               .arg(texts::moduleType(module.info.identity))
                               .arg(module.info.address.value()));
     look::setText(m_state, texts::activity(activity));
-    look::setText(m_meaning, texts::activityMeaning(activity));
+    look::setText(m_meaning, texts::activityMeaning(activity, module.info.identity.type));
     m_glyph->showActivity(activity);
     showUnlessTyped(m_name, m_context.settings().name);
     setNameLocked(m_name, m_context.whyLocked());

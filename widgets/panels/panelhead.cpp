@@ -247,7 +247,7 @@ void PanelHead::refresh() {
                                       : texts::activityMeaning(module, m_context.scale()));
     look::setText(m_procedure, procedure ? u"▶ "_s + texts::procedureStage(*procedure) : QString());
     m_glyph->showActivity(activity);
-    m_glyph->setToolTip(texts::activityMeaning(activity));
+    m_glyph->setToolTip(texts::activityMeaning(activity, module.info.identity.type));
     refreshPosition();
     refreshSigns();
     refreshCommands();
