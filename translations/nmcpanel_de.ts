@@ -8691,6 +8691,10 @@ Oben einen Port wählen und verbinden. Ohne Hardware den Simulator wählen.</tra
         <source>Name of this module</source>
         <translation>Name dieses Moduls</translation>
     </message>
+    <message>
+        <source>Last answer: %1.</source>
+        <translation>Letzte Antwort: %1.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::IoPanel</name>

@@ -8691,6 +8691,10 @@ Elija arriba un puerto y conecte. Si no tiene hardware, elija el simulador.</tra
         <source>Name of this module</source>
         <translation>Nombre de este módulo</translation>
     </message>
+    <message>
+        <source>Last answer: %1.</source>
+        <translation>Última respuesta: %1.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::IoPanel</name>

@@ -8691,6 +8691,10 @@ Choisissez un port ci-dessus et connectez-vous. Sans matériel, choisissez le si
         <source>Name of this module</source>
         <translation>Nom de ce module</translation>
     </message>
+    <message>
+        <source>Last answer: %1.</source>
+        <translation>Dernière réponse&#xa0;: %1.</translation>
+    </message>
 </context>
 <context>
     <name>nmc::IoPanel</name>

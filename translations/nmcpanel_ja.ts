@@ -8673,6 +8673,10 @@ Choose a port above and connect. Without hardware, choose the simulator.</source
         <source>Name of this module</source>
         <translation>このモジュールの名前</translation>
     </message>
+    <message>
+        <source>Last answer: %1.</source>
+        <translation>最後の応答：%1。</translation>
+    </message>
 </context>
 <context>
     <name>nmc::IoPanel</name>

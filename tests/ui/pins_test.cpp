@@ -310,6 +310,31 @@ TEST_F(Pins, ASilentModuleTakesNothing) {
     EXPECT_EQ(text(u"ioStateLabel"_s), u"No answer"_s);
 }
 
+/// This has happened: the page of a module that had restarted showed its last levels as if they were live.
+TEST_F(Pins, WhatASilentModuleReportedLastIsStruckOut) {
+    const QStringList values{u"pin1Level"_s, u"pin2Level"_s, u"analog2Value"_s, u"counterValue"_s};
+    const auto struckOut = [this](const QString& value) { return find<QLabel>(value)->font().strikeOut(); };
+    for (const QString& value : values)
+        EXPECT_FALSE(struckOut(value)) << value.toStdString();
+    const QString live = text(u"ioStateMeaning"_s);
+    module.silent = true;
+    show();
+    for (const QString& value : values)
+        EXPECT_TRUE(struckOut(value)) << value.toStdString();
+    EXPECT_EQ(text(u"pin1Level"_s), u"high"_s) << "the last level stays to be read";
+    EXPECT_TRUE(text(u"ioStateMeaning"_s).contains(u"Last answer: "_s));
+    module.restarted();
+    show();
+    EXPECT_TRUE(struckOut(u"pin1Level"_s));
+    EXPECT_FALSE(find<QCheckBox>(u"pin1Box"_s)->isChecked());
+    module.silent = false;
+    module.hasRestarted = false;
+    latch(0, 20);
+    for (const QString& value : values)
+        EXPECT_FALSE(struckOut(value)) << value.toStdString();
+    EXPECT_EQ(text(u"ioStateMeaning"_s), live);
+}
+
 /// A/D 2 is in bar, with 0.5 bar per count above -10 bar; it rises by one count every 10 ms.
 TEST_F(Pins, AreOnTheScopeByTheNamesOfTheMachine) {
     machine.axes.resize(1);

@@ -164,6 +164,8 @@ QString CounterBox::rate() const {
         return tr("Counter source unknown: another program has set it.");
     if (!timer->enable)
         return Common::tr("off");
+    if (m_context.age())
+        return {};  // what is derived from an old count is not current either
     const double each = divisor(timer->prescaler);
     if (!timer->counter)
         return module.latest && module.latest->counter
@@ -177,6 +179,7 @@ void CounterBox::refresh() {
     const ModuleState& module = m_context.state();
     const StatusReport report = module.latest.value_or(StatusReport{});
     look::setReadout(m_count, report.counter ? texts::grouped(static_cast<qint64>(*report.counter)) : u"–"_s);
+    look::setOld(m_count, m_context.age().has_value());
     look::setText(m_rate, rate());
     QString latched;
     if (report.latchedPins && report.latchedCounter)

@@ -8,6 +8,7 @@
 #include "widgets/common/form.h"
 #include "widgets/common/glyphs.h"
 #include "widgets/common/look.h"
+#include "widgets/common/positiontexts.h"
 #include "widgets/common/sharedwords.h"
 #include "widgets/common/words.h"
 #include "widgets/panels/boxparts.h"
@@ -51,7 +52,11 @@ void IoHead::refresh() {
                               .arg(texts::moduleType(module.info.identity))
                               .arg(module.info.address.value()));
     look::setText(m_state, texts::activity(activity));
-    look::setText(m_meaning, texts::activityMeaning(activity, module.info.identity.type));
+    // The boxes of this page strike out what was read before; how old it is, is said here once.
+    const QString meaning = texts::activityMeaning(activity, module.info.identity.type);
+    const auto age = m_context.age();
+    look::setText(m_meaning,
+                  age ? meaning + u' ' + tr("Last answer: %1.").arg(texts::age(*age, false)) : meaning);
     m_glyph->showActivity(activity);
     showUnlessTyped(m_name, m_context.settings().name);
     setNameLocked(m_name, m_context.whyLocked());

@@ -188,9 +188,11 @@ void IoValuesBox::refresh() {
     const ModuleState& module = m_context.state();
     const PinSettings& settings = pinsOf(m_context.settings());
     const StatusReport report = module.latest.value_or(StatusReport{});
-    for (std::size_t i = 0; i < m_analog.size(); ++i)
+    for (std::size_t i = 0; i < m_analog.size(); ++i) {
+        look::setOld(m_analog.at(i).value, m_context.age().has_value());
         look::setReadout(m_analog.at(i).value, texts::analogReading(PinSettings::of(settings.analog, i).scale,
                                                                     report.analogs.at(i)));
+    }
     const auto pwm = module.pins.pwm;
     const QString reason = m_context.reasonNow(IntentKind::SetOutputs);
     for (std::size_t i = 0; i < m_pwm.size(); ++i) {

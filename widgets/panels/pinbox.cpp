@@ -216,11 +216,13 @@ void PinBox::refreshPin(unsigned number) {
     look::setPossible(pin.direction, reason,
                       tr("Input: the module reads this pin. Output: it drives this pin."));
 
-    pin.glyph->showBit(level ? std::optional(high) : std::nullopt);
+    const bool old = m_context.age().has_value();
+    pin.glyph->showBit(level && !old ? std::optional(high) : std::nullopt);
     look::setText(pin.level, !level    ? u"–"_s
                              : differs ? high ? tr("high, set low") : tr("low, set high")
                              : high ? Common::tr("high")
                                        : Common::tr("low"));
+    look::setOld(pin.level, old);
     const QSignalBlocker box(pin.high);
     pin.high->setChecked(output.value_or(false));
     QString why = m_context.reasonNow(IntentKind::SetOutputs);
