@@ -4347,8 +4347,20 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Der Motor von %1 hat sich abgeschaltet.</translation>
     </message>
     <message>
-        <source>The input of %1 did not change in time.</source>
-        <translation>Der Eingang von %1 hat sich nicht rechtzeitig geändert.</translation>
+        <source>%1 of %2 did not become high within %3 s.</source>
+        <translation>%1 von %2 wurde nicht innerhalb von %3 s High.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become low within %3 s.</source>
+        <translation>%1 von %2 wurde nicht innerhalb von %3 s Low.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become active within %3 s.</source>
+        <translation>%1 von %2 wurde nicht innerhalb von %3 s aktiv.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become inactive within %3 s.</source>
+        <translation>%1 von %2 wurde nicht innerhalb von %3 s inaktiv.</translation>
     </message>
     <message>
         <source>%1 did not find home.</source>
@@ -5019,8 +5031,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Dieser Pin von %1 ist nicht als Ausgang eingestellt. Auf der Seite E/A einstellen.</translation>
     </message>
     <message>
-        <source>The A/D value of %1 did not reach its level in time.</source>
-        <translation>Der A/D-Wert von %1 hat seine Schwelle nicht rechtzeitig erreicht.</translation>
+        <source>A/D %1 of %2 did not rise above %3 of 255 within %4 s.</source>
+        <translation>A/D %1 von %2 stieg nicht innerhalb von %4 s über %3 von 255.</translation>
+    </message>
+    <message>
+        <source>A/D %1 of %2 did not fall below %3 of 255 within %4 s.</source>
+        <translation>A/D %1 von %2 fiel nicht innerhalb von %4 s unter %3 von 255.</translation>
     </message>
     <message>
         <source>wait for A/D</source>

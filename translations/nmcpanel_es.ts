@@ -4347,8 +4347,20 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>El motor de %1 se apagó.</translation>
     </message>
     <message>
-        <source>The input of %1 did not change in time.</source>
-        <translation>La entrada de %1 no cambió a tiempo.</translation>
+        <source>%1 of %2 did not become high within %3 s.</source>
+        <translation>%1 de %2 no pasó a nivel alto en %3 s.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become low within %3 s.</source>
+        <translation>%1 de %2 no pasó a nivel bajo en %3 s.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become active within %3 s.</source>
+        <translation>%1 de %2 no pasó a activo en %3 s.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become inactive within %3 s.</source>
+        <translation>%1 de %2 no pasó a inactivo en %3 s.</translation>
     </message>
     <message>
         <source>%1 did not find home.</source>
@@ -5019,8 +5031,12 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>Este pin de %1 no está configurado como salida. Configúrelo en la página E/S.</translation>
     </message>
     <message>
-        <source>The A/D value of %1 did not reach its level in time.</source>
-        <translation>El valor A/D de %1 no alcanzó su nivel a tiempo.</translation>
+        <source>A/D %1 of %2 did not rise above %3 of 255 within %4 s.</source>
+        <translation>A/D %1 de %2 no superó %3 de 255 en %4 s.</translation>
+    </message>
+    <message>
+        <source>A/D %1 of %2 did not fall below %3 of 255 within %4 s.</source>
+        <translation>A/D %1 de %2 no bajó de %3 de 255 en %4 s.</translation>
     </message>
     <message>
         <source>wait for A/D</source>

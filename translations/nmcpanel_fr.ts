@@ -4347,8 +4347,20 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Le moteur de %1 s’est coupé.</translation>
     </message>
     <message>
-        <source>The input of %1 did not change in time.</source>
-        <translation>L’entrée de %1 n’a pas changé à temps.</translation>
+        <source>%1 of %2 did not become high within %3 s.</source>
+        <translation>%1 de %2 n’est pas passé au niveau haut en moins de %3&#xa0;s.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become low within %3 s.</source>
+        <translation>%1 de %2 n’est pas passé au niveau bas en moins de %3&#xa0;s.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become active within %3 s.</source>
+        <translation>%1 de %2 n’est pas devenu actif en moins de %3&#xa0;s.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become inactive within %3 s.</source>
+        <translation>%1 de %2 n’est pas devenu inactif en moins de %3&#xa0;s.</translation>
     </message>
     <message>
         <source>%1 did not find home.</source>
@@ -5019,8 +5031,12 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Cette broche de %1 n’est pas configurée en sortie. Configurez-la sur la page E/S.</translation>
     </message>
     <message>
-        <source>The A/D value of %1 did not reach its level in time.</source>
-        <translation>La valeur A/D de %1 n’a pas atteint son seuil à temps.</translation>
+        <source>A/D %1 of %2 did not rise above %3 of 255 within %4 s.</source>
+        <translation>A/D %1 de %2 n’est pas monté au-dessus de %3 sur 255 en moins de %4&#xa0;s.</translation>
+    </message>
+    <message>
+        <source>A/D %1 of %2 did not fall below %3 of 255 within %4 s.</source>
+        <translation>A/D %1 de %2 n’est pas descendu au-dessous de %3 sur 255 en moins de %4&#xa0;s.</translation>
     </message>
     <message>
         <source>wait for A/D</source>

@@ -4334,8 +4334,20 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1のモーターがオフになりました。</translation>
     </message>
     <message>
-        <source>The input of %1 did not change in time.</source>
-        <translation>%1の入力が時間内に変化しませんでした。</translation>
+        <source>%1 of %2 did not become high within %3 s.</source>
+        <translation>%2の%1が%3秒以内にHighになりませんでした。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become low within %3 s.</source>
+        <translation>%2の%1が%3秒以内にLowになりませんでした。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become active within %3 s.</source>
+        <translation>%2の%1が%3秒以内にアクティブになりませんでした。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not become inactive within %3 s.</source>
+        <translation>%2の%1が%3秒以内に非アクティブになりませんでした。</translation>
     </message>
     <message>
         <source>%1 did not find home.</source>
@@ -5006,8 +5018,12 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>%1のこのピンは出力に設定されていません。「I/O」ページで設定してください。</translation>
     </message>
     <message>
-        <source>The A/D value of %1 did not reach its level in time.</source>
-        <translation>%1のA/D値が時間内にレベルに達しませんでした。</translation>
+        <source>A/D %1 of %2 did not rise above %3 of 255 within %4 s.</source>
+        <translation>%2のA/D %1が%4秒以内に255中%3を上回りませんでした。</translation>
+    </message>
+    <message>
+        <source>A/D %1 of %2 did not fall below %3 of 255 within %4 s.</source>
+        <translation>%2のA/D %1が%4秒以内に255中%3を下回りませんでした。</translation>
     </message>
     <message>
         <source>wait for A/D</source>

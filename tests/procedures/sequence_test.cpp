@@ -116,6 +116,7 @@ TEST_F(Sequences, WaitsForAnInputOrItsTimeout) {
     bench.start("Main");
     const SequenceReport report = bench.goOn();
     EXPECT_EQ(report.end, SequenceEnd::InputTimeout);
+    EXPECT_EQ(report.awaited, Action(action::WaitForInput{kTable, InputPin::In1, true, 2.0}));
     EXPECT_EQ(report.places[0].row, 0U);
 }
 
@@ -279,6 +280,7 @@ TEST_F(IoSequences, AWaitForAnAnalogValueEndsInTime) {
     EXPECT_EQ(turns(1.8).stage, SequenceStage::Running);
     const SequenceReport report = turns(0.5);
     EXPECT_EQ(report.end, SequenceEnd::AnalogTimeout);
+    EXPECT_EQ(report.awaited, Action(action::WaitForAnalog{kX, 1, true, 10, 2.0}));
     EXPECT_EQ(report.module, kX);
     EXPECT_EQ(truth().outputs, 0U);
 }

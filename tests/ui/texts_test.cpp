@@ -4,6 +4,7 @@
 #include "widgets/common/apitexts.h"
 #include "widgets/common/pathtexts.h"
 #include "widgets/common/positiontexts.h"
+#include "widgets/common/sequencetexts.h"
 #include "widgets/common/unitwords.h"
 #include "windowtest.h"
 
@@ -224,6 +225,33 @@ TEST(Texts, ARestartSaysWhatThatTypeOfModuleHasLost) {
         EXPECT_FALSE(m.headline.contains(u"motor"_s, Qt::CaseInsensitive)) << m.headline.toStdString();
     for (const Activity activity : {Activity::Restarted, Activity::Unresponsive})
         EXPECT_FALSE(texts::activityMeaning(activity, ModuleType::Io).contains(u"motor"_s));
+}
+
+/// This has happened: it was not said which input was waited for, nor for which level.
+TEST(Texts, AWaitThatTimedOutSaysWhatItWaitedFor) {
+    constexpr ModuleIndex kFourth(3);
+    const auto said = [](SequenceEnd end, const Action& awaited) {
+        SequenceReport report;
+        report.stage = SequenceStage::Over;
+        report.places = {{"Main", 0}};
+        report.end = end;
+        report.module = kFourth;
+        report.awaited = awaited;
+        return texts::sequenceState(report);
+    };
+    const auto analog = [&said](bool above) {
+        return said(SequenceEnd::AnalogTimeout, action::WaitForAnalog{kFourth, 1, above, 100, 10});
+    };
+    const auto input = [&said](InputPin pin, bool active) {
+        return said(SequenceEnd::InputTimeout, action::WaitForInput{kFourth, pin, active, 2.5});
+    };
+    EXPECT_EQ(analog(true),
+              u"Ended: Main, row 1. A/D 1 of Module 4 did not rise above 100 of 255 within 10 s."_s);
+    EXPECT_TRUE(analog(false).contains(u"did not fall below 100 of 255"_s));
+    EXPECT_TRUE(input(InputPin::Io1, true).endsWith(u"IO1 of Module 4 did not become high within 2.5 s."_s));
+    EXPECT_TRUE(input(InputPin::Io1, false).contains(u"did not become low"_s));
+    EXPECT_TRUE(input(InputPin::In1, true).contains(u"IN1 of Module 4 did not become active"_s));
+    EXPECT_TRUE(input(InputPin::In1, false).contains(u"did not become inactive"_s));
 }
 
 TEST(Texts, Closing) {

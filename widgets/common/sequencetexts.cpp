@@ -88,6 +88,22 @@ QString wrong(const SequenceProblem& problem) {
     return {};
 }
 
+/// The pins of a motor's module are active or not; those of a PIC-I/O are high or low, as in the row.
+QString inputTimeout(const action::WaitForInput& wait) {
+    return (ioPin(wait.pin) ? wait.active ? Texts::tr("%1 of %2 did not become high within %3 s.")
+                                          : Texts::tr("%1 of %2 did not become low within %3 s.")
+            : wait.active ? Texts::tr("%1 of %2 did not become active within %3 s.")
+                            : Texts::tr("%1 of %2 did not become inactive within %3 s."))
+        .arg(pinWord(wait.pin), moduleName(wait.module), readout(wait.timeout));
+}
+
+QString analogTimeout(const action::WaitForAnalog& wait) {
+    return (wait.above ? Texts::tr("A/D %1 of %2 did not rise above %3 of 255 within %4 s.")
+                       : Texts::tr("A/D %1 of %2 did not fall below %3 of 255 within %4 s."))
+        .arg(QString::number(wait.input), moduleName(wait.module), QString::number(wait.level),
+             readout(wait.timeout));
+}
+
 QString why(const SequenceReport& report) {
     const QString module = report.module ? moduleName(*report.module) : QString();
     switch (*report.end) {
@@ -110,9 +126,9 @@ QString why(const SequenceReport& report) {
         case SequenceEnd::Refused:
             return Common::tr("%1: %2").arg(module, refusal(*report.refusal));
         case SequenceEnd::InputTimeout:
-            return Texts::tr("The input of %1 did not change in time.").arg(module);
+            return inputTimeout(std::get<action::WaitForInput>(*report.awaited));
         case SequenceEnd::AnalogTimeout:
-            return Texts::tr("The A/D value of %1 did not reach its level in time.").arg(module);
+            return analogTimeout(std::get<action::WaitForAnalog>(*report.awaited));
         case SequenceEnd::NotHomed:
             return Texts::tr("%1 did not find home.").arg(module);
         case SequenceEnd::TaughtElsewhere:

@@ -291,8 +291,10 @@ SequenceRun::RowNext SequenceRun::perform(const Action& row, const Modules& modu
             [&](const action::WaitForArrival&) { return waitUntil(m_moves.empty()); },
             [&](const AnyOf<action::WaitForInput, action::WaitForAnalog> auto& wait) {
                 const bool met = isMet(wait, modules[wait.module.value()]);
-                if (!met && seconds >= wait.timeout)
+                if (!met && seconds >= wait.timeout) {
                     endBy(timeoutOf(wait), wait.module);
+                    m_report.awaited = wait;
+                }
                 return waitUntil(met);
             },
             [&](const action::SetOutput& set) { return setOutput(set, modules[set.module.value()]); },

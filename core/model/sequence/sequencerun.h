@@ -63,6 +63,7 @@ struct SequenceReport {
     std::optional<ModuleIndex> module{};
     std::optional<Refusal> refusal{};
     std::string taught{};
+    std::optional<Action> awaited{};  ///< the wait that timed out
 
     [[nodiscard]] bool over() const { return stage == SequenceStage::Done || stage == SequenceStage::Over; }
     bool operator==(const SequenceReport&) const = default;
