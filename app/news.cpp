@@ -106,7 +106,7 @@ struct Reporter {
         for (const bus::GroupMember& member : finished.members)
             members.push_back(member.module);
         if (finished.outcome != bus::Outcome::Done) {
-            Message message = texts::groupFailed(finished);
+            Message message = texts::groupFailed(finished, link.modules);
             if (!finished.stopped)
                 return {{std::move(message), Until::ConnectionEnds}};
             return {{texts::withRecord(std::move(message)), Until::ConnectionEnds,

@@ -2534,6 +2534,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später. Sym
         <translation>Es wurde kein Motor bewegt.</translation>
     </message>
     <message>
+        <source>A PIC-I/O confirms latched inputs and stored PWM values only as the leader: make it the leader of the group.</source>
+        <translation>Ein PIC-I/O bestätigt erfasste Eingänge und gespeicherte PWM-Werte nur als Leitmodul: Machen Sie es zum Leitmodul der Gruppe.</translation>
+    </message>
+    <message>
         <source>All modules now run at %1 Bd. Positions and gains are unchanged.</source>
         <translation>Alle Module arbeiten jetzt mit %1 Bd. Positionen und Reglerwerte sind unverändert.</translation>
     </message>

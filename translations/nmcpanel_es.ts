@@ -2534,6 +2534,10 @@ Software libre con licencia GNU General Public License, versión 3 o posterior. 
         <translation>No se movió ningún motor.</translation>
     </message>
     <message>
+        <source>A PIC-I/O confirms latched inputs and stored PWM values only as the leader: make it the leader of the group.</source>
+        <translation>Un PIC-I/O solo confirma las entradas capturadas y los valores PWM guardados como líder: hágalo líder del grupo.</translation>
+    </message>
+    <message>
         <source>All modules now run at %1 Bd. Positions and gains are unchanged.</source>
         <translation>Todos los módulos trabajan ahora a %1 Bd. Las posiciones y las ganancias no han cambiado.</translation>
     </message>

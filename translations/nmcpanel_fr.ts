@@ -2534,6 +2534,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Aucun moteur n’a été mis en mouvement.</translation>
     </message>
     <message>
+        <source>A PIC-I/O confirms latched inputs and stored PWM values only as the leader: make it the leader of the group.</source>
+        <translation>Un PIC-I/O ne confirme les entrées figées et les valeurs PWM mémorisées que s’il est le meneur&#xa0;: faites-en le meneur du groupe.</translation>
+    </message>
+    <message>
         <source>All modules now run at %1 Bd. Positions and gains are unchanged.</source>
         <translation>Tous les modules fonctionnent maintenant à %1&#xa0;Bd. Positions et gains sont inchangés.</translation>
     </message>

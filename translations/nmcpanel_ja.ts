@@ -2528,6 +2528,10 @@ GNU General Public Licenseバージョン3以降に基づくフリーソフト�
         <translation>モーターは動かしていません。</translation>
     </message>
     <message>
+        <source>A PIC-I/O confirms latched inputs and stored PWM values only as the leader: make it the leader of the group.</source>
+        <translation>PIC-I/Oは、ラッチした入力と保存したPWM値をリーダーのときだけ確認できます。グループのリーダーにしてください。</translation>
+    </message>
+    <message>
         <source>All modules now run at %1 Bd. Positions and gains are unchanged.</source>
         <translation>全モジュールが%1 Bdで動作しています。位置とゲインは変わりません。</translation>
     </message>

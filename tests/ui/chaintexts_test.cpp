@@ -73,6 +73,23 @@ TEST(ChainTexts, GroupWhoseZeroIsNotCertain) {
     EXPECT_TRUE(m.body.startsWith(u"Carried out by: 1. Not carried out by: 2."_s)) << m.body.toStdString();
 }
 
+/// This has happened: neither the reason nor the remedy was said.
+TEST(ChainTexts, AGroupWithAPicIoThatDoesNotLeadIsToldToLetItLead) {
+    ModuleState io;
+    io.info = {ModuleIndex(3), BusAddress(4), {ModuleType::Io, 1}, bus::GroupPlace{0x81, false}};
+    const bus::GroupFinished saved =
+        command(GroupAction::SaveAsHome, bus::Outcome::NoAnswer,
+                {{ModuleIndex(0), MemberOutcome::Done}, {ModuleIndex(3), MemberOutcome::Unknown}});
+    const QString remedy = u"make it the leader of the group."_s;
+    const Message m = texts::groupFailed(saved, {io});
+    EXPECT_EQ(m.headline, u"Not all modules of group 81 confirmed saving home."_s);
+    EXPECT_TRUE(m.body.endsWith(remedy)) << m.body.toStdString();
+    io.info.group->leader = true;
+    EXPECT_FALSE(texts::groupFailed(saved, {io}).body.contains(remedy));
+    io.info = {ModuleIndex(3), BusAddress(4), {ModuleType::Servo, 10}, bus::GroupPlace{0x81, false}};
+    EXPECT_FALSE(texts::groupFailed(saved, {io}).body.contains(remedy));
+}
+
 TEST(ChainTexts, AddressThatIsTaken) {
     const Message m = texts::notReaddressed({ModuleIndex(1), bus::ReaddressFailed::Reason::Taken});
     EXPECT_EQ(m.headline, u"Could not assign the address of module 2. No motor was moved."_s);

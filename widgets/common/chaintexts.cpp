@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the table of texts about groups and about the baud rate of the whole chain.
+#include <algorithm>
 
 #include "widgets/common/textparts.h"
 
@@ -102,6 +103,13 @@ Words commandFailed(const bus::GroupFinished& finished, const bus::GroupCommand&
             membersSentence(finished) + u' ' + Texts::tr("No motor was moved.")};
 }
 
+/// True for a PIC-I/O that is not the leader of its group: what it latches or puts out by PWM is not read
+/// back.
+bool followsUnread(ModuleIndex index, const std::vector<ModuleState>& modules) {
+    const auto module = std::ranges::find(modules, index, [](const ModuleState& m) { return m.info.index; });
+    return module != modules.end() && module->isIo() && !(module->info.group && module->info.group->leader);
+}
+
 /// Why all modules stay at the baud rate that they have, and what to do.
 QString whyRateKept(const bus::RateChangeFailed& failed) {
     using Reason = bus::RateChangeFailed::Reason;
@@ -138,7 +146,7 @@ QString whyRateKept(const bus::RateChangeFailed& failed) {
 
 }  // namespace
 
-Message groupFailed(const bus::GroupFinished& finished) {
+Message groupFailed(const bus::GroupFinished& finished, const std::vector<ModuleState>& modules) {
     if (const auto* change = std::get_if<bus::GroupChange>(&finished.what))
         return about(
             u"group"_s, change->module,
@@ -149,7 +157,13 @@ Message groupFailed(const bus::GroupFinished& finished) {
              Texts::tr(
                  "Nothing was moved. A group has at most one leader, group FF has none, and the groups of all modules must be known. Check this, then try again.")});
     const auto& command = std::get<bus::GroupCommand>(finished.what);
-    const Words words = commandFailed(finished, command);
+    Words words = commandFailed(finished, command);
+    const auto unread = those(finished, bus::MemberOutcome::Unknown);
+    if (std::ranges::any_of(unread, [&](ModuleIndex module) { return followsUnread(module, modules); }))
+        words.body +=
+            u' ' +
+            Texts::tr(
+                "A PIC-I/O confirms latched inputs and stored PWM values only as the leader: make it the leader of the group.");
     return {.key = u"group%1"_s.arg(command.group),
             .severity = words.severity,
             .headline = words.headline,

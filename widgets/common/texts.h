@@ -61,7 +61,9 @@ namespace texts {
 [[nodiscard]] Message differentAdapter(const QString& port);
 
 // ---- the chain as a whole ----
-[[nodiscard]] Message groupFailed(const bus::GroupFinished& finished);
+/// `modules`: those of the chain.
+[[nodiscard]] Message groupFailed(const bus::GroupFinished& finished,
+                                  const std::vector<ModuleState>& modules = {});
 [[nodiscard]] Message groupCommandedToStop(const bus::GroupFinished& finished);
 [[nodiscard]] Message rateChanged(const bus::RateChanged& changed);
 [[nodiscard]] Message rateNotChanged(const bus::RateChangeFailed& failed);
