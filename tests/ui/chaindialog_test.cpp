@@ -433,6 +433,23 @@ TEST_F(ChainWindow, AGroupHasTheNameThatItIsGiven) {
     EXPECT_EQ(field->text(), QString());
 }
 
+/// This has happened: the box was made before there were groups, and their last digit was cut.
+TEST_F(ChainWindow, AGroupThatIsMadeLaterIsReadInFull) {
+    showGrouped({bus::GroupPlace{}});
+    open("groupsAction");
+    auto* groups = find<QComboBox>(u"groupBox"_s);
+    QApplication::processEvents();
+    showGrouped({bus::GroupPlace{0x81, false}});
+    QApplication::processEvents();
+    ASSERT_EQ(groups->currentText(), u"Group 81"_s);
+    QStyleOptionComboBox option;
+    option.initFrom(groups);
+    option.editable = false;
+    const QRect room =
+        groups->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, groups);
+    EXPECT_GE(room.width(), groups->fontMetrics().horizontalAdvance(groups->currentText()));
+}
+
 TEST_F(ChainWindow, ANameBeingTypedGoesToNoOtherGroup) {
     QSignalSpy names(&window->requests(), &Requests::groupNamed);
     showGrouped({bus::GroupPlace{0x81, false}, bus::GroupPlace{0x82, false}});

@@ -50,6 +50,8 @@ GroupsPage::GroupsPage(Requests& requests, QWidget* parent) : QWidget(parent), m
 
     m_group = form::newChoice(
         {u"groupBox"_s, tr("Group to command"), {}, tr("The group that the buttons act on.")}, this);
+    // It is empty when the page is shown for the first time without groups.
+    m_group->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_name = form::newText({u"groupNameField"_s, tr("Name of the group"), 40, {}, Common::tr("Name")}, this);
     using enum bus::GroupCommand::Action;
     m_start = newCommand(tr("St&art loaded moves"), u"groupStartButton"_s,
