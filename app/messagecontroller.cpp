@@ -155,6 +155,7 @@ void MessageController::take(const News& news) {
 /// Conditions that persist are reported again.
 void MessageController::on(const bus::ChainFound& /*found*/) {
     m_stopping.clear();
+    m_unstopped.clear();
     endEvents(std::nullopt);
     end(texts::key::kBadLink);
 }
@@ -165,6 +166,8 @@ void MessageController::on(const bus::OperationFinished& finished) {
 }
 
 void MessageController::on(const bus::OwedStopConfirmed& confirmed) {
+    if (m_unstopped.erase(confirmed.module) != 0)
+        amend(texts::key::kStop, {confirmed.module, bus::StopCause::StopAll});
     const auto reported = m_stopping.find(confirmed.module);
     if (reported == m_stopping.end())
         return;
@@ -173,10 +176,14 @@ void MessageController::on(const bus::OwedStopConfirmed& confirmed) {
     // that the user wanted came later, and is not reported.
     if (bus::ofOperator(confirmed.cause) && confirmed.cause != cause)
         return;
-    Message& message = m_stopMessages[key];
-    message.headline += u' ' + texts::stopConfirmed({confirmed.module, cause});
-    m_window.amendMessage(message);
+    amend(key, {confirmed.module, cause});
     m_stopping.erase(reported);
+}
+
+void MessageController::amend(const QString& key, const bus::OwedStopConfirmed& confirmed) {
+    Message& message = m_stopMessages[key];
+    message.headline += u' ' + texts::stopConfirmed(confirmed);
+    m_window.amendMessage(message);
 }
 
 void MessageController::on(const bus::StopFinished& finished) {
@@ -185,7 +192,10 @@ void MessageController::on(const bus::StopFinished& finished) {
         return;
     m_recordings.note(texts::stopOfAll());
     m_window.showLink(m_store.link());  // the stop may be due to a restart that came just before
-    m_window.showStopResult(finished, m_flight.note(texts::stopOfAll(), {}, monotonicNow() - finished.took));
+    const unsigned record = m_flight.note(texts::stopOfAll(), {}, monotonicNow() - finished.took);
+    m_stopMessages[texts::key::kStop] = m_window.showStopResult(finished, record);
+    m_unstopped = {finished.unreached.begin(), finished.unreached.end()};
+    m_unstopped.insert(finished.unconfirmed.begin(), finished.unconfirmed.end());
 }
 
 void MessageController::on(const bus::ModuleUnresponsive& silence) {

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "app/flightcontroller.h"
@@ -69,6 +70,8 @@ private:
     void on(const bus::Readdressed& readdressed);
     void on(const PortClosed& closed);
     void endEvents(std::optional<ModuleIndex> obeyed);
+    /// Adds the confirmation to the message that reports the stop.
+    void amend(const QString& key, const bus::OwedStopConfirmed& confirmed);
 
     MainWindow& m_window;
     const BusStore& m_store;
@@ -86,7 +89,8 @@ private:
     /// of the same module for a fault may be confirmed in its place.
     std::map<ModuleIndex, std::pair<bus::StopCause, QString>> m_stopping;
     std::map<QString, Message> m_stopMessages;
-    bool m_guardianMissed = false;  ///< the message about it has been shown
+    std::set<ModuleIndex> m_unstopped;  ///< those that the last stop of all modules did not see at rest
+    bool m_guardianMissed = false;      ///< the message about it has been shown
 };
 
 }  // namespace nmc

@@ -37,6 +37,9 @@ TEST_F(Truth, AMotorThatWasStoppedWhileItWasSilentIsNotAtSpeedWhenItIsBack) {
     (void)sim.control(QStringLiteral("fault clear"));
     EXPECT_TRUE(saysSoon("Holding")) << label("stateLabel").toStdString();
     EXPECT_FALSE(panel.module().moving());
+    const QString stopped = QStringLiteral("use the hardware stop. Module 1 has stopped.");
+    EXPECT_TRUE(panel.waitFor([&] { return panel.count(stopped) == 1; }));
+    EXPECT_TRUE(label("stopResultLabel").endsWith(stopped)) << label("stopResultLabel").toStdString();
 }
 
 TEST_F(Truth, AShaftThatALoadDrivesIsNotCalledFine) {

@@ -154,7 +154,8 @@ QString commandedToStop(const std::vector<ModuleIndex>& modules) {
 
 QString stopConfirmed(const bus::OwedStopConfirmed& confirmed) {
     // These messages are about several modules.
-    return confirmed.cause == bus::StopCause::GroupHalfStarted ||
+    return confirmed.cause == bus::StopCause::StopAll ||
+                   confirmed.cause == bus::StopCause::GroupHalfStarted ||
                    confirmed.cause == bus::StopCause::GroupStop ||
                    confirmed.cause == bus::StopCause::PathEnded ||
                    confirmed.cause == bus::StopCause::ForeignTraffic ||

@@ -421,6 +421,8 @@ void MainWindow::showMessage(const Message& news) {
 
 void MainWindow::amendMessage(const Message& news) {
     m_model->amend(ofThisConnection(news));
+    if (news.key == texts::key::kStop)
+        m_bar->showStopResult(news.headline);
 }
 
 void MainWindow::endMessage(const QString& key) {
@@ -458,15 +460,18 @@ void MainWindow::requestStop() {
         showMessage(texts::stopWaits());
 }
 
-void MainWindow::showStopResult(const bus::StopFinished& finished, unsigned record) {
+Message MainWindow::showStopResult(const bus::StopFinished& finished, unsigned record) {
     Message result = texts::stopResult(finished, m_session.link().modules);
     m_bar->showStopResult(result.headline);
     const bool all = texts::allStopped(finished, m_session.link().modules);
     if (all)
         endMessage(texts::key::kStop);
     result.record = record;
-    showMessage(record != 0 ? texts::withRecord(result) : result);
+    if (record != 0)
+        result = texts::withRecord(result);
+    showMessage(result);
     m_session.stopFinished(all);
+    return result;
 }
 
 void MainWindow::showAllAxes() {

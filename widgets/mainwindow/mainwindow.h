@@ -102,8 +102,8 @@ public:
     void amendMessage(const Message& message);
     /// The cause has ended.
     void endMessage(const QString& key);
-    /// `record`: as in Message.
-    void showStopResult(const bus::StopFinished& finished, unsigned record = 0);
+    /// `record`: as in Message. Returns the message that it shows.
+    Message showStopResult(const bus::StopFinished& finished, unsigned record = 0);
     /// The bus has ended the hold: the button is released, and must be pressed again.
     void endHold();
 
