@@ -976,12 +976,16 @@
         <translation>Für die Reglerwerte in den Feldern nicht bekannt: OL oder IL hat bei der Messung die Ausgabe des Reglers begrenzt. Eine kleinere Amplitude nehmen.</translation>
     </message>
     <message>
+        <source>OL or IL cut off the filter&apos;s output while measuring: for small motions, the loop responds differently. Use a smaller amplitude or a lower speed.</source>
+        <translation>OL oder IL hat bei der Messung die Ausgabe des Reglers begrenzt: Bei kleinen Bewegungen antwortet der Regelkreis anders. Eine kleinere Amplitude oder eine geringere Geschwindigkeit nehmen.</translation>
+    </message>
+    <message>
         <source>unstable, the motor would oscillate</source>
         <translation>instabil, der Motor würde schwingen</translation>
     </message>
     <message>
-        <source>from %1 to %2 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
-        <translation>von %1 bis %2 Hz: sonst hat OL oder IL die Ausgabe des Reglers begrenzt</translation>
+        <source>known only from %1 to %2 Hz</source>
+        <translation>nur von %1 bis %2 Hz bekannt</translation>
     </message>
     <message>
         <source>With the gains in the fields: %1</source>
@@ -996,8 +1000,8 @@
         <translation>Für die Reglerwerte in den Feldern nicht bekannt: DB ist anders als bei der Messung.</translation>
     </message>
     <message>
-        <source>only at %1 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
-        <translation>nur bei %1 Hz: sonst hat OL oder IL die Ausgabe des Reglers begrenzt</translation>
+        <source>known only at %1 Hz</source>
+        <translation>nur bei %1 Hz bekannt</translation>
     </message>
 </context>
 <context>

@@ -976,12 +976,16 @@
         <translation>Desconocido para las ganancias de los campos: OL o IL limitó la salida del filtro durante la medición. Use una amplitud menor.</translation>
     </message>
     <message>
+        <source>OL or IL cut off the filter&apos;s output while measuring: for small motions, the loop responds differently. Use a smaller amplitude or a lower speed.</source>
+        <translation>OL o IL limitó la salida del filtro durante la medición: con movimientos pequeños, el lazo responde de otro modo. Use una amplitud o una velocidad menor.</translation>
+    </message>
+    <message>
         <source>unstable, the motor would oscillate</source>
         <translation>inestable, el motor oscilaría</translation>
     </message>
     <message>
-        <source>from %1 to %2 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
-        <translation>de %1 a %2 Hz: fuera de ahí, OL o IL limitó la salida del filtro</translation>
+        <source>known only from %1 to %2 Hz</source>
+        <translation>conocido solo de %1 a %2 Hz</translation>
     </message>
     <message>
         <source>With the gains in the fields: %1</source>
@@ -996,8 +1000,8 @@
         <translation>Desconocido para las ganancias de los campos: DB difiere del de la medición.</translation>
     </message>
     <message>
-        <source>only at %1 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
-        <translation>solo a %1 Hz: fuera de ahí, OL o IL limitó la salida del filtro</translation>
+        <source>known only at %1 Hz</source>
+        <translation>conocido solo a %1 Hz</translation>
     </message>
 </context>
 <context>

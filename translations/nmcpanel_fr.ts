@@ -976,12 +976,16 @@
         <translation>Inconnu pour les gains des champs&#xa0;: OL ou IL a limité la sortie du filtre pendant la mesure. Utilisez une amplitude plus petite.</translation>
     </message>
     <message>
+        <source>OL or IL cut off the filter&apos;s output while measuring: for small motions, the loop responds differently. Use a smaller amplitude or a lower speed.</source>
+        <translation>OL ou IL a limité la sortie du filtre pendant la mesure&#xa0;: pour de petits mouvements, la boucle répond autrement. Utilisez une amplitude ou une vitesse plus petite.</translation>
+    </message>
+    <message>
         <source>unstable, the motor would oscillate</source>
         <translation>instable, le moteur oscillerait</translation>
     </message>
     <message>
-        <source>from %1 to %2 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
-        <translation>de %1 à %2 Hz&#xa0;: ailleurs, OL ou IL a limité la sortie du filtre</translation>
+        <source>known only from %1 to %2 Hz</source>
+        <translation>connu seulement de %1 à %2 Hz</translation>
     </message>
     <message>
         <source>With the gains in the fields: %1</source>
@@ -996,8 +1000,8 @@
         <translation>Inconnu pour les gains des champs&#xa0;: DB diffère de celui de la mesure.</translation>
     </message>
     <message>
-        <source>only at %1 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
-        <translation>seulement à %1 Hz&#xa0;: ailleurs, OL ou IL a limité la sortie du filtre</translation>
+        <source>known only at %1 Hz</source>
+        <translation>connu seulement à %1 Hz</translation>
     </message>
 </context>
 <context>

@@ -975,12 +975,16 @@
         <translation>入力欄のゲインでは不明です：測定中にOLまたはILがフィルター出力を制限しました。振幅を小さくしてください。</translation>
     </message>
     <message>
+        <source>OL or IL cut off the filter&apos;s output while measuring: for small motions, the loop responds differently. Use a smaller amplitude or a lower speed.</source>
+        <translation>測定中にOLまたはILがフィルター出力を制限しました。小さな動作ではループの応答が異なります。振幅または速度を小さくしてください。</translation>
+    </message>
+    <message>
         <source>unstable, the motor would oscillate</source>
         <translation>不安定、モーターが発振します</translation>
     </message>
     <message>
-        <source>from %1 to %2 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
-        <translation>%1～%2 Hz：それ以外ではOLまたはILがフィルター出力を制限しました</translation>
+        <source>known only from %1 to %2 Hz</source>
+        <translation>%1～%2 Hzでのみ既知</translation>
     </message>
     <message>
         <source>With the gains in the fields: %1</source>
@@ -995,8 +999,8 @@
         <translation>入力欄のゲインでは不明です：DBが測定時と異なります。</translation>
     </message>
     <message>
-        <source>only at %1 Hz: elsewhere, OL or IL cut off the filter&apos;s output</source>
-        <translation>%1 Hzのみ：それ以外ではOLまたはILがフィルター出力を制限しました</translation>
+        <source>known only at %1 Hz</source>
+        <translation>%1 Hzでのみ既知</translation>
     </message>
 </context>
 <context>

@@ -158,6 +158,17 @@ TEST_F(LoopTestsInTheWindow, TheFiguresOfAFirstOrderLoopAreThere) {
     EXPECT_TRUE(button(u"frequencyExportButton"_s)->isEnabled());
 }
 
+/// This has happened: a ramp kept the filter at OL, and a phase margin of its cut-off loop was shown like any
+/// other.
+TEST_F(LoopTestsInTheWindow, AMeasurementWithACutOffOutputSaysSo) {
+    openWith();
+    std::vector<FrequencyPoint> points = firstOrder(20);
+    points[3].limited = true;
+    report(ProcedureKind::FrequencyResponse, ProcedureStage::Done, points);
+    EXPECT_TRUE(label(u"frequencyFigures"_s).contains(u"Use a smaller amplitude or a lower speed"_s))
+        << label(u"frequencyFigures"_s).toStdString();
+}
+
 /// With Kp alone, L = w0 / s, and twice the gain is twice the bandwidth.
 TEST_F(LoopTestsInTheWindow, EditedGainsShowWhatTheLoopWouldDo) {
     openWith();

@@ -2,6 +2,7 @@
 #include "widgets/looptests/looptestwords.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "widgets/common/words.h"
 
@@ -29,6 +30,9 @@ QStringList frequencyFigures(std::span<const FrequencyPoint> points) {
                                   : LoopTestTexts::tr("Phase margin not reached"));
     lines << (figures.gainMargin ? LoopTestTexts::tr("Gain margin %1").arg(readout(*figures.gainMargin, 2))
                                  : LoopTestTexts::tr("Gain margin not reached"));
+    if (std::ranges::any_of(points, &FrequencyPoint::limited))
+        lines << LoopTestTexts::tr(
+            "OL or IL cut off the filter's output while measuring: for small motions, the loop responds differently. Use a smaller amplitude or a lower speed.");
     return lines;
 }
 
@@ -53,10 +57,9 @@ QString wouldDo(std::span<const FrequencyPoint> measured, std::span<const Freque
                             ? QStringList{LoopTestTexts::tr("unstable, the motor would oscillate")}
                             : frequencyFigures(predicted).mid(1);
     if (predicted.size() == 1 && measured.size() > 1)
-        parts << LoopTestTexts::tr("only at %1 Hz: elsewhere, OL or IL cut off the filter's output")
-                     .arg(readout(predicted.front().hertz, 3));
+        parts << LoopTestTexts::tr("known only at %1 Hz").arg(readout(predicted.front().hertz, 3));
     else if (predicted.size() < measured.size())
-        parts << LoopTestTexts::tr("from %1 to %2 Hz: elsewhere, OL or IL cut off the filter's output")
+        parts << LoopTestTexts::tr("known only from %1 to %2 Hz")
                      .arg(readout(predicted.front().hertz, 3), readout(predicted.back().hertz, 3));
     return LoopTestTexts::tr("With the gains in the fields: %1").arg(parts.join(u" · "));
 }
