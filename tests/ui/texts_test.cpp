@@ -204,7 +204,7 @@ TEST(Texts, Restarted) {
 
 /// This has happened: a PIC-I/O was said to have lost its gains, and its motor to be off.
 TEST(Texts, ARestartSaysWhatThatTypeOfModuleHasLost) {
-    constexpr ModuleIndex kSecond(1);
+    static constexpr ModuleIndex kSecond(1);
     const Message io = texts::restarted({kSecond, false}, 2, ModuleType::Io);
     EXPECT_EQ(io.headline,
               u"Module 2 restarted: its pins are inputs again, and its outputs release what they drove."_s);
@@ -229,7 +229,7 @@ TEST(Texts, ARestartSaysWhatThatTypeOfModuleHasLost) {
 
 /// This has happened: it was not said which input was waited for, nor for which level.
 TEST(Texts, AWaitThatTimedOutSaysWhatItWaitedFor) {
-    constexpr ModuleIndex kFourth(3);
+    static constexpr ModuleIndex kFourth(3);
     const auto said = [](SequenceEnd end, const Action& awaited) {
         SequenceReport report;
         report.stage = SequenceStage::Over;
