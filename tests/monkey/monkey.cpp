@@ -534,8 +534,10 @@ void Monkey::befall() {
     };
     note(inWords(strike.line));
     m_oath->fault(virtualtime::now() + lasts);
-    if (m_strikes % kFaultsAtOnce == 0)
+    if (++m_faults == kFaultsAtOnce) {
         m_chain.tell("fault clear");
+        m_faults = 0;
+    }
     // On the simulator's page, they may have been set to follow the travel.
     if (QLatin1StringView(strike.line).contains("limit"_L1))
         m_chain.tell(inWords("set %1 limits manual"));

@@ -79,6 +79,7 @@ private:
     unsigned m_motions = 0;
     unsigned m_stopsInMotion = 0;
     unsigned m_strikes = 0;
+    unsigned m_faults = 0;  ///< since the simulator was told to forget them
     bool m_faultFree;
     int m_delivering = 0;
     QPointer<QWindow> m_pressedIn;
