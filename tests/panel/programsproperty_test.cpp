@@ -47,6 +47,10 @@ protected:
         }
         for (int i = 0; i < kPrograms; ++i)
             connect(i);
+        QObject::connect(&panel.composition().store(), &BusStore::happened, &panel.window(),
+                         [this](const StoreEvent& event) {
+                             stops += std::holds_alternative<bus::StopFinished>(event) ? 1U : 0U;
+                         });
     }
 
     int any(int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); }
@@ -117,6 +121,12 @@ protected:
         inControl.reset();
         for (int module = 0; module < kModules; ++module)
             end(module);
+        // Who gets control before the stop has ended loses it then.
+        const unsigned before = stops;
+        ASSERT_TRUE(panel.waitFor([&] {
+            look();
+            return stops > before;
+        }));
     }
     void vanish(int program) {
         programs[program]->vanish();
@@ -181,6 +191,7 @@ protected:
     std::optional<int> inControl;  ///< the program that may move motors
     std::map<int, int> movedBy;    ///< module -> the program, or kUser, that has moved it last
     std::map<int, TimePoint> restsFrom;
+    unsigned stops = 0;  ///< of all modules, that have ended
 };
 
 TEST_P(ProgramsProperty, NothingMovesThatNobodyWithTheRightHasMoved) {
