@@ -54,8 +54,8 @@ public:
     /// The last reported health of the bus, at first Good; also Lost if only one module is the cause.
     [[nodiscard]] bus::LinkHealth health() const;
     [[nodiscard]] std::size_t motionSuspects(std::uint8_t module) const;
-    /// True if nothing commands it to move and it moves by less than the velocity item can show: one count per
-    /// tick.
+    /// True if nothing commands it to move and it moves by less than the velocity item can show: one count
+    /// per tick.
     [[nodiscard]] bool stands(std::uint8_t module);
     /// True if the module is listed as stopped.
     [[nodiscard]] static bool stopped(const bus::StopFinished& event, std::uint8_t module);
