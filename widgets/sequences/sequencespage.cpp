@@ -90,6 +90,8 @@ SequencesPage::SequencesPage(Requests& requests, QWidget* parent)
     auto* tables = new QWidget(this);
     tables->setLayout(form::newLine(tables, {{buildPoints(), 2}, {buildSequences(), 3}}, form::kUsual));
     auto* scroll = scrolled(tables, u"sequencesPageScroll"_s, accessibleName());
+    // In a low dock, the tables give way, and not the second line of buttons.
+    scroll->setMinimumHeight(fontMetrics().height() * 2);
     form::fill(this, form::newColumn(this, {run, {scroll, 1}}, 0));
     connect(m_points, &PointsModel::renameWanted, this,
             [this](const std::string& from, const std::string& to) {
