@@ -44,9 +44,9 @@ Next RestartSearch::next(TimePoint /*now*/) {
             if (m_line.baud() != kPowerUpBaud)
                 return Line::toRate(kPowerUpBaud);
             m_stage = Stage::Back;
+            // The answer to an earlier search says nothing of this one, whose query a stop may drop.
             if (m_answers == 0)
-                m_unaddressed
-                    .reset();  // the answer to an earlier search; this query may be dropped by a stop
+                m_unaddressed.reset();
             const ModuleIdentity identity = m_unaddressed.value_or(ModuleIdentity{});
             const StatusItems items = m_unaddressed ? fullItems(identity) : kIdentityItems;
             bus::Ask ask;

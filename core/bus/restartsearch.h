@@ -51,7 +51,7 @@ private:
 
     Recovery& m_recovery;
     Stage m_stage = Stage::None;
-    std::optional<ModuleIdentity> m_unaddressed;  ///< as it answered first
+    std::optional<ModuleIdentity> m_unaddressed;  ///< as it has answered, once or twice
     std::vector<ModuleIndex> m_others;
     bool m_again = false;    ///< the next of these modules has been queried once
     unsigned m_asks = 0;     ///< consecutive unanswered ones at the power-up rate

@@ -120,8 +120,8 @@ private:
     std::unique_ptr<Underlay> m_under;
     ScopeOrigin m_origin;             ///< of the live samples
     std::optional<TimePoint> m_zero;  ///< of the live history
-    qint64 m_zeroMs =
-        0;  ///< its date in ms of Unix time, because asking the time zone takes long for a frame
+    /// Its date in ms of Unix time: asking for the time zone would be a large part of a frame.
+    qint64 m_zeroMs = 0;
     bool m_another = false;  ///< the live history is not the one that the strips have shown
     std::optional<ScopeTrigger::Picture> m_picture;  ///< the trigger's picture that was shown last
     bool m_touched = true;
