@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window costs and how soon it reacts, with 32 modules moving at the wire's limit and four strips:
 //   window_bench [SECONDS]   the GUI thread's share of a core; a keystroke to its repaint; switching modules
-//   window_bench events      what holds the thread up, at rest, while digits are typed, and while modules are
-//   switched window_bench paints      which widgets are painted, and how often
+//   window_bench events      what holds the thread up: at rest, while typing, while switching modules
+//   window_bench paints      which widgets are painted, and how often
 #include <QApplication>
 #include <QEventLoop>
 #include <QKeyEvent>

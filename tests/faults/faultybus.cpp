@@ -135,7 +135,7 @@ bool FaultyBus::stands(std::uint8_t module) {
     const sim::ModuleSnapshot snapshot = chain.snapshot(ModuleIndex(module), now);
     if (snapshot.stepper)
         return !snapshot.stepper->moving;
-    // With the servo off, the command follows the shaft, count by count.
+    // While the servo is off, its command position follows the shaft.
     const bool commanded = snapshot.servo.servoOn && snapshot.servo.commandVelocity != 0;
     return !commanded && std::abs(snapshot.servo.velocity) < 1;
 }
